@@ -1,0 +1,70 @@
+# Seam Inspector: `make help` lists the targets.
+
+PYTHON := .venv/bin/python
+PACKAGE := build/plugins/seam_inspector
+VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
+ZIP = build/seam_inspector-$(VERSION).zip
+TRANSLATIONS := $(patsubst %.ts,%.qm,$(wildcard i18n/*.ts))
+
+# QGIS and Python find the package by its name, not by the checkout's
+export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
+export PYTHONPATH := $(CURDIR)/build/plugins
+
+.NOTPARALLEL:
+.PHONY: help install link lint test test-core test-qgis test-desktop demo benchmark translate package icon clean
+
+help: ## Show this list
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+
+install: ## Install what the other targets need; does nothing when it is all there
+	@tools/install.sh
+
+link: install $(PACKAGE) $(TRANSLATIONS) ## Make the checkout importable as seam_inspector
+
+$(PACKAGE):
+	@mkdir -p $(@D)
+	@ln -sfn ../.. $@
+
+%.qm: %.ts
+	lrelease -silent $< -qm $@
+
+lint: link ## Check style and types
+	$(PYTHON) -m ruff check .
+	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py))
+
+test: lint test-core test-qgis test-desktop ## Check style and types, then run all tests
+
+test-core: link ## Run the tests of the numbers, without QGIS
+	$(PYTHON) -m pytest -p no:pytest_qgis tests/core
+
+test-qgis: link ## Run the tests inside QGIS, offscreen
+	@rm -rf .qgis-settings
+	QT_QPA_PLATFORM=offscreen $(PYTHON) -m pytest tests/qgis
+
+test-desktop: link ## Run the tests of the real application, on a virtual screen
+ifneq ($(wildcard tests/desktop/test_*.py),)
+	xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" $(PYTHON) -m pytest -p no:pytest_qgis tests/desktop
+endif
+
+demo: link ## Inspect a generated block, or with DATA=folder your own rasters; results in output/demo
+	QT_QPA_PLATFORM=offscreen $(PYTHON) -m demo.run --output output/demo $(if $(DATA),--data "$(DATA)") \
+		$(if $(SIDE),--side $(SIDE)) $(if $(SPACING),--spacing $(SPACING))
+
+benchmark: link ## Measure the speed, on one core
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run
+
+translate: link ## Collect new texts into the translations, then compile them
+	pylupdate5 -noobsolete $$(find plugin -name '*.py') -ts i18n/seam_inspector_pl.ts
+	$(MAKE) link
+
+package: link ## Make the plugin's zip of the last commit, in build/
+	git -c tar.umask=022 archive --format=zip --output=$(ZIP) \
+		--prefix=seam_inspector/i18n/ $(addprefix --add-file=,$(TRANSLATIONS)) --prefix=seam_inspector/ HEAD
+	@echo $(ZIP)
+
+icon: link ## Draw the PNG of the icon anew from its SVG
+	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/draw_icon.py
+
+clean: ## Remove what was built, .venv excepted
+	rm -rf build output .qgis-settings .mypy_cache .pytest_cache .ruff_cache .hypothesis i18n/*.qm
+	find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} +

@@ -1,0 +1,57 @@
+#!/bin/sh
+# Installs what the Makefile's targets need, and nothing when it is all there:
+# - QGIS and its tools from the system's packages (Debian 12 or Ubuntu 22.04, or newer)
+# - Python packages into .venv, which sees the system's ones: QGIS's bindings exist only there
+set -eu
+cd "$(dirname "$0")/.."
+
+PYTHON=/usr/bin/python3 # another python3 on the path would not see QGIS
+PACKAGES="git qgis python3-qgis python3-gdal gdal-bin python3-numpy python3-pywt python3-scipy python3-matplotlib
+    python3-venv python3-pip pyqt5-dev-tools qttools5-dev-tools
+    xvfb xauth libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps"
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        echo "Installing system packages needs root: install sudo, or run as root: $*" >&2
+        exit 1
+    fi
+}
+
+apt() {
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@"
+}
+
+missing_packages() {
+    for package in $PACKAGES; do
+        status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+        [ "$status" = installed ] || echo "$package"
+    done
+}
+
+if ! command -v apt-get >/dev/null; then
+    echo "This script knows apt-get only (Debian, Ubuntu). Install the likes of these by hand:" $PACKAGES >&2
+    exit 1
+fi
+missing=$(missing_packages)
+if [ -n "$missing" ]; then
+    echo "Installing system packages:" $missing
+    apt update
+    # shellcheck disable=SC2086  # one word a package
+    apt install -y --no-install-recommends $missing
+fi
+
+# The stamp tells what .venv was made from: a changed requirement or a new system Python makes it anew.
+stamp=$(cat requirements*.txt && "$PYTHON" -c 'import numpy, sys; print(sys.version, numpy.__version__)')
+if [ "$(cat .venv/stamp 2>/dev/null || true)" != "$stamp" ]; then
+    echo "Installing Python packages into .venv"
+    rm -rf .venv
+    "$PYTHON" -m venv --system-site-packages .venv
+    # Another numpy than the system's would break GDAL's arrays.
+    "$PYTHON" -c 'import numpy; print(f"numpy=={numpy.__version__}")' >.venv/constraints.txt
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check -c .venv/constraints.txt -r requirements-dev.txt
+    echo "$stamp" >.venv/stamp
+fi
