@@ -1,0 +1,91 @@
+"""The papers that go with the plugin: metadata.txt, changelog, icon, and nothing of a developer's machine."""
+from __future__ import annotations
+
+import configparser
+import re
+import struct
+import subprocess
+from pathlib import Path
+
+import pytest
+
+WANTED_BY_THE_PLUGIN_REPOSITORY = (
+    "name description about version author email tracker repository homepage "
+    "qgisMinimumVersion icon tags changelog hasProcessingProvider"
+).split()
+
+# A registry's address, or a path that only one machine has. Spelled so that this file does not match itself.
+OF_ONE_MACHINE = re.compile(
+    r"://[a-z.-]*(?:debian|pypi|pythonhosted|npmjs)[.]|(?:^|[^a-z.])[/](?:root|work|farm)[/][a-z]", re.MULTILINE
+)
+
+
+@pytest.fixture(scope="module")
+def metadata(repository: Path) -> dict[str, str]:
+    """The fields of metadata.txt."""
+    parser = configparser.ConfigParser()
+    parser.optionxform = str  # type: ignore[assignment,method-assign]
+    parser.read(repository / "metadata.txt", encoding="utf-8")
+    return dict(parser["general"])
+
+
+@pytest.mark.parametrize("field", WANTED_BY_THE_PLUGIN_REPOSITORY)
+def test_field_is_there(metadata: dict[str, str], field: str) -> None:
+    assert metadata.get(field, "").strip()
+
+
+@pytest.mark.parametrize("field", ["tracker", "repository", "homepage"])
+def test_address_is_a_url(metadata: dict[str, str], field: str) -> None:
+    assert re.fullmatch(r"https?://[^/\s]+(/\S*)?", metadata[field])
+
+
+def test_works_from_qgis_3_22_to_4(metadata: dict[str, str]) -> None:
+    assert metadata["qgisMinimumVersion"] == "3.22"
+    assert metadata["qgisMaximumVersion"] == "4.99"
+    assert "supportsQt6" not in metadata  # deprecated: the maximum version says it
+
+
+def test_version_is_the_newest_of_both_changelogs(metadata: dict[str, str], repository: Path) -> None:
+    newest = re.search(r"^## (\S+)", (repository / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert newest
+    assert newest[1] == metadata["version"]
+    assert metadata["changelog"].split()[0] == metadata["version"]
+
+
+def test_icon_is_a_square_png_with_its_svg(metadata: dict[str, str], repository: Path) -> None:
+    icon = repository / metadata["icon"]
+    header = icon.read_bytes()[:24]
+    width, height = struct.unpack(">II", header[16:])
+    assert header.startswith(b"\x89PNG")
+    assert width == height >= 64
+    assert icon.with_suffix(".svg").is_file()
+
+
+def test_licence_is_the_gpl(repository: Path) -> None:
+    assert "GNU GENERAL PUBLIC LICENSE" in (repository / "LICENSE").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["see https://deb.@debian.org/x", "pip -i https://@pypi.org/simple", "open('/@work/data')", "/@root/x"],
+)
+def test_what_belongs_to_one_machine_is_recognised(line: str) -> None:
+    assert OF_ONE_MACHINE.search(line.replace("@", ""))
+
+
+def test_files_name_no_registry_and_no_path_of_one_machine(repository: Path) -> None:
+    listed = subprocess.run(
+        ["git", "-c", "safe.directory=*", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        cwd=repository,
+        capture_output=True,
+        text=True,
+    )
+    if listed.returncode:
+        pytest.skip("not a git checkout, so which files belong to the project is not known")
+    found = []
+    for name in filter(None, listed.stdout.split("\0")):
+        path = repository / name
+        content = path.read_bytes() if path.is_file() else b""
+        if b"\0" not in content:
+            found += [f"{name}: {match[0]}" for match in OF_ONE_MACHINE.finditer(content.decode("utf-8", "replace"))]
+    assert found == []
