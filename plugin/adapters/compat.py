@@ -1,0 +1,15 @@
+"""Differences between QGIS versions, all of them here."""
+from __future__ import annotations
+
+from qgis.core import Qgis, QgsField
+from qgis.PyQt import QtCore
+
+_KINDS = {"integer": ("Int", "Int"), "real": ("Double", "Double"), "text": ("String", "QString")}
+
+
+def field(name: str, kind: str) -> QgsField:
+    """A field of kind ``integer``, ``real`` or ``text``."""
+    variant, meta = _KINDS[kind]
+    if Qgis.QGIS_VERSION_INT >= 33800:  # QVariant's types are deprecated from here on, and gone with Qt 6
+        return QgsField(name, getattr(QtCore.QMetaType.Type, meta))
+    return QgsField(name, getattr(QtCore.QVariant, variant))

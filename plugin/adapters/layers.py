@@ -1,0 +1,137 @@
+"""QGIS layers and Processing values -> the core's plain data."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeature,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+    QgsProcessingUtils,
+    QgsProviderRegistry,
+    QgsRasterLayer,
+    QgsRectangle,
+    QgsWkbTypes,
+)
+
+from ..core import messages
+from ..core.errors import RasterError, SettingsError, WindowError
+from ..core.inspection import Source
+from ..core.rasters import Raster, RasterRef
+from ..core.windows import Extent
+
+LOCATION_FIELD = "location"  # as gdaltindex writes it
+
+
+def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
+    """The file behind a raster layer, a layer's id or name, or a path.
+
+    Raises RasterError for a layer that is not a file that GDAL reads.
+    """
+    layer = value
+    if isinstance(value, str):
+        layer = QgsProcessingUtils.mapLayerFromString(value, context, False)
+        if layer is None:
+            return RasterRef(value)
+    if not isinstance(layer, QgsRasterLayer):
+        raise RasterError(messages.NOT_A_RASTER_LAYER(name=layer.name() if hasattr(layer, "name") else value))
+    if layer.providerType() not in ("gdal", ""):
+        raise RasterError(messages.NOT_A_FILE(name=layer.name()))
+    parts = QgsProviderRegistry.instance().decodeUri("gdal", layer.source())
+    path = parts.get("vsiPrefix", "") + parts["path"] + parts.get("vsiSuffix", "")
+    if parts.get("layerName"):
+        path = layer.source()  # a subdataset has no path of its own
+    return RasterRef(path, system_wkt(layer.crs()))
+
+
+def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:
+    """WKT as GDAL writes it; empty for an invalid system."""
+    return crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED_GDAL) if crs.isValid() else ""
+
+
+def mosaic_crs(mosaic: Raster) -> QgsCoordinateReferenceSystem:
+    """The mosaic's reference system, by its authority's code where it has one."""
+    return QgsCoordinateReferenceSystem.fromWkt(mosaic.wkt)
+
+
+def features(source: QgsProcessingFeatureSource) -> Iterator[QgsFeature]:
+    """All features, those with invalid geometry included: what to do about them is for us to say."""
+    skip_checks = QgsProcessingFeatureSource.Flag.FlagSkipGeometryValidityChecks
+    return source.getFeatures(QgsFeatureRequest(), skip_checks)
+
+
+def window_geometry(feature: QgsFeature, transform: QgsCoordinateTransform) -> QgsGeometry:
+    """The outline of a window in the mosaic's reference system.
+
+    Raises WindowError for an outline that is no single simple polygon.
+    """
+    geometry = QgsGeometry(feature.geometry())
+    if geometry.isNull() or geometry.isEmpty():
+        raise WindowError(messages.WINDOW_EMPTY())
+    if geometry.type() != QgsWkbTypes.GeometryType.PolygonGeometry:
+        raise WindowError(messages.WINDOW_NOT_POLYGON())
+    if geometry.isMultipart() and geometry.constGet().numGeometries() > 1:
+        raise WindowError(messages.WINDOW_MULTIPART())
+    if not geometry.isGeosValid():
+        raise WindowError(messages.WINDOW_SELF_CROSSING())
+    return _transformed(geometry, transform)
+
+
+def extent(geometry: QgsGeometry) -> Extent:
+    """The bounding box of a geometry."""
+    return _extent(geometry.boundingBox())
+
+
+def rectangle(bounds: Extent) -> QgsGeometry:
+    """The polygon of an extent."""
+    return QgsGeometry.fromRect(QgsRectangle(*bounds))
+
+
+def line_wkb(feature: QgsFeature, transform: QgsCoordinateTransform) -> bytes | None:
+    """A seamline or cell in the mosaic's reference system as WKB; None when it has no geometry."""
+    geometry = QgsGeometry(feature.geometry())
+    if geometry.isNull() or geometry.isEmpty():
+        return None
+    return bytes(_transformed(geometry, transform).asWkb())
+
+
+def indexed_sources(
+    index: QgsProcessingFeatureSource, index_path: str, transform: QgsCoordinateTransform
+) -> list[Source]:
+    """The orthoimages of an index layer as gdaltindex writes it, with their footprints.
+
+    Relative locations start at the folder of the index file. No raster is opened.
+
+    Raises SettingsError when the layer has no field ``location``.
+    """
+    if LOCATION_FIELD not in index.fields().names():
+        raise SettingsError(messages.INDEX_WITHOUT_LOCATION(field=LOCATION_FIELD))
+    folder = os.path.dirname(os.path.abspath(index_path)) if index_path else ""
+    sources = []
+    for feature in features(index):
+        location, geometry = feature[LOCATION_FIELD], QgsGeometry(feature.geometry())
+        if not location or geometry.isEmpty():
+            continue
+        path = str(location)
+        if folder and not (os.path.isabs(path) or path.startswith("/vsi") or ":" in path):
+            path = os.path.normpath(os.path.join(folder, path))
+        sources.append(Source(RasterRef(path), extent(_transformed(geometry, transform))))
+    return sources
+
+
+def _transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> QgsGeometry:
+    try:
+        geometry.transform(transform)
+    except QgsCsException:
+        raise WindowError(messages.EXTENT_NOT_TRANSFORMED()) from None
+    return geometry
+
+
+def _extent(box: QgsRectangle) -> Extent:
+    return box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum()

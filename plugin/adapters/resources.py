@@ -1,0 +1,21 @@
+"""Where the plugin's own files are."""
+from __future__ import annotations
+
+from pathlib import Path
+
+_RESOURCES = Path(__file__).parents[2] / "resources"
+
+
+def icon_path(name: str = "seam_inspector") -> str:
+    """An SVG icon."""
+    return str(_RESOURCES / "icons" / f"{name}.svg")
+
+
+def style_path(name: str) -> str:
+    """A layer style (QML)."""
+    return str(_RESOURCES / "styles" / f"{name}.qml")
+
+
+def model_paths() -> list[str]:
+    """The ready models."""
+    return [str(path) for path in sorted((_RESOURCES / "models").glob("*.model3"))]

@@ -1,0 +1,161 @@
+"""What all our algorithms share: names, help, and errors as one clear sentence."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Optional
+
+from qgis.core import (
+    QgsFeature,
+    QgsFeatureSink,
+    QgsMapLayer,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeatureSource,
+    QgsProcessingFeedback,
+    QgsProcessingLayerPostProcessorInterface,
+    QgsProcessingParameterDefinition,
+)
+from qgis.PyQt.QtGui import QIcon
+
+from ..adapters.packages import missing_packages_sentence
+from ..adapters.resources import icon_path
+from ..adapters.text import sentence, tr
+from ..core.errors import SeamInspectorError
+from . import parameters as common
+
+if TYPE_CHECKING:
+    from ..core.rasters import Mosaic
+
+Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
+
+
+class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
+    """An algorithm says its id, names and help in class attributes and does its work in ``execute``."""
+
+    ID: str
+    NAME: str
+    GROUP = "Seam inspection"
+    GROUP_ID = "seaminspection"
+    HELP: str
+
+    def name(self) -> str:
+        return self.ID
+
+    def displayName(self) -> str:
+        return tr(self.NAME)
+
+    def group(self) -> str:
+        return tr(self.GROUP)
+
+    def groupId(self) -> str:
+        return self.GROUP_ID
+
+    def shortHelpString(self) -> str:
+        described = (
+            f"<b>{definition.description()}</b>: {definition.help()}"
+            for definition in self.parameterDefinitions()
+            if definition.help()
+        )
+        return "".join(f"<p>{paragraph}</p>" for paragraph in (tr(self.HELP), *described))
+
+    def icon(self) -> QIcon:
+        return QIcon(icon_path())
+
+    def createInstance(self) -> QgsProcessingAlgorithm:
+        return type(self)()
+
+    def canExecute(self) -> tuple[bool, str]:
+        missing = missing_packages_sentence()
+        return not missing, missing
+
+    def addDescribed(
+        self, definition: QgsProcessingParameterDefinition, description: str, advanced: bool = False
+    ) -> None:
+        """Add a parameter with its help."""
+        definition.setHelp(description)
+        if advanced:
+            definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
+        self.addParameter(definition)
+
+    def processAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        try:
+            return self.execute(parameters, context, feedback)
+        except SeamInspectorError as error:
+            raise QgsProcessingException(sentence(error.message)) from None
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        """The work; raises SeamInspectorError for what the user can mend."""
+        raise NotImplementedError
+
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        try:
+            self.check(parameters, context)
+        except SeamInspectorError as error:
+            return False, sentence(error.message)
+        return super().checkParameterValues(parameters, context)
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
+
+    def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
+        """The raster of the parameter MOSAIC."""
+        from ..adapters.layers import raster_ref
+        from ..core.rasters import describe_mosaic
+
+        return describe_mosaic(raster_ref(common.raster_value(parameters, common.MOSAIC, context), context))
+
+    def source(
+        self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
+    ) -> QgsProcessingFeatureSource:
+        """The features of a parameter that has to be there."""
+        source = self.parameterAsSource(parameters, name, context)
+        if source is None:
+            raise QgsProcessingException(self.invalidSourceError(parameters, name))
+        return source
+
+    def sink(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext, *layout: Any) -> Sink:
+        """Where features of a layout (fields, geometry type, reference system) go, and its destination."""
+        sink, destination = self.parameterAsSink(parameters, name, context, *layout)
+        if sink is None:
+            raise QgsProcessingException(self.invalidSinkError(parameters, name))
+        return sink, destination
+
+    def optional_sink(
+        self, parameters: dict[str, Any], name: str, context: QgsProcessingContext, *layout: Any
+    ) -> Sink:
+        """Like ``sink``; nothing when the output is not wanted."""
+        return self.sink(parameters, name, context, *layout) if parameters.get(name) else (None, None)
+
+    @staticmethod
+    def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:
+        """Add features at once, so that they stay whatever comes after."""
+        if sink is None:
+            return
+        for feature in features:
+            if not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert):
+                raise QgsProcessingException(sink.lastError() or tr("A result can't be written; is the disk full?"))
+
+    def style(self, destination: str | None, style: str, context: QgsProcessingContext) -> None:
+        """Give a layer that will be loaded a style."""
+        if destination and context.willLoadLayerOnCompletion(destination):
+            self._styler = _Styler(style)
+            context.layerToLoadOnCompletionDetails(destination).setPostProcessor(self._styler)
+
+
+class _Styler(QgsProcessingLayerPostProcessorInterface):
+    """Loads a style once the layer is there; kept by the algorithm, since QGIS holds no reference to it."""
+
+    def __init__(self, style: str) -> None:
+        super().__init__()
+        self._style = style
+
+    def postProcessLayer(
+        self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> None:
+        layer.loadNamedStyle(self._style)
+        layer.triggerRepaint()

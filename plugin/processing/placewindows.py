@@ -1,0 +1,124 @@
+"""``seaminspector:placewindows``: windows along seamlines."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateTransform,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterNumber,
+    QgsWkbTypes,
+)
+
+from ..adapters.resources import style_path
+from ..adapters.text import sentence, tr
+from ..core import thresholds
+from . import parameters as common
+from .base import SeamInspectorAlgorithm
+
+if TYPE_CHECKING:
+    from ..core.windows import PixelWindow
+
+SEAMLINES, SIDE, SPACING, OUTPUT = "SEAMLINES", "SIDE", "SPACING", "OUTPUT"
+
+
+class PlaceWindows(SeamInspectorAlgorithm):
+    """Standard windows along the seams of a mosaic."""
+
+    ID = "placewindows"
+    NAME = "Place windows along seamlines"
+    HELP = (
+        "Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window's "
+        "side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel "
+        "edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names "
+        "those that had to be dropped."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon]),
+            tr(
+                "Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. "
+                "Fragments and pixel staircases are joined and straightened first."
+            ),
+        )
+        self.addDescribed(*common.mosaic())
+        self.addDescribed(
+            self._length(SIDE, tr("Window side (metres)"), thresholds.STANDARD_SIDE_M),
+            tr("What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
+        )
+        self.addDescribed(
+            self._length(SPACING, tr("Spacing (metres)"), thresholds.STANDARD_SPACING_M),
+            tr("Distance between the centres of neighbouring windows, measured along the seam."),
+        )
+        self.addDescribed(*common.levels())
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                OUTPUT, tr("Windows"), QgsProcessing.SourceType.TypeVectorPolygon
+            ),
+            tr("The windows, with the number of their seam and their station along it in metres."),
+        )
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..core.placing import window_side_px
+
+        window_side_px(self.describe_mosaic(parameters, context).grid, *self._measures(parameters, context))
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters import layers, tables
+        from ..core.placing import place_windows
+        from ..core.rasters import validity_check
+        from ..core.seamlines import find_seams
+
+        seamlines = self.source(parameters, SEAMLINES, context)
+        mosaic = self.describe_mosaic(parameters, context)
+        crs = layers.mosaic_crs(mosaic)
+        transform = QgsCoordinateTransform(seamlines.sourceCrs(), crs, context.transformContext())
+        seams = find_seams(
+            (layers.line_wkb(feature, transform) for feature in layers.features(seamlines)), mosaic.grid.pixel_width
+        )
+        valid = validity_check(mosaic)
+
+        def is_valid(window: PixelWindow) -> bool:
+            return not feedback.isCanceled() and valid(window)
+
+        placement = place_windows(seams, mosaic.grid, *self._measures(parameters, context), is_valid)
+        for message in placement.dropped if not feedback.isCanceled() else ():
+            feedback.pushWarning(sentence(message))
+        sink, destination = self.sink(
+            parameters, OUTPUT, context, tables.placed_fields(), QgsWkbTypes.Type.Polygon, crs
+        )
+        for done, placed in enumerate(placement.windows, 1):
+            if feedback.isCanceled():
+                break
+            geometry = layers.rectangle(mosaic.grid.window_extent(placed.window))
+            self.write(sink, [tables.placed_feature(placed, geometry)])
+            feedback.setProgress(100 * done / len(placement.windows))
+        feedback.pushInfo(
+            tr("{windows} windows placed along {seams} seams.").format(
+                windows=len(placement.windows), seams=len(seams)
+            )
+        )
+        self.style(destination, style_path("placed_windows"), context)
+        return {OUTPUT: destination}
+
+    def _measures(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[float, float, int]:
+        """Side and spacing in metres, and the levels."""
+        return (
+            self.parameterAsDouble(parameters, SIDE, context),
+            self.parameterAsDouble(parameters, SPACING, context),
+            self.parameterAsInt(parameters, common.LEVELS, context),
+        )
+
+    @staticmethod
+    def _length(name: str, description: str, default: float) -> QgsProcessingParameterNumber:
+        return QgsProcessingParameterNumber(
+            name, description, QgsProcessingParameterNumber.Type.Double, default, minValue=0.01
+        )

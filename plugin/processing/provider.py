@@ -1,0 +1,35 @@
+"""The provider ``seaminspector``: our algorithms and ready models in the toolbox, the modeler and qgis_process."""
+from __future__ import annotations
+
+from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.PyQt.QtGui import QIcon
+
+from ..adapters.resources import icon_path, model_paths
+from .inspectwindows import InspectWindows
+from .placewindows import PlaceWindows
+
+ALGORITHMS = (PlaceWindows, InspectWindows)
+
+
+class SeamInspectorProvider(QgsProcessingProvider):
+    """Offers every algorithm of ``ALGORITHMS`` and every model of resources/models."""
+
+    def id(self) -> str:
+        return "seaminspector"
+
+    def name(self) -> str:
+        return "Seam Inspector"
+
+    def icon(self) -> QIcon:
+        return QIcon(icon_path())
+
+    def svgIconPath(self) -> str:
+        return icon_path()
+
+    def loadAlgorithms(self) -> None:
+        for algorithm in ALGORITHMS:
+            self.addAlgorithm(algorithm())
+        for path in model_paths():
+            model = QgsProcessingModelAlgorithm()
+            if model.fromFile(path):
+                self.addAlgorithm(model)
