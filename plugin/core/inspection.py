@@ -5,6 +5,7 @@ import os
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor, Future
+from concurrent.futures import TimeoutError as FutureTimeoutError
 from dataclasses import dataclass, field
 from typing import Callable
 
@@ -19,6 +20,7 @@ from .wavelets import Curve, check_decomposition, clip_curves
 from .windows import Extent, PixelWindow, snap_window
 
 LUMINANCE = "luminance"
+_PATIENCE_SECONDS = 0.2  # between two looks at whether the run was cancelled
 
 
 @dataclass(frozen=True)
@@ -239,7 +241,7 @@ def inspect_windows(
 
     At most ``ahead`` windows are under way or waiting to be taken, so memory does not grow with their number.
     A window that fails in a way nobody foresaw becomes ``not_comparable`` with the error as its reason.
-    Stops after the results that are ready when ``cancelled`` says so.
+    Stops when ``cancelled`` says so, within a fraction of a second even while a window is under way.
     """
     waiting: deque[tuple[WindowRequest, Future[WindowResult]]] = deque()
     try:
@@ -248,21 +250,31 @@ def inspect_windows(
                 return
             waiting.append((request, executor.submit(inspect_window, request)))
             if len(waiting) >= ahead:
-                yield _result(*waiting.popleft())
+                yield from _ready(*waiting.popleft(), cancelled)
         while waiting and not cancelled():
-            yield _result(*waiting.popleft())
+            yield from _ready(*waiting.popleft(), cancelled)
     finally:
         for _, future in waiting:
             future.cancel()
 
 
-def _result(request: WindowRequest, future: Future[WindowResult]) -> WindowResult:
-    error = future.exception()
-    if error is None:
-        return future.result()
-    if not isinstance(error, Exception):
-        raise error
-    return _not_comparable(request, messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}"))
+def _ready(
+    request: WindowRequest, future: Future[WindowResult], cancelled: Callable[[], bool]
+) -> Iterator[WindowResult]:
+    """The result as soon as it is there; nothing when ``cancelled`` says so before."""
+    while not cancelled():
+        try:
+            error = future.exception(timeout=_PATIENCE_SECONDS)
+        except (TimeoutError, FutureTimeoutError):
+            continue
+        if error is None:
+            yield future.result()
+        elif isinstance(error, Exception):
+            yield _not_comparable(request, messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}"))
+        else:
+            raise error
+        return
+    future.cancel()
 
 
 def _measure(clip: Clip, settings: Settings) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:

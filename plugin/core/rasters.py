@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from typing import Any, Callable
 
@@ -122,7 +122,7 @@ def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
         try:
             transform = osr.CoordinateTransformation(_system(wkt), _system(target_wkt))
             bounds = transform.TransformBounds(*extent, 21)
-        except RuntimeError:
+        except (RuntimeError, TypeError):  # TypeError: there is no transformation and GDAL's exceptions are off
             bounds = (math.inf,)
     if not all(map(math.isfinite, bounds)):
         raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
@@ -160,7 +160,8 @@ def validity_check(mosaic: Mosaic) -> Callable[[PixelWindow], bool]:
         inside = (window.column, window.row, window.width, window.height)
         size = {"buf_xsize": max(1, window.width // 4), "buf_ysize": max(1, window.height // 4)}
         data = _gdal(lambda: dataset.ReadAsArray(*inside, **size), mosaic.ref)
-        invalid = _split(dataset, data.reshape(dataset.RasterCount, size["buf_ysize"], size["buf_xsize"]), inside)[1]
+        data = data.reshape(dataset.RasterCount, size["buf_ysize"], size["buf_xsize"])
+        invalid = _split(dataset, data, inside, mosaic.ref)[1]
         return invalid is None or bool(invalid.mean() <= thresholds.MAX_INVALID_SHARE)
 
     return is_valid
@@ -177,9 +178,10 @@ def _clip_as_it_is(dataset: gdal.Dataset, raster: Raster, grid: Grid, extent: Ex
 
 
 def _clip_warped(dataset: gdal.Dataset, raster: Raster, mosaic: Mosaic, window: PixelWindow) -> Clip:
+    extent_on(mosaic.grid.window_extent(window), mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
     finer = raster.ground_sample_distance < mosaic.ground_sample_distance
     if _bands(dataset).palette is not None:
-        dataset = _gdal(lambda: gdal.Translate("", dataset, format="VRT", rgbExpand="rgb"), raster.ref)
+        dataset = _gdal(lambda: _palette_expanded(dataset), raster.ref)
     warped = _gdal(
         lambda: gdal.Warp(
             "",
@@ -200,6 +202,17 @@ def _clip_warped(dataset: gdal.Dataset, raster: Raster, mosaic: Mosaic, window: 
     return Clip(raster, bands, invalid_share, resampled=True)
 
 
+def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
+    """A paletted dataset as red, green, blue and alpha; what was nodata is transparent."""
+    indices = gdal.Translate("", dataset, format="VRT", noData="none")
+    nodata = dataset.GetRasterBand(1).GetNoDataValue()
+    if nodata is not None:
+        table = dataset.GetRasterBand(1).GetColorTable().Clone()
+        table.SetColorEntry(int(nodata), (*table.GetColorEntry(int(nodata))[:3], 0))
+        indices.GetRasterBand(1).SetColorTable(table)
+    return gdal.Translate("", indices, format="VRT", rgbExpand="rgba")
+
+
 def _read_valid(dataset: gdal.Dataset, raster: Raster, window: PixelWindow) -> tuple[np.ndarray, float]:
     """The bands of a pixel window, invalid pixels filled, and the share of those.
 
@@ -214,7 +227,7 @@ def _read_valid(dataset: gdal.Dataset, raster: Raster, window: PixelWindow) -> t
     inside = (left, top, right - left, bottom - top)
     data = np.atleast_3d(_gdal(lambda: dataset.ReadAsArray(*inside), raster.ref, messages.NOT_READABLE(name=name)))
     data = data.reshape(dataset.RasterCount, inside[3], inside[2])
-    bands, invalid = _split(dataset, data, inside)
+    bands, invalid = _split(dataset, data, inside, raster.ref)
     if inside[2:] != (window.width, window.height):
         margins = ((top - window.row, window.row + window.height - bottom), (left - window.column, 0))
         margins = (margins[0], (margins[1][0], window.column + window.width - right))
@@ -232,7 +245,7 @@ def _read_valid(dataset: gdal.Dataset, raster: Raster, window: PixelWindow) -> t
 
 
 def _split(
-    dataset: gdal.Dataset, data: np.ndarray, inside: tuple[int, int, int, int]
+    dataset: gdal.Dataset, data: np.ndarray, inside: tuple[int, int, int, int], ref: RasterRef
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """All bands of a dataset into those that are measured and a mask of invalid pixels (None: all are valid)."""
     roles = _bands(dataset)
@@ -245,7 +258,8 @@ def _split(
     first = dataset.GetRasterBand(1)
     if first.GetMaskFlags() & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
         rows, columns = data.shape[1:]
-        masks.append(first.GetMaskBand().ReadAsArray(*inside, buf_xsize=columns, buf_ysize=rows) == 0)
+        mask_band = first.GetMaskBand()
+        masks.append(_gdal(lambda: mask_band.ReadAsArray(*inside, buf_xsize=columns, buf_ysize=rows), ref) == 0)
     if bands.dtype.kind == "f":
         masks.append(~np.isfinite(bands).all(axis=0))
     if roles.palette is not None:
@@ -366,7 +380,7 @@ def _metres_per_unit(wkt: str, y: float) -> tuple[float, float]:
 
 def _system(wkt: str) -> osr.SpatialReference:
     system = osr.SpatialReference()
-    with _quiet():
+    with _quiet(), suppress(RuntimeError):  # a text that means nothing leaves the system empty
         system.SetFromUserInput(wkt)
     system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return system

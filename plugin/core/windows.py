@@ -119,8 +119,9 @@ def snap_window(grid: Grid, extent: Extent, levels: int = thresholds.DEFAULT_LEV
     top, bottom = round((grid.top - ymax) / grid.pixel_height), round((grid.top - ymin) / grid.pixel_height)
     if right <= 0 or bottom <= 0 or left >= grid.columns or top >= grid.rows:
         raise WindowError(messages.WINDOW_OUTSIDE())
-    column, width = _trim(max(left, 0), min(right, grid.columns), 2**levels)
-    row, height = _trim(max(top, 0), min(bottom, grid.rows), 2**levels)
+    left, right, top, bottom = max(left, 0), min(right, grid.columns), max(top, 0), min(bottom, grid.rows)
+    column, width = _trim(left, right, 2**levels)
+    row, height = _trim(top, bottom, 2**levels)
     fewest = max(thresholds.MIN_SIDE_PX, 2**levels)
     if min(width, height) < fewest:
         if fewest > thresholds.MIN_SIDE_PX:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import (
@@ -78,6 +79,15 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
         self.addParameter(definition)
 
+    def prepareAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> bool:
+        try:
+            self.prepare(parameters, context)
+        except SeamInspectorError as error:
+            raise QgsProcessingException(sentence(error.message)) from None
+        return True
+
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
@@ -85,6 +95,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             return self.execute(parameters, context, feedback)
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -143,12 +156,11 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def style(self, destination: str | None, style: str, context: QgsProcessingContext) -> None:
         """Give a layer that will be loaded a style."""
         if destination and context.willLoadLayerOnCompletion(destination):
-            self._styler = _Styler(style)
-            context.layerToLoadOnCompletionDetails(destination).setPostProcessor(self._styler)
+            context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
 
 
 class _Styler(QgsProcessingLayerPostProcessorInterface):
-    """Loads a style once the layer is there; kept by the algorithm, since QGIS holds no reference to it."""
+    """Gives a layer its style once it is there."""
 
     def __init__(self, style: str) -> None:
         super().__init__()
@@ -159,3 +171,9 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
     ) -> None:
         layer.loadNamedStyle(self._style)
         layer.triggerRepaint()
+
+
+@lru_cache(maxsize=None)
+def _styler(style: str) -> _Styler:
+    """One for each style, kept for good: QGIS holds no reference, and calls it when the algorithm is gone."""
+    return _Styler(style)

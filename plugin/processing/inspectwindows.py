@@ -105,6 +105,14 @@ class InspectWindows(SeamInspectorAlgorithm):
         if not common.raster_values(parameters, common.SOURCES, context) and not parameters.get(common.SOURCE_INDEX):
             raise SettingsError(messages.NO_SOURCES_GIVEN())
 
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..adapters.layers import raster_ref
+
+        self._mosaic = self.describe_mosaic(parameters, context)
+        given = common.raster_values(parameters, common.SOURCES, context)
+        self._sources = [raster_ref(value, context) for value in given]
+        self._index_path = common.index_path(self, parameters, common.SOURCE_INDEX, context)
+
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
@@ -173,16 +181,13 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..adapters import layers
         from ..core.inspection import make_block
 
-        mosaic = self.describe_mosaic(parameters, context)
-        given = common.raster_values(parameters, common.SOURCES, context)
         indexed = []
         index = self.parameterAsSource(parameters, common.SOURCE_INDEX, context)
         if index is not None:
-            path = common.index_path(self, parameters, common.SOURCE_INDEX, context)
-            crs = layers.mosaic_crs(mosaic)
+            crs = layers.mosaic_crs(self._mosaic)
             transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
-            indexed = layers.indexed_sources(index, path, transform)
-        block, notices = make_block(mosaic, [layers.raster_ref(value, context) for value in given], indexed)
+            indexed = layers.indexed_sources(index, self._index_path, transform)
+        block, notices = make_block(self._mosaic, self._sources, indexed)
         for notice in notices:
             feedback.pushWarning(sentence(notice))
         return block

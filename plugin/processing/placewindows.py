@@ -69,6 +69,9 @@ class PlaceWindows(SeamInspectorAlgorithm):
 
         window_side_px(self.describe_mosaic(parameters, context).grid, *self._measures(parameters, context))
 
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._mosaic = self.describe_mosaic(parameters, context)
+
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
@@ -78,7 +81,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ..core.seamlines import find_seams
 
         seamlines = self.source(parameters, SEAMLINES, context)
-        mosaic = self.describe_mosaic(parameters, context)
+        mosaic = self._mosaic
         crs = layers.mosaic_crs(mosaic)
         transform = QgsCoordinateTransform(seamlines.sourceCrs(), crs, context.transformContext())
         seams = find_seams(
