@@ -54,7 +54,7 @@ benchmark: link ## Measure the speed, on one core
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run
 
 translate: link ## Collect new texts into the translations, then compile them
-	pylupdate5 -noobsolete $$(find plugin -name '*.py') -ts i18n/seam_inspector_pl.ts
+	pylupdate5 -noobsolete -tr-function Message $$(find plugin -name '*.py') -ts i18n/seam_inspector_pl.ts
 	$(MAKE) link
 
 package: link ## Make the plugin's zip of the last commit, in build/

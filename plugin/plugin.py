@@ -4,6 +4,7 @@ from __future__ import annotations
 from qgis.core import QgsApplication
 from qgis.gui import QgisInterface
 
+from .adapters.text import Translation
 from .processing.provider import SeamInspectorProvider
 
 
@@ -13,6 +14,7 @@ class SeamInspectorPlugin:
     def __init__(self, iface: QgisInterface | None) -> None:
         self._iface = iface
         self._provider: SeamInspectorProvider | None = None
+        self._translation = Translation()
 
     def initProcessing(self) -> None:
         """Register the provider; all that qgis_process asks for, which has no interface."""
@@ -27,3 +29,4 @@ class SeamInspectorPlugin:
         if self._provider is not None:
             QgsApplication.processingRegistry().removeProvider(self._provider)
             self._provider = None
+        self._translation.remove()

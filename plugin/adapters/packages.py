@@ -5,7 +5,7 @@ from importlib.util import find_spec
 
 from .text import tr
 
-_NEEDED = {"numpy": "numpy", "pywt": "PyWavelets", "scipy": "scipy"}
+_NEEDED = {"numpy": "numpy", "pywt": "PyWavelets"}
 
 
 def missing_packages() -> list[str]:
@@ -19,7 +19,6 @@ def missing_packages_sentence() -> str:
     if not missing:
         return ""
     return tr(
-        "Seam Inspector needs the Python package(s) {packages}. On Debian and Ubuntu install python3-pywt and "
-        "python3-scipy with apt; on Windows run 'python -m pip install {packages}' in the OSGeo4W shell. "
-        "Then restart QGIS."
+        "Seam Inspector needs the Python package(s) {packages}. On Debian and Ubuntu install python3-pywt with "
+        "apt; on Windows run 'python -m pip install {packages}' in the OSGeo4W shell. Then restart QGIS."
     ).format(packages=" ".join(missing))

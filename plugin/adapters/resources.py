@@ -3,7 +3,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-_RESOURCES = Path(__file__).parents[2] / "resources"
+_PLUGIN = Path(__file__).parents[2]
+_RESOURCES = _PLUGIN / "resources"
 
 
 def icon_path(name: str = "seam_inspector") -> str:
@@ -19,3 +20,8 @@ def style_path(name: str) -> str:
 def model_paths() -> list[str]:
     """The ready models."""
     return [str(path) for path in sorted((_RESOURCES / "models").glob("*.model3"))]
+
+
+def translations_path() -> str:
+    """The folder of the compiled translations."""
+    return str(_PLUGIN / "i18n")

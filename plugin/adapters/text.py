@@ -1,9 +1,11 @@
 """Words for the user: translations of our own texts and of the core's messages."""
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QCoreApplication
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
 from ..core.messages import Message
+from .resources import translations_path
 
 
 def tr(text: str) -> str:
@@ -14,3 +16,15 @@ def tr(text: str) -> str:
 def sentence(message: Message) -> str:
     """A message of the core in the user's language."""
     return message.worded(tr)
+
+
+class Translation:
+    """Our translations of the interface language, in force from construction to ``remove``."""
+
+    def __init__(self) -> None:
+        self._translator = QTranslator()
+        if self._translator.load(f"seam_inspector_{QgsApplication.locale()[:2]}", translations_path()):
+            QCoreApplication.installTranslator(self._translator)
+
+    def remove(self) -> None:
+        QCoreApplication.removeTranslator(self._translator)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import lru_cache
+from functools import cache
 from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import (
@@ -17,6 +17,7 @@ from qgis.core import (
     QgsProcessingLayerPostProcessorInterface,
     QgsProcessingParameterDefinition,
 )
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.packages import missing_packages_sentence
@@ -36,7 +37,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     ID: str
     NAME: str
-    GROUP = "Seam inspection"
+    GROUP = QT_TRANSLATE_NOOP("@default", "Seam inspection")
     GROUP_ID = "seaminspection"
     HELP: str
 
@@ -173,7 +174,7 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
         layer.triggerRepaint()
 
 
-@lru_cache(maxsize=None)
+@cache
 def _styler(style: str) -> _Styler:
     """One for each style, kept for good: QGIS holds no reference, and calls it when the algorithm is gone."""
     return _Styler(style)

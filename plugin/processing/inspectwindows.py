@@ -21,6 +21,7 @@ from qgis.core import (
     QgsProcessingParameterString,
     QgsWkbTypes,
 )
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
@@ -41,8 +42,9 @@ class InspectWindows(SeamInspectorAlgorithm):
     """How much detail a mosaic kept in each window, against each of its sources."""
 
     ID = "inspectwindows"
-    NAME = "Inspect windows"
-    HELP = (
+    NAME = QT_TRANSLATE_NOOP("@default", "Inspect windows")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
         "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that covers the "
         "window are clipped and decomposed by wavelets; the share of the variance that each level of detail has in "
         "the mosaic is divided by its share in the source. At level 1, the finest, a ratio of 0.5 or less against "

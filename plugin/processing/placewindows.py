@@ -13,6 +13,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsWkbTypes,
 )
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
@@ -30,8 +31,9 @@ class PlaceWindows(SeamInspectorAlgorithm):
     """Standard windows along the seams of a mosaic."""
 
     ID = "placewindows"
-    NAME = "Place windows along seamlines"
-    HELP = (
+    NAME = QT_TRANSLATE_NOOP("@default", "Place windows along seamlines")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
         "Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window's "
         "side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel "
         "edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names "
