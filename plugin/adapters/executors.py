@@ -13,6 +13,11 @@ from ..core import messages
 from ..core.errors import SettingsError
 
 _ANSWER_SECONDS = 10
+_FORGET = f"""
+import sys
+for name in [name for name in sys.modules if name.partition(".")[0] == {__name__.partition(".")[0]!r}]:
+    del sys.modules[name]
+"""  # else workers that met an older version of the plugin would go on with its core
 _AHEAD = 2  # windows under way per worker: one is measured while the next waits
 
 
@@ -44,6 +49,7 @@ def _dask_executor(scheduler: str) -> Iterator[tuple[Executor, int]]:
     except (OSError, ValueError, TypeError) as error:
         raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=error)) from None
     with client:
+        client.run(exec, _FORGET)
         with tempfile.TemporaryDirectory() as folder:
             client.upload_file(_core_archive(Path(folder)))
         threads = sum(client.nthreads().values())

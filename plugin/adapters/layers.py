@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -14,9 +14,11 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingUtils,
+    QgsProject,
     QgsProviderRegistry,
     QgsRasterLayer,
     QgsRectangle,
+    QgsVectorLayer,
     QgsWkbTypes,
 )
 
@@ -41,6 +43,14 @@ def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
             return RasterRef(value)
     if not isinstance(layer, QgsRasterLayer):
         raise RasterError(messages.NOT_A_RASTER_LAYER(name=layer.name() if hasattr(layer, "name") else value))
+    return layer_ref(layer)
+
+
+def layer_ref(layer: QgsRasterLayer) -> RasterRef:
+    """The file behind a raster layer, with the layer's reference system.
+
+    Raises RasterError for a layer that is not a file that GDAL reads.
+    """
     if layer.providerType() not in ("gdal", ""):
         raise RasterError(messages.NOT_A_FILE(name=layer.name()))
     parts = QgsProviderRegistry.instance().decodeUri("gdal", layer.source())
@@ -48,6 +58,13 @@ def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
     if parts.get("layerName"):
         path = layer.source()  # a subdataset has no path of its own
     return RasterRef(path, system_wkt(layer.crs()))
+
+
+def layer_path(layer: QgsVectorLayer) -> str:
+    """The file of a vector layer; empty for one in memory or in a database."""
+    if layer.providerType() != "ogr":
+        return ""
+    return QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("path") or ""
 
 
 def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:
@@ -85,7 +102,7 @@ def window_geometry(feature: QgsFeature, transform: QgsCoordinateTransform) -> Q
 
 def extent(geometry: QgsGeometry) -> Extent:
     """The bounding box of a geometry."""
-    return _extent(geometry.boundingBox())
+    return box_extent(geometry.boundingBox())
 
 
 def rectangle(bounds: Extent) -> QgsGeometry:
@@ -102,7 +119,7 @@ def line_wkb(feature: QgsFeature, transform: QgsCoordinateTransform) -> bytes | 
 
 
 def indexed_sources(
-    index: QgsProcessingFeatureSource, index_path: str, transform: QgsCoordinateTransform
+    rows: Iterable[QgsFeature], names: Sequence[str], index_path: str, transform: QgsCoordinateTransform
 ) -> list[Source]:
     """The orthoimages of an index layer as gdaltindex writes it, with their footprints.
 
@@ -110,11 +127,11 @@ def indexed_sources(
 
     Raises SettingsError when the layer has no field ``location``.
     """
-    if LOCATION_FIELD not in index.fields().names():
+    if LOCATION_FIELD not in names:
         raise SettingsError(messages.INDEX_WITHOUT_LOCATION(field=LOCATION_FIELD))
     folder = os.path.dirname(os.path.abspath(index_path)) if index_path else ""
     sources = []
-    for feature in features(index):
+    for feature in rows:
         location, geometry = feature[LOCATION_FIELD], QgsGeometry(feature.geometry())
         if not location or geometry.isEmpty():
             continue
@@ -125,6 +142,15 @@ def indexed_sources(
     return sources
 
 
+def transformed_extent(
+    bounds: Extent, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem, project: QgsProject
+) -> Extent:
+    """The bounding box of an extent in another reference system. Raises WindowError when there is none."""
+    if crs == target:
+        return bounds
+    return extent(_transformed(rectangle(bounds), QgsCoordinateTransform(crs, target, project.transformContext())))
+
+
 def _transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> QgsGeometry:
     try:
         geometry.transform(transform)
@@ -133,5 +159,6 @@ def _transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> Qg
     return geometry
 
 
-def _extent(box: QgsRectangle) -> Extent:
+def box_extent(box: QgsRectangle) -> Extent:
+    """A rectangle of QGIS as an extent."""
     return box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum()

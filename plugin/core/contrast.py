@@ -80,7 +80,7 @@ def judge(
 
 
 def _ratio(mosaic: float, source: float) -> float | None:
-    return mosaic / source if source > 0 else None
+    return mosaic / source if source > thresholds.MIN_SHARE else None
 
 
 def _largest(ratios: list[float | None]) -> float | None:

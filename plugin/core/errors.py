@@ -33,3 +33,7 @@ class WindowError(SeamInspectorError):
 
 class SeamlineError(SeamInspectorError):
     """Seamlines from which no window can be placed."""
+
+
+class WindowLayerError(SeamInspectorError):
+    """The window layer can't be made or edited."""

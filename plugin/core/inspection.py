@@ -4,8 +4,7 @@ from __future__ import annotations
 import os
 from collections import deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import Executor, Future
-from concurrent.futures import TimeoutError as FutureTimeoutError
+from concurrent.futures import Executor, Future, wait
 from dataclasses import dataclass, field
 from typing import Callable
 
@@ -15,7 +14,8 @@ from . import messages, thresholds
 from .contrast import Judgement, Ratios, Verdict, check_max_ratio, curve_ratios, judge
 from .errors import NotCoveredError, RasterError, SettingsError, WindowError
 from .messages import Message
-from .rasters import Clip, Mosaic, Raster, RasterRef, describe, extent_on, read_clip
+from .rasters import Clip, Mosaic, Raster, RasterRef, describe, read_clip
+from .systems import extent_on
 from .wavelets import Curve, check_decomposition, clip_curves
 from .windows import Extent, PixelWindow, snap_window
 
@@ -196,6 +196,7 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     mosaic_curves, mosaic_coarse = _measure(mosaic, request.settings)
     band = _judged_band(mosaic.raster)
     clips = [ClipResult(mosaic.raster.ref.name, "mosaic", mosaic_curves)]
+    del mosaic  # its pixels, so that the next raster's take their place
     pairs: list[PairResult] = []
     notices: list[Message] = []
     not_covering: list[Message] = []
@@ -224,6 +225,7 @@ def inspect_window(request: WindowRequest) -> WindowResult:
             for name, curve in curves.items()
             if name in mosaic_curves
         ]
+        del clip
     judgement = judge(
         mosaic_curves[band], [clip.curves[band] for clip in clips[1:]], request.settings.max_ratio
     )
@@ -241,17 +243,18 @@ def inspect_windows(
 
     At most ``ahead`` windows are under way or waiting to be taken, so memory does not grow with their number.
     A window that fails in a way nobody foresaw becomes ``not_comparable`` with the error as its reason.
-    Stops when ``cancelled`` says so, within a fraction of a second even while a window is under way.
+    Stops when ``cancelled`` says so, with the results that are ready by then, within a fraction of a second even
+    while a window is under way.
     """
     waiting: deque[tuple[WindowRequest, Future[WindowResult]]] = deque()
     try:
         for request in requests:
             if cancelled():
-                return
+                break
             waiting.append((request, executor.submit(inspect_window, request)))
             if len(waiting) >= ahead:
                 yield from _ready(*waiting.popleft(), cancelled)
-        while waiting and not cancelled():
+        while waiting:
             yield from _ready(*waiting.popleft(), cancelled)
     finally:
         for _, future in waiting:
@@ -262,19 +265,18 @@ def _ready(
     request: WindowRequest, future: Future[WindowResult], cancelled: Callable[[], bool]
 ) -> Iterator[WindowResult]:
     """The result as soon as it is there; nothing when ``cancelled`` says so before."""
-    while not cancelled():
-        try:
-            error = future.exception(timeout=_PATIENCE_SECONDS)
-        except (TimeoutError, FutureTimeoutError):
-            continue
-        if error is None:
-            yield future.result()
-        elif isinstance(error, Exception):
-            yield _not_comparable(request, messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}"))
-        else:
-            raise error
-        return
-    future.cancel()
+    while not future.done():
+        if cancelled():
+            future.cancel()
+            return
+        wait([future], timeout=_PATIENCE_SECONDS)
+    error = future.exception()
+    if error is None:
+        yield future.result()
+    elif isinstance(error, Exception):
+        yield _not_comparable(request, messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}"))
+    else:
+        raise error
 
 
 def _measure(clip: Clip, settings: Settings) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:

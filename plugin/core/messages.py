@@ -155,3 +155,17 @@ SCHEDULER_SILENT = Message(
     "The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty."
 )
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
+WINDOW_LAYER_NOT_CREATED = Message(
+    "No window layer can be written to {folder}; save the project in a folder that you may write to."
+)
+WINDOW_LAYER_READ_ONLY = Message(
+    "The window layer {name} can't be edited; choose another one, or let a new one be made."
+)
+WINDOWS_NOT_SAVED = Message(
+    "The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that "
+    "layer elsewhere."
+)
+WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.")
+NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
+NO_SEAMLINES = Message("No seamlines are chosen; choose a layer of seamlines in the inputs.")
+TASK_FAILED = Message("{task} failed ({error}); please report this.")

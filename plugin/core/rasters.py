@@ -7,17 +7,18 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from typing import Any, Callable
 
 import numpy as np
-from osgeo import gdal, osr
+from osgeo import gdal
 
 from . import messages, thresholds
+from .bands import BandRoles, band_roles
 from .errors import NotCoveredError, RasterError
 from .messages import Message
+from .quiet import quiet
+from .systems import extent_on, metres_per_unit, same_coordinates
 from .windows import Extent, Grid, PixelWindow
 
 GeoTransform = tuple[float, float, float, float, float, float]
@@ -84,17 +85,6 @@ class Clip:
     """Whether the pixels had to be warped to the mosaic's grid."""
 
 
-@dataclass(frozen=True)
-class _Bands:
-    """How the bands of a dataset are to be used. Indices start at 0."""
-
-    names: tuple[str, ...]
-    indices: tuple[int, ...]
-    alpha: int | None = None
-    palette: np.ndarray | None = None
-    """(entries, 4) red, green, blue, alpha of a paletted raster."""
-
-
 def describe(ref: RasterRef) -> Raster:
     """Open a raster and say what it is. Raises RasterError when it can't be opened or used."""
     dataset = _open(ref)
@@ -111,24 +101,6 @@ def describe_mosaic(ref: RasterRef) -> Mosaic:
     return Mosaic(**vars(raster))
 
 
-def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
-    """The bounding box, in the target reference system, of an extent in another one.
-
-    Raises RasterError when the extent can't be transformed.
-    """
-    if _same_system(wkt, target_wkt):
-        return extent
-    with _quiet():
-        try:
-            transform = osr.CoordinateTransformation(_system(wkt), _system(target_wkt))
-            bounds = transform.TransformBounds(*extent, 21)
-        except (RuntimeError, TypeError):  # TypeError: there is no transformation and GDAL's exceptions are off
-            bounds = (math.inf,)
-    if not all(map(math.isfinite, bounds)):
-        raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
-    return tuple(bounds)
-
-
 def read_clip(ref: RasterRef, mosaic: Mosaic, window: PixelWindow) -> Clip:
     """The pixels of a raster under a window of the mosaic.
 
@@ -143,7 +115,7 @@ def read_clip(ref: RasterRef, mosaic: Mosaic, window: PixelWindow) -> Clip:
     raster = _describe(dataset, ref)
     if raster.wkt == "":
         raise RasterError(messages.NO_REFERENCE_SYSTEM(name=ref.name))
-    if raster.grid is not None and _same_numbers(raster.wkt, mosaic) and _same_pixel_size(raster.grid, mosaic.grid):
+    if raster.grid is not None and _on_mosaic_system(raster.wkt, mosaic) and _same_pixel_size(raster.grid, mosaic.grid):
         return _clip_as_it_is(dataset, raster, raster.grid, mosaic.grid.window_extent(window), window)
     return _clip_warped(dataset, raster, mosaic, window)
 
@@ -179,8 +151,8 @@ def _clip_as_it_is(dataset: gdal.Dataset, raster: Raster, grid: Grid, extent: Ex
 
 def _clip_warped(dataset: gdal.Dataset, raster: Raster, mosaic: Mosaic, window: PixelWindow) -> Clip:
     extent_on(mosaic.grid.window_extent(window), mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
-    finer = raster.ground_sample_distance < mosaic.ground_sample_distance
-    if _bands(dataset).palette is not None:
+    finest = (1 - thresholds.MAX_PIXEL_SIZE_DIFFERENCE) * mosaic.ground_sample_distance
+    if band_roles(dataset).palette is not None:
         dataset = _gdal(lambda: _palette_expanded(dataset), raster.ref)
     warped = _gdal(
         lambda: gdal.Warp(
@@ -192,25 +164,28 @@ def _clip_warped(dataset: gdal.Dataset, raster: Raster, mosaic: Mosaic, window: 
             outputBounds=mosaic.grid.window_extent(window),
             width=window.width,
             height=window.height,
-            resampleAlg="average" if finer else "cubic",
+            resampleAlg="average" if raster.ground_sample_distance < finest else "cubic",
             dstAlpha=True,
             warpOptions=["UNIFIED_SRC_NODATA=YES"],
         ),
         raster.ref,
     )
+    for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
+        warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
     bands, invalid_share = _read_valid(warped, raster, PixelWindow(0, 0, window.width, window.height))
     return Clip(raster, bands, invalid_share, resampled=True)
 
 
 def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
-    """A paletted dataset as red, green, blue and alpha; what was nodata is transparent."""
-    indices = gdal.Translate("", dataset, format="VRT", noData="none")
-    nodata = dataset.GetRasterBand(1).GetNoDataValue()
-    if nodata is not None:
-        table = dataset.GetRasterBand(1).GetColorTable().Clone()
+    """A paletted dataset as red, green and blue, and alpha where entries are transparent, as nodata then is."""
+    band = dataset.GetRasterBand(1)
+    table, nodata = band.GetColorTable().Clone(), band.GetNoDataValue()
+    if nodata is not None and 0 <= nodata < table.GetCount():
         table.SetColorEntry(int(nodata), (*table.GetColorEntry(int(nodata))[:3], 0))
-        indices.GetRasterBand(1).SetColorTable(table)
-    return gdal.Translate("", indices, format="VRT", rgbExpand="rgba")
+    opaque = all(table.GetColorEntry(i)[3] for i in range(table.GetCount()))
+    indices = gdal.Translate("", dataset, format="VRT", noData="none")
+    indices.GetRasterBand(1).SetColorTable(table)
+    return gdal.Translate("", indices, format="VRT", rgbExpand="rgb" if opaque else "rgba")
 
 
 def _read_valid(dataset: gdal.Dataset, raster: Raster, window: PixelWindow) -> tuple[np.ndarray, float]:
@@ -240,7 +215,8 @@ def _read_valid(dataset: gdal.Dataset, raster: Raster, window: PixelWindow) -> t
         raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=share, most=thresholds.MAX_INVALID_SHARE))
     bands = np.array(bands)
     for band in bands:
-        band[invalid] = band[~invalid].mean(dtype=np.float64).astype(bands.dtype)
+        mean = band[~invalid].mean(dtype=np.float64)
+        band[invalid] = mean if bands.dtype.kind == "f" else np.rint(mean)
     return bands, share
 
 
@@ -248,7 +224,7 @@ def _split(
     dataset: gdal.Dataset, data: np.ndarray, inside: tuple[int, int, int, int], ref: RasterRef
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """All bands of a dataset into those that are measured and a mask of invalid pixels (None: all are valid)."""
-    roles = _bands(dataset)
+    roles = band_roles(dataset)
     in_order = roles.indices == tuple(range(len(data)))
     bands = data if in_order else data[list(roles.indices)]
     invalid = _nodata_mask(dataset, bands, roles)
@@ -256,7 +232,8 @@ def _split(
     if roles.alpha is not None:
         masks.append(data[roles.alpha] == 0)
     first = dataset.GetRasterBand(1)
-    if first.GetMaskFlags() & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
+    mask_flags = _gdal(first.GetMaskFlags, ref)
+    if mask_flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
         rows, columns = data.shape[1:]
         mask_band = first.GetMaskBand()
         masks.append(_gdal(lambda: mask_band.ReadAsArray(*inside, buf_xsize=columns, buf_ysize=rows), ref) == 0)
@@ -272,7 +249,7 @@ def _split(
     return bands, invalid
 
 
-def _nodata_mask(dataset: gdal.Dataset, bands: np.ndarray, roles: _Bands) -> np.ndarray | None:
+def _nodata_mask(dataset: gdal.Dataset, bands: np.ndarray, roles: BandRoles) -> np.ndarray | None:
     """Pixels all of whose bands hold their nodata value, or None where there are none."""
     invalid: np.ndarray | None = None
     for band, index in zip(bands, roles.indices):
@@ -290,35 +267,6 @@ def _nodata_mask(dataset: gdal.Dataset, bands: np.ndarray, roles: _Bands) -> np.
     return invalid
 
 
-def _bands(dataset: gdal.Dataset) -> _Bands:
-    """Band roles from the colour interpretation.
-
-    Where a raster of three bands or more names no red, green and blue, its first three are taken as
-    such, and a fourth band without a name is near infrared.
-    """
-    colours = [
-        gdal.GetColorInterpretationName(dataset.GetRasterBand(i + 1).GetColorInterpretation()).lower()
-        for i in range(dataset.RasterCount)
-    ]
-    table = dataset.GetRasterBand(1).GetColorTable()
-    if len(colours) == 1 and colours[0] == "palette" and table is not None:
-        entries = [table.GetColorEntry(i) for i in range(table.GetCount())]
-        return _Bands(("red", "green", "blue"), (0,), palette=np.array(entries, dtype=np.uint8))
-    alpha = colours.index("alpha") if "alpha" in colours else None
-    measured = [i for i in range(len(colours)) if i != alpha]
-    named = {colour: i for i, colour in reversed(list(enumerate(colours))) if colour in ("red", "green", "blue", "nir")}
-    if not {"red", "green", "blue"} <= named.keys() and len(measured) >= 3:
-        named = dict(zip(("red", "green", "blue"), measured))
-    if {"red", "green", "blue"} <= named.keys() and "nir" not in named:
-        unnamed = [i for i in measured if i not in named.values()]
-        if unnamed:
-            named["nir"] = unnamed[0]
-    order = [named[role] for role in ("red", "green", "blue", "nir") if role in named]
-    order += [i for i in measured if i not in order]
-    roles = {i: role for role, i in named.items()}
-    return _Bands(tuple(roles.get(i, f"band_{i + 1}") for i in order), tuple(order), alpha)
-
-
 def _describe(dataset: gdal.Dataset, ref: RasterRef) -> Raster:
     if dataset.RasterCount == 0:
         raise RasterError(messages.NO_BANDS(name=ref.name))
@@ -332,7 +280,7 @@ def _describe(dataset: gdal.Dataset, ref: RasterRef) -> Raster:
     corners = [gdal.ApplyGeoTransform(transform, x, y) for x in (0, columns) for y in (0, rows)]
     xs, ys = [x for x, _ in corners], [y for _, y in corners]
     extent = (min(xs), min(ys), max(xs), max(ys))
-    metres_x, metres_y = _metres_per_unit(wkt, (extent[1] + extent[3]) / 2)
+    metres_x, metres_y = metres_per_unit(wkt, (extent[1] + extent[3]) / 2)
     pixel_width = math.hypot(transform[1] * metres_x, transform[4] * metres_y)
     pixel_height = math.hypot(transform[2] * metres_x, transform[5] * metres_y)
     finest = min(abs(transform[1]), abs(transform[5]))
@@ -342,52 +290,17 @@ def _describe(dataset: gdal.Dataset, ref: RasterRef) -> Raster:
         grid = Grid(
             transform[0], transform[3], transform[1], -transform[5], columns, rows, metres_x, metres_y
         )
-    return Raster(ref, wkt, grid, extent, min(pixel_width, pixel_height), _bands(dataset).names)
+    return Raster(ref, wkt, grid, extent, min(pixel_width, pixel_height), band_roles(dataset).names)
+
+
+def _on_mosaic_system(wkt: str, mosaic: Mosaic) -> bool:
+    tolerance = thresholds.MAX_SYSTEM_SHIFT_PX * mosaic.grid.pixel_width
+    return same_coordinates(wkt, mosaic.wkt, mosaic.extent, tolerance)
 
 
 def _same_pixel_size(a: Grid, b: Grid) -> bool:
     scales = a.pixel_width / b.pixel_width, a.pixel_height / b.pixel_height
     return max(abs(scale - 1) for scale in scales) <= thresholds.MAX_PIXEL_SIZE_DIFFERENCE
-
-
-def _same_numbers(wkt: str, mosaic: Mosaic) -> bool:
-    """Whether coordinates of the mosaic mean the same place in another system, however that is named."""
-    if _same_system(wkt, mosaic.wkt):
-        return True
-    try:
-        moved = extent_on(mosaic.extent, mosaic.wkt, wkt)
-    except RasterError:
-        return False
-    tolerance = thresholds.MAX_SYSTEM_SHIFT_PX * mosaic.grid.pixel_width
-    return max(abs(a - b) for a, b in zip(moved, mosaic.extent)) <= tolerance
-
-
-def _metres_per_unit(wkt: str, y: float) -> tuple[float, float]:
-    """Metres on the ground per map unit along x and y; for degrees on the ellipsoid at latitude ``y``."""
-    if not wkt:
-        return 1.0, 1.0
-    system = _system(wkt)
-    if not system.IsGeographic():
-        return system.GetLinearUnits(), system.GetLinearUnits()
-    semi_major, flattening = system.GetSemiMajor(), system.GetInvFlattening()
-    squared_eccentricity = (2 - 1 / flattening) / flattening if flattening else 0.0
-    unit = system.GetAngularUnits()
-    sine, cosine = math.sin(y * unit), math.cos(y * unit)
-    prime_vertical = semi_major / math.sqrt(1 - squared_eccentricity * sine**2)
-    meridian = prime_vertical * (1 - squared_eccentricity) / (1 - squared_eccentricity * sine**2)
-    return prime_vertical * cosine * unit, meridian * unit
-
-
-def _system(wkt: str) -> osr.SpatialReference:
-    system = osr.SpatialReference()
-    with _quiet(), suppress(RuntimeError):  # a text that means nothing leaves the system empty
-        system.SetFromUserInput(wkt)
-    system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
-    return system
-
-
-def _same_system(a: str, b: str) -> bool:
-    return a == b or bool(_system(a).IsSame(_system(b)))
 
 
 def _open(ref: RasterRef) -> gdal.Dataset:
@@ -398,7 +311,7 @@ def _open(ref: RasterRef) -> gdal.Dataset:
 
 def _gdal(call: Callable[[], Any], ref: RasterRef, failure: Message | None = None) -> Any:
     """What a GDAL call returns; RasterError when it fails, whether or not GDAL's exceptions are on."""
-    with _quiet():
+    with quiet():
         try:
             result = call()
         except RuntimeError:
@@ -406,13 +319,3 @@ def _gdal(call: Callable[[], Any], ref: RasterRef, failure: Message | None = Non
     if result is None:
         raise RasterError(failure or messages.NOT_READABLE(name=ref.name))
     return result
-
-
-@contextmanager
-def _quiet() -> Iterator[None]:
-    """GDAL's own messages off in this thread; ours say it in the user's terms."""
-    gdal.PushErrorHandler("CPLQuietErrorHandler")
-    try:
-        yield
-    finally:
-        gdal.PopErrorHandler()

@@ -48,6 +48,7 @@ MIN_SEAM_SHARE = 1 / 16  # of a window's side: a seam shorter and narrower than 
 MAX_EXTENT_PX = 1e8  # 5000 km at 5 cm: a wider layer has another reference system than the mosaic
 
 # The verdict
+MIN_SHARE = 1e-20  # of the variance: smaller ones are rounding of float64, and ratios to them mean nothing
 MAX_SIGNIFICANT_RATIO = 0.5  # Pyka 2010, section 5: detail at level 1 at least halved in the visible cases
 LUMINANCE_WEIGHTS = (0.299, 0.587, 0.114)  # red, green, blue; ITU-R BT.601, Pyka 2009
 MAX_REASONS = 3  # sources named in the reason of a window; more would not be read

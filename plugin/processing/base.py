@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import cache
 from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import (
@@ -17,13 +16,15 @@ from qgis.core import (
     QgsProcessingLayerPostProcessorInterface,
     QgsProcessingParameterDefinition,
 )
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.packages import missing_packages_sentence
 from ..adapters.resources import icon_path
 from ..adapters.text import sentence, tr
-from ..core.errors import SeamInspectorError
+from ..core import messages
+from ..core.errors import RasterError, SeamInspectorError
 from . import parameters as common
 
 if TYPE_CHECKING:
@@ -111,7 +112,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             self.check(parameters, context)
         except SeamInspectorError as error:
             return False, sentence(error.message)
-        return super().checkParameterValues(parameters, context)
+        # QGIS would load every source, and refuse them all, without a reason, for one that can't be opened.
+        others = {name: value for name, value in parameters.items() if name != common.SOURCES}
+        return super().checkParameterValues(others, context)
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
@@ -121,7 +124,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         from ..adapters.layers import raster_ref
         from ..core.rasters import describe_mosaic
 
-        return describe_mosaic(raster_ref(common.raster_value(parameters, common.MOSAIC, context), context))
+        value = common.raster_value(parameters, common.MOSAIC, context)
+        if value is None or value == "":
+            raise RasterError(messages.NOT_A_RASTER_LAYER(name=common.MOSAIC))
+        return describe_mosaic(raster_ref(value, context))
 
     def source(
         self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
@@ -174,7 +180,14 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
         layer.triggerRepaint()
 
 
-@cache
+_stylers: set[_Styler] = set()
+
+
 def _styler(style: str) -> _Styler:
-    """One for each style, kept for good: QGIS holds no reference, and calls it when the algorithm is gone."""
-    return _Styler(style)
+    """A new one for each layer: QGIS deletes it with the context of its run, and until then does not keep it alive."""
+    for one in list(_stylers):
+        if sip.isdeleted(one):
+            _stylers.discard(one)
+    styler = _Styler(style)
+    _stylers.add(styler)
+    return styler

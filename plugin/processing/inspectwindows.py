@@ -26,16 +26,20 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
-from ..core.errors import SettingsError, WindowError
+from ..core.errors import RasterError, SettingsError, WindowError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
 if TYPE_CHECKING:
     from ..core.inspection import Block, Settings, WindowRequest
+    from ..core.messages import Message
+    from ..core.rasters import RasterRef
 
 WINDOWS, MAX_RATIO, SCHEDULER = "WINDOWS", "MAX_RATIO", "SCHEDULER"
 OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
+
+_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
 
 
 class InspectWindows(SeamInspectorAlgorithm):
@@ -111,8 +115,13 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..adapters.layers import raster_ref
 
         self._mosaic = self.describe_mosaic(parameters, context)
-        given = common.raster_values(parameters, common.SOURCES, context)
-        self._sources = [raster_ref(value, context) for value in given]
+        self._sources: list[RasterRef] = []
+        self._left_out: list[Message] = []
+        for value in common.raster_values(parameters, common.SOURCES, context):
+            try:
+                self._sources.append(raster_ref(value, context))
+            except RasterError as error:
+                self._left_out.append(error.message)
         self._index_path = common.index_path(self, parameters, common.SOURCE_INDEX, context)
 
     def execute(
@@ -132,15 +141,18 @@ class InspectWindows(SeamInspectorAlgorithm):
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
         drawn = _DrawnWindows(windows, block, crs, settings, context, feedback)
 
-        table = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
-        output, output_id = self.sink(
-            parameters, OUTPUT, context, tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
-        )
-        curves, curves_id = self.optional_sink(parameters, CURVES, context, tables.curve_fields(), *table)
-        pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, tables.pair_fields(settings.levels), *table)
-
         verdicts: Counter[Verdict] = Counter()
+        warned: set[str] = set()  # a raster that can't be compared is named once, not in every window
         with open_executor(self.parameterAsString(parameters, SCHEDULER, context)) as (executor, ahead):
+            # Only now, with nothing in the way of new results, are old ones overwritten.
+            table = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
+            output, output_id = self.sink(
+                parameters, OUTPUT, context, tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
+            )
+            curves, curves_id = self.optional_sink(parameters, CURVES, context, tables.curve_fields(), *table)
+            pairs, pairs_id = self.optional_sink(
+                parameters, PAIRS, context, tables.pair_fields(settings.levels), *table
+            )
             for result in inspect_windows(drawn.requests(), executor, ahead, feedback.isCanceled):
                 geometry, observer = drawn.taken(result.window_id)
                 if result.window is not None:
@@ -148,8 +160,10 @@ class InspectWindows(SeamInspectorAlgorithm):
                 self.write(output, [tables.window_feature(result, geometry, observer)])
                 self.write(curves, tables.curve_features(result))
                 self.write(pairs, tables.pair_features(result))
-                for notice in result.notices:
-                    feedback.pushWarning(f"{result.window_id}: {sentence(notice)}")
+                for warning in map(sentence, result.notices):
+                    if warning not in warned:
+                        feedback.pushWarning(warning)
+                    warned.add(warning)
                 if result.judgement.reason is not None:
                     feedback.pushInfo(f"{result.window_id}: {sentence(result.judgement.reason)}")
                 verdicts[result.judgement.verdict] += 1
@@ -184,11 +198,14 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..core.inspection import make_block
 
         indexed = []
-        index = self.parameterAsSource(parameters, common.SOURCE_INDEX, context)
-        if index is not None:
+        if parameters.get(common.SOURCE_INDEX):
+            index = self.source(parameters, common.SOURCE_INDEX, context)
             crs = layers.mosaic_crs(self._mosaic)
             transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
-            indexed = layers.indexed_sources(index, self._index_path, transform)
+            names = index.fields().names()
+            indexed = layers.indexed_sources(layers.features(index), names, self._index_path, transform)
+        for notice in self._left_out:
+            feedback.pushWarning(sentence(notice))
         block, notices = make_block(self._mosaic, self._sources, indexed)
         for notice in notices:
             feedback.pushWarning(sentence(notice))
@@ -231,7 +248,8 @@ class _DrawnWindows:
                 request = window_request(self._block, number, layers.extent(outline), self._settings)
             except WindowError as error:
                 request = WindowRequest(number, self._block.mosaic, (), None, self._settings, error.message)
-            self._waiting[number] = geometry, self._value(feature, "observer")
+            observer = (feature["observer"] or None) if "observer" in self._names else None
+            self._waiting[number] = geometry, observer
             yield request
 
     def taken(self, window_id: int) -> tuple[QgsGeometry | None, str | None]:
@@ -248,7 +266,7 @@ class _DrawnWindows:
 
     def _number(self, feature: QgsFeature) -> int:
         """The feature's own number when it is the first to have it, else the next free one."""
-        own = _whole(self._value(feature, "window_id"))
+        own = _whole(feature["window_id"]) if "window_id" in self._names else None
         if own is not None and own in self._numbers:
             self._numbers.remove(own)
             return own
@@ -256,12 +274,11 @@ class _DrawnWindows:
         self._last += 1
         return self._last
 
-    def _value(self, feature: QgsFeature, name: str) -> Any:
-        return (feature[name] or None) if name in self._names else None
-
 
 def _whole(value: object) -> int | None:
+    """A window's number from a field of any type."""
     try:
-        return int(str(value))
+        number = float(str(value))
     except ValueError:
         return None
+    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None

@@ -105,10 +105,7 @@ def index_path(
     algorithm: QgsProcessingAlgorithm, parameters: Parameters, name: str, context: QgsProcessingContext
 ) -> str:
     """The file of an index layer, from which relative locations start; empty for a layer in memory."""
-    from qgis.core import QgsProviderRegistry
+    from ..adapters.layers import layer_path
 
     layer = algorithm.parameterAsVectorLayer(parameters, name, context)
-    if layer is None or layer.providerType() != "ogr":
-        return ""
-    path: str | None = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("path")
-    return path or ""
+    return layer_path(layer) if layer is not None else ""

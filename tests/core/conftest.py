@@ -2,6 +2,26 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
 
 for name in ("qgis", "PyQt5", "PyQt6"):
     sys.modules.setdefault(name, None)  # type: ignore[arg-type]
+
+from tests.core.synthetic import write_raster  # noqa: E402
+
+MakeRaster = Callable[..., str]
+
+
+@pytest.fixture
+def make_raster(tmp_path: Path) -> MakeRaster:
+    """Writes an array as a GeoTIFF of that name into the test's folder; see ``synthetic.write_raster``."""
+
+    def make(name: str, array: np.ndarray, **options: Any) -> str:
+        return write_raster(tmp_path / name, array, **options)
+
+    return make

@@ -1,0 +1,167 @@
+"""What the core's tests are made of: textures, rasters of them as files, and what PyWavelets says about them."""
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pywt
+from osgeo import gdal, gdal_array, osr
+
+UTM33 = 32633
+ORIGIN = (500000.0, 5000000.0)
+"""x and y of the upper left corner of rasters, unless a test says otherwise."""
+
+GeoTransform = tuple[float, float, float, float, float, float]
+Colour = tuple[int, ...]
+
+
+# --- arrays ----------------------------------------------------------------------------------------------------
+
+
+def texture(shape: tuple[int, int], beta: float = 2.0, seed: int = 0) -> np.ndarray:
+    """A periodic texture of mean 0 and standard deviation 1 whose power falls with frequency as f^-beta.
+
+    0 is white noise, 2 looks like an orthoimage, 5 is very smooth.
+    """
+    rows, columns = shape
+    noise = np.random.default_rng(seed).standard_normal(shape)
+    frequency = np.hypot(np.fft.fftfreq(rows)[:, np.newaxis], np.fft.rfftfreq(columns))
+    frequency[0, 0] = np.inf
+    made = np.fft.irfft2(np.fft.rfft2(noise) * frequency ** (-beta / 2), shape)
+    return (made - made.mean()) / made.std()
+
+
+def orthoimage(
+    shape: tuple[int, int], bands: int = 3, seed: int = 0, beta: float = 1.6, dtype: type = np.uint8
+) -> np.ndarray:
+    """(bands, rows, columns) of a scene: bands that are alike but not the same, no pixel of the value 0."""
+    scene = texture(shape, beta, seed)
+    layers = [0.9 * scene + 0.3 * texture(shape, beta, seed + 1000 + band) for band in range(bands)]
+    values = np.stack([120 + 6 * band + 30 * layer for band, layer in enumerate(layers)]).clip(1, 254)
+    if np.dtype(dtype).kind == "f":
+        return values.astype(dtype)
+    return np.round(values * (1 if np.dtype(dtype).itemsize == 1 else 16)).astype(dtype)
+
+
+# --- PyWavelets' word ------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Decomposition:
+    """A clip by ``pywt.wavedec2`` in float64, its mean taken off before."""
+
+    details: tuple[np.ndarray, ...]
+    """All detail coefficients of level 1 (finest), 2, ..., R in a row each."""
+    coarse: np.ndarray
+    """The coarse component at level R."""
+    energy: float
+    """Sum of squares of the clip less its mean."""
+
+    @property
+    def shares(self) -> np.ndarray:
+        """detail_1, ..., detail_R, background."""
+        return np.array([np.sum(part**2) for part in (*self.details, self.coarse)]) / self.energy
+
+    def products(self, other: Decomposition) -> np.ndarray:
+        """Inner products with the components of another clip, in the same order."""
+        mine, others = (*self.details, self.coarse.ravel()), (*other.details, other.coarse.ravel())
+        return np.array([a @ b for a, b in zip(mine, others)])
+
+
+def without_mean(band: np.ndarray) -> np.ndarray:
+    """A band less its mean in float64; the mean is taken off in more digits than that."""
+    exact = band.astype(np.longdouble)
+    return (exact - exact.mean()).astype(np.float64)
+
+
+def wavedec(band: np.ndarray, wavelet: str, levels: int) -> list[Any]:
+    """``pywt.wavedec2`` of a band less its mean, as the design defines the components."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # says that at high levels all coefficients see the border
+        return list(pywt.wavedec2(without_mean(band), wavelet, mode="periodization", level=levels))
+
+
+def decompose(band: np.ndarray, wavelet: str = "coif3", levels: int = 3) -> Decomposition:
+    """The components of one band (rows, columns)."""
+    coarse, *details = wavedec(band, wavelet, levels)
+    rows = tuple(np.concatenate([part.ravel() for part in level]) for level in reversed(details))
+    return Decomposition(rows, coarse, float(np.sum(without_mean(band) ** 2)))
+
+
+def luminance(bands: np.ndarray) -> np.ndarray:
+    """Luminance of red, green and blue as Pyka 2009 mixes it."""
+    red, green, blue = bands[:3].astype(np.float64)
+    return 0.299 * red + 0.587 * green + 0.114 * blue
+
+
+# --- files -----------------------------------------------------------------------------------------------------
+
+
+def wkt(system: str | int) -> str:
+    """WKT of an EPSG code or of anything else that PROJ knows."""
+    reference = osr.SpatialReference()
+    reference.SetFromUserInput(f"EPSG:{system}" if isinstance(system, int) else system)
+    return str(reference.ExportToWkt())
+
+
+def write_raster(
+    path: Path,
+    array: np.ndarray,
+    gsd: float = 0.1,
+    origin: tuple[float, float] = ORIGIN,
+    geotransform: GeoTransform | None = None,
+    system: str | int | None = UTM33,
+    nodata: float | None = None,
+    valid: np.ndarray | None = None,
+    mask_inside: bool = True,
+    colours: Sequence[int] | None = None,
+    palette: Sequence[Colour] | None = None,
+    options: Sequence[str] = ("TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=64", "COMPRESS=DEFLATE"),
+) -> str:
+    """A GeoTIFF of an array, (rows, columns) or (bands, rows, columns); returns its path.
+
+    ``gsd`` and ``origin`` make a north-up geotransform unless ``geotransform`` is given. ``system`` is an EPSG
+    code, WKT, or None for none at all. ``valid`` becomes the mask band of the dataset, in the file or beside it.
+    ``colours`` are the bands' colour interpretations (gdal.GCI_*), without them GDAL decides.
+    """
+    bands = array[np.newaxis] if array.ndim == 2 else array
+    options = list(options)
+    if colours is not None:
+        options += [f"PHOTOMETRIC={'RGB' if gdal.GCI_RedBand in colours[:1] else 'MINISBLACK'}"]
+        options += [f"ALPHA={'YES' if gdal.GCI_AlphaBand in colours else 'NO'}"]
+    kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.dtype.type)
+    dataset = gdal.GetDriverByName("GTiff").Create(
+        str(path), bands.shape[2], bands.shape[1], bands.shape[0], kind, options=options
+    )
+    dataset.SetGeoTransform(geotransform or (origin[0], gsd, 0.0, origin[1], 0.0, -gsd))
+    if system is not None:
+        dataset.SetProjection(wkt(system))
+    for index, colour in enumerate(colours or ()):
+        dataset.GetRasterBand(index + 1).SetColorInterpretation(colour)
+    if palette is not None:
+        table = gdal.ColorTable()
+        for index, entry in enumerate(palette):
+            table.SetColorEntry(index, entry)
+        dataset.GetRasterBand(1).SetColorTable(table)
+    if nodata is not None:
+        dataset.GetRasterBand(1).SetNoDataValue(nodata)
+    dataset.WriteArray(bands)
+    if valid is not None:
+        before = gdal.GetConfigOption("GDAL_TIFF_INTERNAL_MASK")
+        gdal.SetConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES" if mask_inside else "NO")
+        dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
+        dataset.GetRasterBand(1).GetMaskBand().WriteArray(valid.astype(np.uint8) * 255)
+        gdal.SetConfigOption("GDAL_TIFF_INTERNAL_MASK", before)
+    dataset.FlushCache()
+    del dataset
+    return str(path)
+
+
+def read_pixels(path: str, column: int, row: int, width: int, height: int) -> np.ndarray:
+    """Pixels by GDAL alone, (bands, rows, columns)."""
+    dataset = gdal.Open(path)
+    return np.asarray(dataset.ReadAsArray(column, row, width, height)).reshape(-1, height, width)
