@@ -1,0 +1,150 @@
+"""The algorithms and the model from the command line, by the real ``qgis_process``."""
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
+
+from tests.qgis.runs import assert_sentence
+from tests.qgis.scenes import Scene, layer, line
+
+# Debian 12's qgis_process is a script that can't start; the program itself is beside it.
+PROGRAM = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
+pytestmark = pytest.mark.skipif(PROGRAM is None, reason="neither qgis_process.bin nor qgis_process is on the path")
+
+Finished = subprocess.CompletedProcess[str]
+Process = Callable[..., Finished]
+
+
+@pytest.fixture(scope="module")
+def qgis_process(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Process:
+    """Runs qgis_process with settings of its own, in which the plugin is enabled."""
+    environment = {
+        **os.environ,
+        "QT_QPA_PLATFORM": "offscreen",
+        "QGIS_PLUGINPATH": str(repository / "build" / "plugins"),
+        "QGIS_CUSTOM_CONFIG_PATH": str(tmp_path_factory.mktemp("settings")),
+    }
+
+    def call(*arguments: str) -> Finished:
+        return subprocess.run(
+            [str(PROGRAM), *arguments], env=environment, capture_output=True, text=True, timeout=120, check=False
+        )
+
+    assert "seam_inspector" in call("plugins", "enable", "seam_inspector").stdout
+    return call
+
+
+@pytest.fixture(scope="module")
+def seamlines(scene: Scene, tmp_path_factory: pytest.TempPathFactory) -> str:
+    """A seam down the middle of the scene, as a file."""
+    path = str(tmp_path_factory.mktemp("seams") / "seams.gpkg")
+    drawn = layer("LineString", [line((200, 0), (300, 256))])
+    QgsVectorFileWriter.writeAsVectorFormatV3(
+        drawn, path, QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
+    )
+    return path
+
+
+def verdicts(path: Path | str) -> list[str]:
+    opened = QgsVectorLayer(str(path), "result", "ogr")
+    assert opened.isValid()
+    return [feature["verdict"] for feature in opened.getFeatures()]
+
+
+def test_list_and_help(qgis_process: Process) -> None:
+    said = qgis_process("list")
+    assert said.returncode == 0
+    for name in ("seaminspector:placewindows", "seaminspector:inspectwindows", "seaminspector:inspect_mosaic"):
+        assert name in said.stdout
+    described = qgis_process("help", "seaminspector:inspectwindows").stdout
+    for name in "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS MAX_RATIO SCHEDULER OUTPUT CURVES PAIRS".split():
+        assert f"\n{name}: " in described
+    assert "SIGNIFICANT_COUNT" in described
+
+
+def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:
+    placed, inspected, curves = (tmp_path / name for name in ("placed.gpkg", "inspected.gpkg", "curves.csv"))
+    run = qgis_process(
+        "run", "seaminspector:placewindows", f"--SEAMLINES={seamlines}", f"--MOSAIC={scene.mosaic}",
+        "--SIDE=6.4", "--SPACING=6.4", f"--OUTPUT={placed}",
+    )
+    assert run.returncode == 0, run.stderr
+    assert QgsVectorLayer(str(placed), "placed", "ogr").featureCount() == 4
+    run = qgis_process(
+        "run", "--json", "seaminspector:inspectwindows", f"--WINDOWS={placed}", f"--MOSAIC={scene.mosaic}",
+        *(f"--SOURCES={path}" for path in scene.sources), "--WAVELET=db4", "--LEVELS=2", f"--OUTPUT={inspected}",
+        f"--CURVES={curves}",
+    )
+    assert run.returncode == 0, run.stderr
+    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
+    assert results["WINDOW_COUNT"] == 4
+    assert verdicts(inspected) == ["reduced"] * 3 + ["significant"]
+    assert results["SIGNIFICANT_COUNT"] == 1
+    header, *rows = curves.read_text(encoding="utf-8").splitlines()
+    assert header == "window_id,raster,role,band,component,level,relative_variance,variance"
+    assert len(rows) == 4 * 3 * 4 * 3  # windows, rasters, bands, components
+
+
+@pytest.mark.parametrize("by", ["id", "file"])
+def test_the_model(
+    qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path, repository: Path, by: str
+) -> None:
+    file = repository / "resources" / "models" / "inspect_mosaic.model3"
+    model = str(file) if by == "file" else "seaminspector:inspect_mosaic"
+    inspected, curves, pairs = (tmp_path / name for name in ("inspected.gpkg", "curves.gpkg", "pairs.gpkg"))
+    run = qgis_process(
+        "run", model, f"--seamlines={seamlines}", f"--mosaic={scene.mosaic}",
+        *(f"--sources={path}" for path in scene.sources), "--side=6.4", "--spacing=6.4",
+        f"--inspect:windows={inspected}", f"--inspect:curves={curves}", f"--inspect:pairs={pairs}",
+    )
+    assert run.returncode == 0, run.stderr
+    assert verdicts(inspected) == ["reduced"] * 3 + ["significant"]
+    assert QgsVectorLayer(str(curves), "curves", "ogr").featureCount() == 4 * 3 * 4 * 4
+    assert QgsVectorLayer(str(pairs), "pairs", "ogr").featureCount() == 4 * 2 * 4
+
+
+def test_bad_input_ends_with_a_sentence_and_a_failure(
+    qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path
+) -> None:
+    for name, arguments, words in (
+        ("placewindows", [f"--SEAMLINES={seamlines}", f"--MOSAIC={scene.mosaic}", "--SIDE=-1"], r"side is -1\.0 m"),
+        ("inspectwindows", [f"--WINDOWS={seamlines}", "--MOSAIC=/nowhere/m.tif", "--SOURCES=/a.tif"], "does not exist"),
+        ("inspectwindows", [f"--WINDOWS={seamlines}", f"--MOSAIC={scene.mosaic}"], "No sources are given"),
+        (  # found while it runs, the others before
+            "inspectwindows",
+            [f"--WINDOWS={seamlines}", f"--MOSAIC={scene.mosaic}", f"--SOURCES={scene.west}", "--SCHEDULER=nowhere"],
+            "Dask",
+        ),
+    ):
+        run = qgis_process("run", f"seaminspector:{name}", *arguments, f"--OUTPUT={tmp_path / 'out.gpkg'}")
+        assert run.returncode != 0
+        said = [row.replace("ERROR:", "").strip() for row in run.stderr.splitlines() if re.search(words, row)]
+        assert said, run.stderr
+        assert_sentence(said[0], words)
+        assert "Traceback" not in run.stdout + run.stderr
+        assert not (tmp_path / "out.gpkg").exists()
+
+
+def test_a_missing_source_does_not_stop_the_run(
+    qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path
+) -> None:
+    placed, inspected = tmp_path / "placed.gpkg", tmp_path / "inspected.gpkg"
+    qgis_process(
+        "run", "seaminspector:placewindows", f"--SEAMLINES={seamlines}", f"--MOSAIC={scene.mosaic}", "--SIDE=12.8",
+        f"--OUTPUT={placed}",
+    )
+    run = qgis_process(
+        "run", "seaminspector:inspectwindows", f"--WINDOWS={placed}", f"--MOSAIC={scene.mosaic}",
+        "--SOURCES=/nowhere/lost.tif", f"--SOURCES={scene.west}", f"--OUTPUT={inspected}",
+    )
+    assert run.returncode == 0, run.stderr
+    assert "lost.tif is left out: /nowhere/lost.tif does not exist" in run.stdout + run.stderr
+    assert verdicts(inspected) == ["reduced"]
