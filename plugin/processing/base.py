@@ -39,7 +39,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     ID: str
     NAME: str
     GROUP = QT_TRANSLATE_NOOP("@default", "Seam inspection")
-    GROUP_ID = "seaminspection"
+    GROUP_ID = "Seam inspection"  # a model has its group's name for an id, and belongs to the same group
     HELP: str
 
     def name(self) -> str:

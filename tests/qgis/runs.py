@@ -9,6 +9,7 @@ from qgis.core import (
     NULL,
     QgsApplication,
     QgsFeature,
+    QgsFeatureRequest,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingFeedback,
@@ -90,6 +91,7 @@ def run_unchecked(name: str, log: Log | None = None, **parameters: Any) -> Run:
 def _run(job: QgsProcessingAlgorithm, log: Log, parameters: dict[str, Any], checked: bool) -> Run:
     context = QgsProcessingContext()
     context.setProject(QgsProject.instance())
+    context.setInvalidGeometryCheck(QgsFeatureRequest.InvalidGeometryCheck.GeometryAbortOnInvalid)  # as QGIS sets it
     for definition in job.destinationParameterDefinitions():
         parameters.setdefault(definition.name(), "TEMPORARY_OUTPUT")
     if checked:

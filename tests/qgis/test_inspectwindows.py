@@ -7,11 +7,23 @@ from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import QgsProcessingParameterDefinition, QgsWkbTypes
+from qgis.core import QgsGeometry, QgsProcessingParameterDefinition, QgsRectangle, QgsWkbTypes
 
 from tests.core.synthetic import UTM33, decompose, luminance, orthoimage, read_pixels, write_raster
 from tests.qgis.runs import Log, Run, algorithm, run
-from tests.qgis.scenes import BLURRED, COLUMNS, SHARP, Scene, luminance_shares, outline, pixel_box, to_bytes, windows
+from tests.qgis.scenes import (
+    BLURRED,
+    COLUMNS,
+    SHARP,
+    Scene,
+    layer,
+    luminance_shares,
+    outline,
+    pixel_box,
+    to_bytes,
+    whole,
+    windows,
+)
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -207,6 +219,24 @@ def test_offset_is_that_of_the_pixel_grids(scene: Scene, tmp_path: Path) -> None
     shares = luminance_shares(shifted, (64, 64, 128, 128))
     curve = [row for row in outcome.rows("CURVES") if row["role"] == "source" and row["band"] == "luminance"]
     np.testing.assert_allclose([row["relative_variance"] for row in curve], shares, rtol=1e-4)
+
+
+def test_a_geographic_mosaic_is_measured_on_its_own_pixels(scene: Scene, tmp_path: Path) -> None:
+    degrees = (19.0, 1.4e-6, 0.0, 50.0, 0.0, -0.9e-6)
+    mosaic, source = (
+        write_raster(tmp_path / path.name, whole(path), system=4326, geotransform=degrees)
+        for path in (scene.mosaic, scene.west)
+    )
+    column, row, width, height = BLURRED
+    left, top = 19 + 1.4e-6 * column, 50 - 0.9e-6 * row
+    box = QgsGeometry.fromRect(QgsRectangle(left, top - 0.9e-6 * height, left + 1.4e-6 * width, top))
+    outcome = run(
+        "inspectwindows", WINDOWS=layer("Polygon", [box], 4326), MOSAIC=mosaic, SOURCES=[source, str(scene.east)]
+    )
+    assert outcome.layer().crs().authid() == "EPSG:4326"
+    assert {(row["source"], row["resampled"]) for row in outcome.rows("PAIRS")} == {("west.tif", 0)}
+    expected = luminance_shares(mosaic, BLURRED)[0] / luminance_shares(source, BLURRED)[0]
+    assert outcome.column("ratio_1") == pytest.approx([expected], rel=1e-4)
 
 
 def test_max_ratio_moves_the_limit(scene: Scene) -> None:

@@ -47,6 +47,7 @@ def test_what_the_provider_offers(provider: QgsProcessingProvider) -> None:
 
 
 def test_every_algorithm_says_what_it_does(provider: QgsProcessingProvider) -> None:
+    assert len({one.groupId() for one in provider.algorithms()}) == 1  # else the toolbox shows the group twice
     for one in provider.algorithms():
         assert one.group() == "Seam inspection"
         assert one.displayName()

@@ -1,0 +1,143 @@
+"""Results -> the curves that a chart shows, and words for their points. No matplotlib, so that it loads at once."""
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from .text import tr
+
+if TYPE_CHECKING:
+    from ..core.inspection import ClipResult, WindowResult
+
+BAND_ORDER = ("luminance", "red", "green", "blue", "nir")
+
+
+@dataclass(frozen=True)
+class ChartCurve:
+    """One line in a chart: of a raster in one window, or the mean of many."""
+
+    label: str
+    """File name without its folder."""
+    is_mosaic: bool
+    detail: tuple[float, ...]
+    """Relative variance at levels 1..R."""
+    background: float
+    colour: int | None = None
+    """Number of a source's colour, so that it keeps it from window to window; None: by its place in the chart."""
+    spread: tuple[tuple[float, float], ...] = ()
+    """Lowest and highest value of each component when the curve is a mean, else empty."""
+
+    @property
+    def key(self) -> tuple[bool, str]:
+        """What tells it from the other curves of the chart, and stays from window to window."""
+        return self.is_mosaic, self.label
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Levels 1..R, then the background; NaN for a constant clip."""
+        return (*self.detail, self.background)
+
+
+def bands_of(results: Iterable[WindowResult]) -> list[str]:
+    """The bands of the mosaics, luminance and colours first."""
+    names = {name: None for result in results for clip in result.clips[:1] for name in clip.curves}
+    known = [name for name in BAND_ORDER if name in names]
+    return [*known, *(name for name in names if name not in known)]
+
+
+def band_title(name: str) -> str:
+    """A band's name for the user."""
+    titles = {
+        "luminance": tr("luminance"),
+        "red": tr("red"),
+        "green": tr("green"),
+        "blue": tr("blue"),
+        "nir": tr("near infrared"),
+    }
+    return titles.get(name) or tr("band {number}").format(number=name[len("band_") :])
+
+
+def window_curves(result: WindowResult, band: str, colours: Mapping[str, int]) -> list[ChartCurve]:
+    """The curves of one window and band, the mosaic's first. ``colours``: numbers by file name."""
+    curves = []
+    seen: Counter[str] = Counter()
+    for clip in result.clips:
+        if band not in clip.curves:
+            continue
+        is_mosaic = clip.role == "mosaic"
+        seen[clip.raster] += not is_mosaic
+        twin = f" ({seen[clip.raster]})" if seen[clip.raster] > 1 and not is_mosaic else ""
+        curve = clip.curves[band]
+        colour = None if is_mosaic else colours.get(clip.raster)
+        curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
+    return curves
+
+
+def mean_curves(results: Sequence[WindowResult], band: str) -> list[ChartCurve]:
+    """Mean and range of the mosaics of many windows, and of all their sources.
+
+    Windows measured with other levels than most are left out.
+    """
+    clips = [clip for result in results for clip in result.clips if band in clip.curves]
+    depths = Counter(len(clip.curves[band].detail) for clip in clips if clip.role == "mosaic")
+    if not depths:
+        return []
+    depth = depths.most_common(1)[0][0]
+    clips = [clip for clip in clips if len(clip.curves[band].detail) == depth and clip.curves[band].variance > 0]
+    mosaics = [clip for clip in clips if clip.role == "mosaic"]
+    sources = [clip for clip in clips if clip.role != "mosaic"]
+    titles = tr("mosaic (mean)"), tr("sources (mean)")
+    return [_mean(group, band, title) for group, title in zip((mosaics, sources), titles) if group]
+
+
+def _mean(clips: Sequence[ClipResult], band: str, label: str) -> ChartCurve:
+    columns = list(zip(*((*clip.curves[band].detail, clip.curves[band].background) for clip in clips)))
+    means = [math.fsum(column) / len(column) for column in columns]
+    spread = tuple((min(column), max(column)) for column in columns)
+    return ChartCurve(label, clips[0].role == "mosaic", tuple(means[:-1]), means[-1], 0, spread)
+
+
+def least_of_sources(curves: Iterable[ChartCurve], component: int) -> float | None:
+    """The lowest share of a component among the sources: of the least sharp one, where it is a detail."""
+    shares = (curve.values[component] for curve in curves if not curve.is_mosaic)
+    return min((share for share in shares if share > 0), default=None)
+
+
+def significance_limit(curves: Sequence[ChartCurve], max_ratio: float) -> float | None:
+    """The share at level 1 at or below which a mosaic has lost significantly; None for means and without sources."""
+    if any(curve.spread for curve in curves):
+        return None
+    least = least_of_sources(curves, 0)
+    return None if least is None else max_ratio * least
+
+
+def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tuple[str, str]:
+    """A curve's name, and what is to be said of one of its points."""
+    curve = curves[index]
+    value = curve.values[component]
+    is_background = component == len(curve.detail)
+    place = tr("background") if is_background else tr("level {number}").format(number=component + 1)
+    words = f", {place}: {share_text(value)}"
+    if curve.spread:
+        low, high = (share_text(share) for share in curve.spread[component])
+        return curve.label, words + tr(" (range {low} to {high})").format(low=low, high=high)
+    mosaic = next((other.values[component] for other in curves if other.is_mosaic), math.nan)
+    least = least_of_sources(curves, component)
+    if curve.is_mosaic and least is not None and value == value:
+        template = tr(" ({percent:.0f} % of the lowest source)") if is_background else tr(
+            " ({percent:.0f} % of the least sharp source)"
+        )
+        return curve.label, words + template.format(percent=100 * value / least)
+    if not curve.is_mosaic and value > 0 and mosaic == mosaic:
+        return curve.label, words + tr(" (mosaic: {percent:.0f} % of it)").format(percent=100 * mosaic / value)
+    return curve.label, words
+
+
+def share_text(share: float) -> str:
+    """A share with three digits that count: 0.412, 0.0160, 0.00052."""
+    if not share > 0:
+        return f"{share:g}"
+    return f"{share:.{min(max(2 - math.floor(math.log10(share)), 2), 7)}f}"

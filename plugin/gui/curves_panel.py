@@ -1,0 +1,278 @@
+"""The tab with the curves of the selected windows. matplotlib is loaded when it is first seen with a result."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from qgis.PyQt.QtCore import QEvent, Qt, QTimer
+from qgis.PyQt.QtGui import QPalette, QResizeEvent, QShowEvent
+from qgis.PyQt.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QSplitter,
+    QStackedWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ..adapters.curves import (
+    BAND_ORDER,
+    ChartCurve,
+    band_title,
+    bands_of,
+    mean_curves,
+    point_words,
+    significance_limit,
+    window_curves,
+)
+from ..adapters.text import tr
+from .curves_export import CurvesExport
+from .curves_selection import selected_results, title
+
+if TYPE_CHECKING:
+    from ..core.inspection import WindowResult
+    from .curves_chart import CurvesChart
+    from .curves_legend import CurvesLegend
+    from .session import Session
+
+    Key = tuple[bool, str]
+
+_TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
+_MAX_LEGEND_SHARE = 0.36  # of the width, until the user moves the border
+_RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
+
+
+class CurvesPanel(QWidget):
+    """Curves of one window, or mean and range of several; words where there is nothing to draw."""
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._hidden: set[Key] = set()
+        self._colours: dict[str, int] = {}
+        self._band = ""  # the user's choice, kept while other windows lack it
+        self._idle_text = ""
+        self._chart: CurvesChart | None = None
+        self._legend: CurvesLegend | None = None
+        self._legend_width = 0
+        self._border_moved = False
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._refresh)
+        self._build()
+        session.selectionChanged.connect(self._refresh_now)
+        session.inputsChanged.connect(self._refresh_now)
+        session.windowsChanged.connect(self._refresh_soon)
+        session.progressChanged.connect(self._on_progress)
+        session.resultArrived.connect(self._on_result)
+
+    # widgets
+
+    def _build(self) -> None:
+        self._bands = QComboBox()
+        self._bands.setToolTip(tr("Band whose curves are drawn; the verdict is that of luminance, or of the only band"))
+        self._bands.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self._fill_bands([BAND_ORDER[0]])
+        self._bands.activated.connect(self._on_band_chosen)
+        self._logarithmic = QToolButton()
+        self._logarithmic.setText(tr("log"))
+        self._logarithmic.setToolTip(tr("Logarithmic axis, which shows the fine levels; off: linear axis"))
+        self._logarithmic.setCheckable(True)
+        self._logarithmic.setChecked(True)
+        self._logarithmic.setAutoRaise(True)
+        self._logarithmic.toggled.connect(self._refresh_now)
+        self._export = CurvesExport()
+        self._export.said.connect(self._session.messageRaised)
+        self._text = QLabel()
+        self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._text.setWordWrap(True)
+        self._text.setAutoFillBackground(True)
+        self._text.setBackgroundRole(QPalette.ColorRole.Base)
+        self._text.setForegroundRole(QPalette.ColorRole.Text)
+        self._text.setMargin(self.fontMetrics().height())
+        self._text.setMinimumSize(1, 1)
+        self._splitter = QSplitter(Qt.Orientation.Horizontal)
+        self._splitter.setAutoFillBackground(True)
+        self._splitter.setBackgroundRole(QPalette.ColorRole.Base)
+        self._splitter.splitterMoved.connect(self._on_border_moved)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._text)
+        self._pages.addWidget(self._splitter)
+        self._status = QLabel()
+        self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._status.setTextFormat(Qt.TextFormat.PlainText)
+        self._status.setMargin(self.fontMetrics().height() // 6)
+        tools = QHBoxLayout()
+        tools.addWidget(self._bands)
+        tools.addWidget(self._logarithmic)
+        tools.addStretch()
+        tools.addWidget(self._export)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(self.fontMetrics().height() // 5)
+        layout.addLayout(tools)
+        layout.addWidget(self._pages, 1)
+        layout.addWidget(self._status)
+
+    def _build_chart(self) -> None:
+        """Load matplotlib, which takes half a second, and put the chart in its place."""
+        from .curves_chart import CurvesChart
+        from .curves_legend import CurvesLegend
+
+        self._chart = CurvesChart(self._splitter)
+        self._legend = CurvesLegend(self._splitter)
+        self._splitter.addWidget(self._chart)
+        self._splitter.addWidget(self._legend)
+        self._splitter.setStretchFactor(0, 1)
+        self._splitter.setStretchFactor(1, 0)
+        self._splitter.setCollapsible(0, False)
+        self._chart.pointed.connect(self._on_pointed)
+        self._legend.toggled.connect(self._on_toggled)
+        self._legend.soloed.connect(self._on_soloed)
+        self._legend.entered.connect(self._chart.mark)
+
+    # when to draw
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._refresh_now()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_legend()
+        self._show_point()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in _RESTYLING:
+            self._refresh_now()
+
+    def _refresh_now(self, *_: object) -> None:
+        """As soon as the signals under way have been handled."""
+        self._timer.start(0)
+
+    def _refresh_soon(self) -> None:
+        if not self._timer.isActive():
+            self._timer.start(_TOGETHER_MS)
+
+    def _on_result(self, fid: int) -> None:
+        selected = self._session.selected()
+        if selected == [fid]:
+            self._refresh_now()
+        elif fid in selected:
+            self._refresh_soon()
+
+    def _on_progress(self, _done: int, _asked: int) -> None:
+        if self._pages.currentWidget() is self._text:
+            self._refresh_soon()
+
+    def _refresh(self) -> None:
+        """Show what is selected now. Only changes are drawn, and nothing while the panel is out of sight."""
+        if not self.isVisible():
+            return
+        results, missing = selected_results(self._session)
+        if not results:
+            self._show_text(missing)
+            return
+        self._fill_bands(bands_of(results))
+        try:
+            if self._chart is None:
+                self._build_chart()
+        except ImportError:
+            self._show_text(
+                tr("The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and "
+                   "Ubuntu, or run 'python -m pip install matplotlib' in the OSGeo4W shell on Windows.")
+            )  # fmt: skip
+            return
+        self._idle_text = title(self._session, results)
+        self._draw(results, self._curves(results))
+
+    def _fill_bands(self, names: list[str]) -> None:
+        if names != [self._bands.itemData(row) for row in range(self._bands.count())]:
+            self._bands.clear()
+            for name in names:
+                self._bands.addItem(band_title(name), name)
+        self._bands.setCurrentIndex(max(self._bands.findData(self._band), 0))
+
+    def _curves(self, results: list[WindowResult]) -> tuple[ChartCurve, ...]:
+        band = self._bands.currentData()
+        if len(results) > 1:
+            return tuple(mean_curves(results, band))
+        for clip in results[0].clips[1:]:
+            self._colours.setdefault(clip.raster, len(self._colours))
+        return tuple(window_curves(results[0], band, self._colours))
+
+    def _draw(self, results: list[WindowResult], curves: tuple[ChartCurve, ...]) -> None:
+        from .curves_chart import Chart, chart_style
+
+        assert self._chart is not None
+        assert self._legend is not None
+        hidden = frozenset(self._hidden & {curve.key for curve in curves})
+        chart = Chart(curves, self._session.inputs.max_ratio, self._logarithmic.isChecked(), hidden)
+        style = chart_style(self)
+        has_limit = significance_limit(curves, chart.max_ratio) is not None
+        self._legend.show_curves(curves, hidden, style, has_limit)
+        self._fit_legend()
+        self._pages.setCurrentWidget(self._splitter)
+        self._chart.show_chart(chart, style)
+        self._export.offer(results, chart, self._idle_text, self._bands.currentData())
+        self._show_point()
+
+    def _show_text(self, text: str) -> None:
+        self._text.setText(text)
+        self._pages.setCurrentWidget(self._text)
+        self._idle_text = ""
+        self._export.offer([], None, "", "")
+        self._show_point()
+
+    def _fit_legend(self) -> None:
+        """As wide as the longest name so far, so that the axes seldom move from window to window."""
+        if self._legend is None or self._border_moved:
+            return
+        self._legend_width = max(self._legend_width, self._legend.sizeHint().width())
+        whole = self._pages.width()
+        width = min(self._legend_width, int(whole * _MAX_LEGEND_SHARE))
+        self._splitter.setSizes([whole - width - self._splitter.handleWidth(), width])
+
+    # what the user does
+
+    def _on_band_chosen(self, index: int) -> None:
+        self._band = self._bands.itemData(index)
+        self._refresh_now()
+
+    def _on_border_moved(self, _position: int, _index: int) -> None:
+        self._border_moved = True
+
+    def _on_toggled(self, key: Key) -> None:
+        self._hidden ^= {key}
+        self._refresh_now()
+
+    def _on_soloed(self, key: Key | None) -> None:
+        chart = self._chart.chart if self._chart else None
+        self._hidden.clear()
+        if key is not None and chart is not None:
+            self._hidden |= {curve.key for curve in chart.curves if not curve.is_mosaic and curve.key != key}
+        self._refresh_now()
+
+    def _on_pointed(self, point: tuple[int, int] | None) -> None:
+        chart = self._chart.chart if self._chart else None
+        if self._legend is not None and chart is not None:
+            self._legend.mark(chart.curves[point[0]].key if point else None)
+        self._show_point()
+
+    def _show_point(self) -> None:
+        """The values under the mouse, the name elided where there is no room for it, but never the values."""
+        chart = self._chart.chart if self._chart else None
+        point = self._chart.point if self._chart else None
+        if chart is None or point is None or self._pages.currentWidget() is not self._splitter:
+            self._status.setText(self._idle_text)
+            self._status.setToolTip(self._idle_text)
+            return
+        name, words = point_words(chart.curves, *point)
+        metrics = self._status.fontMetrics()
+        width = self._status.width() - 2 * self._status.margin()
+        room = max(width - metrics.horizontalAdvance(words + " "), metrics.horizontalAdvance("0" * 7))
+        self._status.setText(metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room) + words)
+        self._status.setToolTip(name + words)

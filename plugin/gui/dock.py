@@ -1,0 +1,274 @@
+"""The inspection desk: a dock beside or below the map that puts the panels together."""
+from __future__ import annotations
+
+import importlib
+from contextlib import suppress
+from threading import Thread
+from typing import Callable
+
+from qgis.core import Qgis, QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
+from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QIcon, QKeySequence, QPalette, QResizeEvent
+from qgis.PyQt.QtWidgets import (
+    QAction,
+    QLabel,
+    QProgressBar,
+    QSplitter,
+    QTabWidget,
+    QToolBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ..adapters.resources import icon_path
+from ..adapters.text import tr
+from .curves_panel import CurvesPanel
+from .images_panel import ImagesPanel
+from .inputs_panel import InputsPanel
+from .judge_bar import JudgeBar
+from .session import Session
+from .window_tool import WindowTool
+from .windows_panel import WindowsPanel
+
+_SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
+_MESSAGE_SECONDS = 8
+_LEAST_CONTRAST = 80  # of 255, between the lightness of text and that of what it stands on
+
+
+class InspectionDock(QgsDockWidget):
+    """Owns the session, the map tool and the panels; ``close_desk`` lets go of all of them."""
+
+    def __init__(self, iface: QgisInterface) -> None:
+        super().__init__(tr("Seam Inspector"), iface.mainWindow())
+        self.setObjectName("SeamInspectorDock")
+        self._iface = iface
+        self._canvas = iface.mapCanvas()
+        self._make_readable()
+        Thread(target=_load_chart, name="seam-inspector-chart", daemon=True).start()
+        self.session = Session(self)
+        self.tool = WindowTool(self._canvas, self.session)
+        self._previous_tool: QgsMapTool | None = None
+        self.inputs = InputsPanel(self.session)
+        self.windows = WindowsPanel(self.session)
+        self.judge = JudgeBar(self.session, order=self.windows.ordered_fids)
+        self.curves = CurvesPanel(self.session)
+        self.images = ImagesPanel(self.session)
+        self._make_actions()
+        self._lay_out()
+        self.session.progressChanged.connect(self._show_progress)
+        self.session.messageRaised.connect(self._show_message)
+        self.session.inputsChanged.connect(self._enable_actions)
+        self.session.windowsChanged.connect(self._enable_actions)
+        self.windows.orderChanged.connect(self.judge.refresh)
+        self.windows.zoomRequested.connect(self.zoom_to)
+        self.tool.finished.connect(self._leave_tool)
+        self._canvas.mapToolSet.connect(self._tool_set)
+        self._enable_actions()
+
+    @property
+    def standard_width(self) -> int:
+        """Pixels at which nothing is cut off on the right of the map."""
+        return max(420, 46 * self.fontMetrics().averageCharWidth())
+
+    def close_desk(self) -> None:
+        """Leave nothing behind: map tool, canvas items, connections, tasks."""
+        self._canvas.mapToolSet.disconnect(self._tool_set)
+        if self._canvas.mapTool() is self.tool:
+            self._leave_tool()
+        self.tool.close()
+        self.session.close()
+        for panel in (self.inputs, self.windows, self.judge, self.curves, self.images):
+            panel.close()
+
+    def zoom_to(self, fid: int) -> None:
+        """Show a window so that one image pixel covers 2 x 2 screen pixels."""
+        row, grid, layer = self.session.row(fid), self.session.mosaic_grid(), self.session.window_layer()
+        if row is None or grid is None or layer is None:
+            return
+        self.session.select([fid])
+        xmin, ymin, xmax, ymax = row.extent
+        centre_x, centre_y = (xmin + xmax) / 2, (ymin + ymax) / 2
+        half_width = self._canvas.width() / _SCREEN_PIXELS / 2 * grid.pixel_width
+        half_height = self._canvas.height() / _SCREEN_PIXELS / 2 * grid.pixel_height
+        view = QgsRectangle(
+            centre_x - half_width, centre_y - half_height, centre_x + half_width, centre_y + half_height
+        )
+        map_crs = self._canvas.mapSettings().destinationCrs()
+        transform = QgsCoordinateTransform(layer.crs(), map_crs, QgsProject.instance().transformContext())
+        try:
+            self._canvas.setExtent(transform.transformBoundingBox(view))
+        except QgsCsException:
+            return
+        self._canvas.refresh()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Side by side when the dock is wide, one above the other when it is narrow."""
+        super().resizeEvent(event)
+        wide = self.width() > 1.4 * self.height()
+        orientation = Qt.Orientation.Horizontal if wide else Qt.Orientation.Vertical
+        if orientation != self._splitter.orientation():
+            self._splitter.setOrientation(orientation)
+            self._splitter.setSizes([2000, 3000])  # shares; Qt fits them to the room there is
+
+    def _make_readable(self) -> None:
+        """Themes such as Night Mapping colour labels by style sheet and leave dark text on dark in the palette."""
+        palette, label = self.palette(), QLabel(self)
+        label.ensurePolished()
+        text = label.palette().color(QPalette.ColorRole.WindowText)
+        label.deleteLater()
+        for role, ground in (
+            (QPalette.ColorRole.WindowText, QPalette.ColorRole.Window),
+            (QPalette.ColorRole.Text, QPalette.ColorRole.Base),
+            (QPalette.ColorRole.ButtonText, QPalette.ColorRole.Button),
+        ):
+            back = palette.color(ground).lightness()
+            if abs(palette.color(role).lightness() - back) < _LEAST_CONTRAST <= abs(text.lightness() - back):
+                palette.setColor(role, text)
+        self.setPalette(palette)
+
+    def _make_actions(self) -> None:
+        self.draw = self._action(
+            QIcon(icon_path("draw_window")),
+            tr("Draw"),
+            tr("Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square."),
+            self._toggle_tool,
+        )
+        self.draw.setCheckable(True)
+        self.place = self._action(
+            QgsApplication.getThemeIcon("/mActionMultiEdit.svg"),
+            tr("Place"),
+            tr("Place windows along the seamlines"),
+            self._place,
+        )
+        self.inspect = self._action(
+            QgsApplication.getThemeIcon("/mActionStart.svg"),
+            tr("Inspect"),
+            tr("Inspect all windows that are not inspected yet or have changed"),
+            self._inspect_pending,
+        )
+        self.inspect_selected = self._action(
+            QgsApplication.getThemeIcon("/mActionRefresh.svg"),
+            tr("Again"),
+            tr("Inspect the selected windows again"),
+            self._inspect_selected,
+        )
+        self.stop = self._action(
+            QgsApplication.getThemeIcon("/mActionStop.svg"), tr("Stop"), tr("Stop; what is done stays"), self._stop
+        )
+        self.undo = self._action(
+            QgsApplication.getThemeIcon("/mActionUndo.svg"),
+            tr("Undo"),
+            tr("Undo the last change of the windows (Ctrl+Z)"),
+            self._undo,
+        )
+        self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
+        self.undo.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+
+    def _action(self, icon: QIcon, text: str, tip: str, slot: Callable[..., None]) -> QAction:
+        action = QAction(icon, text, self)
+        action.setToolTip(tip)
+        action.triggered.connect(slot)
+        return action
+
+    def _lay_out(self) -> None:
+        toolbar = QToolBar()
+        size = self.fontMetrics().height() + 6
+        toolbar.setIconSize(QSize(size, size))
+        toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        toolbar.addActions([self.draw, self.place, self.inspect, self.inspect_selected, self.stop, self.undo])
+        for action in (self.inspect_selected, self.stop, self.undo):  # known by their icons, to save width
+            toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        self.progress = QProgressBar()
+        self.progress.setVisible(False)
+        self.progress.setTextVisible(True)
+        tabs = QTabWidget()
+        tabs.addTab(self.curves, tr("Curves"))
+        tabs.addTab(self.images, tr("Images"))
+        tabs.setDocumentMode(True)
+        list_side, list_layout = QWidget(), QVBoxLayout()
+        list_layout.setContentsMargins(0, 0, 0, 0)
+        list_layout.addWidget(self.windows, 1)
+        list_side.setLayout(list_layout)
+        chart_side, chart_layout = QWidget(), QVBoxLayout()
+        chart_layout.setContentsMargins(0, 0, 0, 0)
+        chart_layout.addWidget(tabs, 1)
+        chart_layout.addWidget(self.judge)
+        chart_side.setLayout(chart_layout)
+        self._splitter = QSplitter(Qt.Orientation.Vertical)
+        self._splitter.addWidget(list_side)
+        self._splitter.addWidget(chart_side)
+        self._splitter.setStretchFactor(0, 2)
+        self._splitter.setStretchFactor(1, 3)
+        self._splitter.setChildrenCollapsible(False)
+        body, layout = QWidget(), QVBoxLayout()
+        layout.setContentsMargins(4, 2, 4, 4)
+        layout.setSpacing(3)
+        layout.addWidget(self.inputs)
+        layout.addWidget(toolbar)
+        layout.addWidget(self._splitter, 1)
+        layout.addWidget(self.progress)
+        body.setLayout(layout)
+        body.addActions([*self.judge.actions_for_dock(), self.undo])
+        self.setWidget(body)
+
+    def _toggle_tool(self, checked: bool) -> None:
+        if checked:
+            self._previous_tool = self._canvas.mapTool()
+            self._canvas.setMapTool(self.tool)
+        else:
+            self._leave_tool()
+
+    def _leave_tool(self) -> None:
+        if self._previous_tool is not None:
+            self._canvas.setMapTool(self._previous_tool)
+        else:
+            self._canvas.unsetMapTool(self.tool)
+
+    def _tool_set(self, tool: QgsMapTool, _old: QgsMapTool | None = None) -> None:
+        self.draw.setChecked(tool is self.tool)
+
+    def _place(self) -> None:
+        self.session.place_windows()
+
+    def _inspect_pending(self) -> None:
+        self.session.inspect_pending()
+
+    def _stop(self) -> None:
+        self.session.stop()
+
+    def _inspect_selected(self) -> None:
+        self.session.inspect(self.session.selected())
+
+    def _undo(self) -> None:
+        layer = self.session.window_layer()
+        if layer is not None and layer.isEditable():
+            layer.undoStack().undo()
+
+    def _enable_actions(self) -> None:
+        ready = self.session.mosaic_grid() is not None
+        self.draw.setEnabled(ready)
+        self.place.setEnabled(ready and bool(self.session.inputs.seamlines))
+        self.inspect.setEnabled(ready and bool(self.session.windows()))
+        self.inspect_selected.setEnabled(ready and bool(self.session.windows()))
+        self.stop.setEnabled(self.session.is_busy)
+        layer = self.session.window_layer()
+        self.undo.setEnabled(layer is not None and layer.isEditable() and layer.undoStack().canUndo())
+
+    def _show_progress(self, done: int, asked: int) -> None:
+        self.progress.setVisible(asked > 0)
+        self.progress.setRange(0, max(asked, 1))
+        self.progress.setValue(done)
+        self.progress.setFormat(tr("{done} of {asked} windows").format(done=done, asked=asked))
+        self.stop.setEnabled(asked > 0)
+
+    def _show_message(self, text: str, level: int) -> None:
+        self._iface.messageBar().pushMessage(
+            tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS
+        )
+
+
+def _load_chart() -> None:
+    """Load matplotlib beside the interface, which would stand still for a second when the first curve appears."""
+    with suppress(ImportError):
+        importlib.import_module(f"{__package__}.curves_chart")

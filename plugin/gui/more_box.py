@@ -1,0 +1,111 @@
+"""The inputs that are seldom changed: spacing, wavelet, levels, limit."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import QComboBox, QGridLayout, QLabel, QWidget
+
+from ..adapters.text import tr
+from ..core import thresholds
+
+if TYPE_CHECKING:
+    from ..adapters.inputs import Inputs
+
+
+class MoreBox(QgsCollapsibleGroupBoxBasic):
+    """Folded until it is asked for."""
+
+    changed = pyqtSignal(str, object)
+    """The name of a field of ``Inputs`` and its new value."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(tr("More"), parent)
+        self.setToolTip(tr("Spacing of placed windows, wavelet, levels and the limit of a significant loss"))
+        self.spacing = metres_box(thresholds.STANDARD_SPACING_M, 50, self)
+        self.spacing.setToolTip(tr("Metres along the seam from one placed window to the next"))
+        self.wavelet = QComboBox(self)
+        self.wavelet.addItems(thresholds.WAVELETS)
+        self.wavelet.setToolTip(
+            tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers.")
+        )
+        self.levels = QgsSpinBox(self)
+        self.levels.setRange(thresholds.MIN_LEVELS, thresholds.MAX_LEVELS)
+        self.levels.setClearValue(thresholds.DEFAULT_LEVELS)
+        self.levels.setKeyboardTracking(False)
+        self.levels.setToolTip(
+            tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.")
+        )
+        self.max_ratio = QgsDoubleSpinBox(self)
+        self.max_ratio.setRange(0.01, 1)
+        self.max_ratio.setSingleStep(0.05)
+        self.max_ratio.setClearValue(thresholds.MAX_SIGNIFICANT_RATIO)
+        self.max_ratio.setKeyboardTracking(False)
+        self.max_ratio.setToolTip(
+            tr("A loss is significant when the mosaic keeps at most this share of the sources' detail at level 1")
+        )
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        layout.setVerticalSpacing(3)
+        layout.setColumnStretch(1, 1)
+        add_field(layout, 0, tr("S&pacing"), self.spacing)
+        add_field(layout, 1, tr("Wa&velet"), self.wavelet)
+        add_field(layout, 2, tr("L&evels"), self.levels)
+        add_field(layout, 3, tr("Significant up to &ratio"), self.max_ratio)
+        self.setCollapsed(True)
+        self.spacing.valueChanged.connect(self._change_spacing)
+        self.wavelet.activated.connect(self._choose_wavelet)
+        self.levels.valueChanged.connect(self._change_levels)
+        self.max_ratio.valueChanged.connect(self._change_max_ratio)
+
+    def fields(self) -> tuple[QWidget, ...]:
+        """In tab order."""
+        return self.spacing, self.wavelet, self.levels, self.max_ratio
+
+    def show_inputs(self, inputs: Inputs) -> None:
+        """Show the values of the inputs; ``changed`` is emitted for those that differ."""
+        show_value(self.spacing, inputs.spacing_m)
+        show_value(self.levels, inputs.levels)
+        show_value(self.max_ratio, inputs.max_ratio)
+        self.wavelet.setCurrentIndex(self.wavelet.findText(inputs.wavelet))
+
+    def _change_spacing(self, metres: float) -> None:
+        self.changed.emit("spacing_m", metres)
+
+    def _choose_wavelet(self, _index: int) -> None:
+        self.changed.emit("wavelet", self.wavelet.currentText())
+
+    def _change_levels(self, levels: int) -> None:
+        self.changed.emit("levels", levels)
+
+    def _change_max_ratio(self, ratio: float) -> None:
+        self.changed.emit("max_ratio", ratio)
+
+
+def metres_box(usual: float, step: float, parent: QWidget) -> QgsDoubleSpinBox:
+    """A box for a length that is taken when it is complete, not digit by digit."""
+    box = QgsDoubleSpinBox(parent)
+    box.setRange(0.1, 99_999)
+    box.setDecimals(1)
+    box.setSingleStep(step)
+    box.setSuffix(" m")
+    box.setClearValue(usual)
+    box.setKeyboardTracking(False)
+    return box
+
+
+def show_value(box: QgsDoubleSpinBox | QgsSpinBox, value: float) -> None:
+    """Set a number; where it is there already the box is left alone, for another may be being typed."""
+    if box.value() != value:
+        box.setValue(value)
+
+
+def add_field(grid: QGridLayout, row: int, text: str, *fields: QWidget) -> None:
+    """A row of a form: the label with its shortcut, and what it names."""
+    label = QLabel(text)
+    label.setBuddy(fields[0])
+    label.setToolTip(fields[0].toolTip())
+    grid.addWidget(label, row, 0)
+    for column, field in enumerate(fields, start=1):
+        grid.addWidget(field, row, column, 1, 1 if len(fields) > 1 else 2)

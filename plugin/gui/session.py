@@ -1,0 +1,289 @@
+"""The one model behind the dock, the map tool and all panels: inputs, windows, results, and work in the background."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ..adapters import layers, tasks, window_layer
+from ..adapters.inputs import Inputs, load_inputs, save_inputs
+from ..adapters.pictures import Picture
+from ..adapters.text import sentence, tr
+from ..adapters.window_layer import WindowRow
+from ..core import messages
+from ..core.errors import SeamInspectorError
+from ..core.inspection import Block, WindowResult
+from ..core.messages import Message
+from ..core.windows import Grid, PixelWindow
+from .background import Background
+from .block_cache import BlockCache, measured
+from .seam_finder import SeamFinder
+from .window_pictures import WindowPictures
+from .window_results import WindowResults
+from .window_watch import WindowWatch
+
+_PLACING = "placing"
+
+
+class Session(QObject):
+    """Inputs, windows, results. Everything that reads pixels runs in tasks; results come back by signals."""
+
+    inputsChanged = pyqtSignal()
+    windowsChanged = pyqtSignal()
+    selectionChanged = pyqtSignal()
+    resultArrived = pyqtSignal(int)
+    picturesArrived = pyqtSignal(int)
+    progressChanged = pyqtSignal(int, int)
+    messageRaised = pyqtSignal(str, int)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._project = QgsProject.instance()
+        self._block = BlockCache(self._project)
+        self._watch = WindowWatch(self)
+        self._watch.windowsChanged.connect(self.windowsChanged)
+        self._watch.selectionChanged.connect(self.selectionChanged)
+        self._background = Background(self)
+        self._background.failed.connect(self._failed)
+        self._seams = SeamFinder(self._block, self._background)
+        self._results = WindowResults(self._block, self._watch, self._background, self)
+        self._results.arrived.connect(self.resultArrived)
+        self._results.failed.connect(self._failed)
+        self._pictures = WindowPictures(self._block, self._watch, self._background, self)
+        self._pictures.arrived.connect(self.picturesArrived)
+        self._background.progressChanged.connect(self.progressChanged)  # after the results, which write the last ones
+        self._connections = self._project_signals()
+        for signal, slot in self._connections:
+            signal.connect(slot)
+        self._load()
+
+    def close(self) -> None:
+        """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
+        while self._connections:
+            signal, slot = self._connections.pop()
+            signal.disconnect(slot)
+        self._background.close()
+        self._results.close()
+        self._watch.close()
+
+    # Inputs
+
+    @property
+    def inputs(self) -> Inputs:
+        """What is inspected and how."""
+        return self._block.inputs
+
+    def set_inputs(self, inputs: Inputs) -> None:
+        """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
+        before = self.inputs
+        if before == inputs:
+            return
+        if before.windows != inputs.windows:
+            self._results.write()  # into the layer they are of
+        self._block.inputs = inputs
+        save_inputs(self._project, inputs)
+        self._layers_changed(told=False)
+        if measured(before) != measured(inputs):
+            self._pictures.forget()
+            self._watch.mark_stale(row.window_id for row in self.windows() if row.verdict)
+        self.inputsChanged.emit()
+
+    def mosaic_layer(self) -> QgsRasterLayer | None:
+        """The mosaic, while it is there."""
+        return self._block.mosaic_layer()
+
+    def mosaic_grid(self) -> Grid | None:
+        """The mosaic's pixel grid; None while there is no mosaic that windows can lie on."""
+        block = self._block.silent()
+        return block.mosaic.grid if block is not None else None
+
+    def source_count_over(self, window: PixelWindow) -> int:
+        """How many sources' footprints cover a window."""
+        block = self._block.silent()
+        return len(block.sources_over(window)) if block is not None else 0
+
+    def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
+        """The nearest point of a seam within ``reach``, all in the mosaic's reference system."""
+        return self._seams.nearest(x, y, reach)
+
+    # Windows
+
+    def window_layer(self) -> QgsVectorLayer | None:
+        """The layer that holds the windows, while it is there."""
+        return self._watch.layer
+
+    def windows(self) -> list[WindowRow]:
+        """All windows by their number."""
+        return self._watch.rows()
+
+    def row(self, fid: int) -> WindowRow | None:
+        """One window."""
+        return self._watch.row(fid)
+
+    def selected(self) -> list[int]:
+        """Feature ids of the selected windows."""
+        return self._watch.selected()
+
+    def select(self, fids: Sequence[int]) -> None:
+        """Select windows, on the map and in the table alike."""
+        self._watch.select(fids)
+
+    def add_window(self, window: PixelWindow) -> int | None:
+        """A new window, inspected at once in the background; its feature id, or None when there can't be one."""
+        with self._raised():
+            fids = self._add(self._block.required(), [window])
+            self.select(fids)
+            self.inspect(fids)
+            return fids[0]
+        return None
+
+    def remove(self, fids: Sequence[int]) -> None:
+        """Remove windows; undo brings them back."""
+        with self._raised():
+            if self._watch.layer is not None and fids:
+                window_layer.remove_windows(self._watch.layer, fids)
+
+    def judge(self, fids: Sequence[int], observer: str) -> None:
+        """Write what the operator saw: ``visible``, ``invisible`` or nothing."""
+        with self._raised():
+            if self._watch.layer is not None and fids:
+                fids = self._watch.prepare(fids, self.inputs.levels)
+                window_layer.write_observer(self._watch.layer, fids, observer)
+
+    def _add(self, block: Block, windows: Sequence[PixelWindow]) -> list[int]:
+        """Add windows to the layer, which is made and added to the project when there is none."""
+        if self._watch.layer is None:
+            folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
+            made = window_layer.create_window_layer(layers.mosaic_crs(block.mosaic), self.inputs.levels, folder)
+            self._project.addMapLayer(made)
+            self.set_inputs(replace(self.inputs, windows=made.id()))
+        layer = self._watch.layer
+        assert layer is not None
+        outlines = self._block.outlines(block, layer, windows)
+        self._watch.prepare([], self.inputs.levels)
+        return window_layer.add_windows(layer, outlines, self._watch.next_number)
+
+    # Work in the background
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether windows are being placed or inspected."""
+        return self._background.is_busy
+
+    def place_windows(self) -> None:
+        """Place windows along the seamlines; they are added when all are found, and not inspected yet."""
+        with self._raised():
+            block = self._block.required()
+            lines = self._block.seamlines(block)
+            if lines is None:
+                raise SeamInspectorError(messages.NO_SEAMLINES())
+            if self._background.is_under_way(_PLACING):
+                return
+            inputs, settings = self.inputs, self._block.settings()
+            job = tasks.placing_job(lines, block.mosaic, inputs.side_m, inputs.spacing_m, settings)
+            self._background.start(
+                tr("Place windows"), job, partial(self._take_placement, inputs.mosaic), _PLACING, steps=1
+            )
+
+    def inspect(self, fids: Sequence[int]) -> None:
+        """Inspect windows, those left out that are being inspected already."""
+        with self._raised():
+            self._results.inspect(fids)
+
+    def inspect_pending(self) -> None:
+        """Inspect all windows that are not inspected yet or have changed since."""
+        self.inspect([row.fid for row in self.windows() if not row.verdict or row.stale])
+
+    def stop(self) -> None:
+        """Cancel placing and inspection; what is done stays."""
+        self._results.forget_asked()
+        self._background.stop()
+
+    def result(self, fid: int) -> WindowResult | None:
+        """The curves of a window, as far as they were measured in this session."""
+        row = self.row(fid)
+        return self._results.result(row.window_id) if row is not None else None
+
+    def pictures(self, fid: int) -> list[Picture] | None:
+        """The clips of a window as pictures; when they are not there yet they are read in the background."""
+        return self._pictures.pictures(fid)
+
+    def _take_placement(self, mosaic: str, placement: Any) -> None:
+        if mosaic != self.inputs.mosaic:
+            return
+        with self._raised():
+            windows = [placed.window for placed in placement.windows]
+            if windows:
+                self._add(self._block.required(), windows)
+            if placement.dropped:
+                self._say(placement.dropped[0], Qgis.MessageLevel.Info)
+            self._say(messages.WINDOWS_PLACED(count=len(windows)), Qgis.MessageLevel.Success)
+
+    # The project
+
+    def _project_signals(self) -> list[tuple[Any, Callable[..., None]]]:
+        return [
+            (self._project.readProject, self._load),
+            (self._project.cleared, self._load),
+            (self._project.writeProject, self._save),
+            (self._project.layersAdded, self._layers_changed),
+            (self._project.layersWillBeRemoved, self._forget_layers),
+            (self._project.layersRemoved, self._layers_changed),
+        ]
+
+    def _load(self, *_: object) -> None:
+        self._forget_windows()
+        self._block.inputs = load_inputs(self._project)
+        self._layers_changed()
+
+    def _save(self, *_: object) -> None:
+        """Save the windows with the project, as its user expects."""
+        self._results.write()
+        self._watch.save_stale()
+        layer = self._watch.layer
+        if layer is not None and layer.isModified() and not layer.commitChanges(False):
+            error = next((text.rstrip(". ") for text in layer.commitErrors() if text.startswith("ERROR")), "")
+            self._say(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error), Qgis.MessageLevel.Critical)
+
+    def _layers_changed(self, *_: object, told: bool = True) -> None:
+        self._block.forget()
+        layer = self._project.mapLayer(self.inputs.windows)
+        if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
+            self._forget_windows()
+            self._watch.watch(layer)
+        self._seams.refresh()
+        if told:
+            self.inputsChanged.emit()
+
+    def _forget_layers(self, ids: list[str]) -> None:
+        self._block.forget()
+        if (layer := self._watch.layer) is not None and layer.id() in ids:
+            self._forget_windows()
+
+    def _forget_windows(self) -> None:
+        """What is of the window layer so far; nothing of it may reach another one."""
+        self._background.abandon()
+        self._watch.watch(None)
+        self._pictures.forget()
+        self._results.forget()
+        self._seams.forget()
+
+    def _failed(self, message: Message) -> None:
+        self._say(message, Qgis.MessageLevel.Warning)
+
+    def _say(self, message: Message, level: Qgis.MessageLevel) -> None:
+        self.messageRaised.emit(sentence(message), int(level))
+
+    @contextmanager
+    def _raised(self) -> Iterator[None]:
+        """Errors the user can mend become a message, not a traceback."""
+        try:
+            yield
+        except SeamInspectorError as error:
+            self._failed(error.message)

@@ -1,0 +1,101 @@
+"""The Space key while the mouse is over a view, wherever the keyboard's focus is."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QPlainTextEdit,
+    QTextEdit,
+    QWidget,
+)
+
+_KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
+_TEXT_FIELDS = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox)
+
+
+class SpaceKey(QObject):
+    """Which view Space is held over.
+
+    Taking the focus instead would keep the arrow keys from the table of windows while the mouse rests on a view.
+    The application's events are looked at only while the mouse is over a view, a view has the focus by Tab, or
+    Space is still held.
+    """
+
+    changed = pyqtSignal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._hovered: QWidget | None = None
+        self._focused: QWidget | None = None
+        self._is_held = False
+        self._is_watching = False
+
+    @property
+    def view(self) -> QWidget | None:
+        """The view under the mouse, else the one with the focus, while Space is held."""
+        return (self._hovered or self._focused) if self._is_held else None
+
+    def set_hovered(self, view: QWidget, is_hovered: bool) -> None:
+        """The mouse came to a view or left it; coming to the next one may be told first."""
+        if is_hovered or self._hovered is view:
+            self._hovered = view if is_hovered else None
+            self._update()
+
+    def set_focused(self, view: QWidget, is_focused: bool) -> None:
+        """The keyboard's focus came to a view or left it."""
+        if is_focused or self._focused is view:
+            self._focused = view if is_focused else None
+            self._update()
+
+    def release(self) -> None:
+        """Forget the key and the views: they go out of sight."""
+        self._hovered = self._focused = None
+        self._is_held = False
+        self._update()
+
+    def _update(self) -> None:
+        watching = self._is_held or self._hovered is not None or self._focused is not None
+        if watching != self._is_watching:
+            self._is_watching = watching
+            if watching:
+                QApplication.instance().installEventFilter(self)
+            else:
+                QApplication.instance().removeEventFilter(self)
+        self.changed.emit()
+
+    def _hold(self, is_held: bool) -> None:
+        if is_held != self._is_held:
+            self._is_held = is_held
+            self._update()
+
+    def eventFilter(self, _receiver: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if kind == QEvent.Type.ApplicationDeactivate:  # the key's release goes to somebody else
+            self._hold(False)
+        if kind not in _KEYS or event.key() != Qt.Key.Key_Space:
+            return False
+        if not self._is_held:
+            plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
+            if kind == QEvent.Type.KeyRelease or not plain or not _is_free():
+                return False
+        if kind == QEvent.Type.ShortcutOverride:
+            event.accept()  # so that it comes as a key press and not as somebody's shortcut
+        elif kind == QEvent.Type.KeyPress:
+            self._hold(True)
+        elif not event.isAutoRepeat():
+            self._hold(False)
+        return True
+
+
+def _is_free() -> bool:
+    """Whether nobody is typing, and no menu or dialog waits for an answer."""
+    if QApplication.activeModalWidget() is not None or QApplication.activePopupWidget() is not None:
+        return False
+    focus = QApplication.focusWidget()
+    if focus is None:
+        return True
+    typing = isinstance(focus, _TEXT_FIELDS) or focus.inherits("QsciScintilla")
+    return not typing and not (isinstance(focus, QComboBox) and focus.isEditable())

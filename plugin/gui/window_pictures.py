@@ -1,0 +1,72 @@
+"""The pictures of windows: read in the background when they are asked for, a few of them kept."""
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ..adapters import tasks
+from ..adapters.pictures import Picture
+from ..adapters.text import tr
+from ..adapters.window_layer import WindowRow
+from ..core.windows import Extent
+from .background import Background
+from .block_cache import BlockCache
+from .window_watch import WindowWatch
+
+_KEPT = 4  # windows, for going back and forth
+
+
+class WindowPictures(QObject):
+    """Only those asked for last are read; the work for others is cancelled."""
+
+    arrived = pyqtSignal(int)
+    """Feature id of a window that has its pictures now."""
+
+    def __init__(self, block: BlockCache, watch: WindowWatch, background: Background, parent: QObject) -> None:
+        super().__init__(parent)
+        self._block = block
+        self._watch = watch
+        self._background = background
+        self._pictures: dict[object, list[Picture]] = {}
+        self._wanted: object = None
+        background.ended.connect(self._ended)
+
+    def pictures(self, fid: int) -> list[Picture] | None:
+        """Those of a window; None while they are being read."""
+        row = self._watch.row(fid)
+        if row is None:
+            return None
+        self._wanted = key = _key(row)
+        block, layer = self._block.silent(), self._watch.layer
+        if key not in self._pictures and block is not None and layer is not None:
+            self._background.cancel_others({key})
+            if not self._background.is_under_way(key):
+                job = tasks.pictures_job(next(self._block.requests(block, layer, [row])))
+                self._background.start(tr("Read pictures"), job, partial(self._take, key), key)
+        return self._pictures.get(key)
+
+    def forget(self) -> None:
+        """They are of other rasters or another layer."""
+        self._pictures.clear()
+        self._wanted = None
+        self._background.cancel_others(set())
+
+    def _take(self, key: object, pictures: Any) -> None:
+        latest = list(self._pictures.items())[1 - _KEPT :]
+        self._pictures = {**dict(latest), key: pictures}
+        row = next((row for row in self._watch.rows() if _key(row) == key), None)
+        if row is not None:  # else it was moved or removed meanwhile
+            self.arrived.emit(row.fid)
+
+    def _ended(self, key: object, _outcome: object) -> None:
+        """Nobody waits in vain for pictures that could not be read."""
+        is_awaited = key is not None and key == self._wanted and key not in self._pictures
+        if is_awaited and not self._background.is_under_way(key):
+            self._take(key, [])
+
+
+def _key(row: WindowRow) -> tuple[int, Extent]:
+    """What pictures are of: another place of the same window is another picture."""
+    return row.window_id, row.extent

@@ -1,0 +1,174 @@
+"""The view of the windows' table: widths from the font and the room there is, keys, a hint when it is empty."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import QEvent, QItemSelection, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPalette, QResizeEvent
+from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QTableView, QWidget
+
+from ..adapters.text import tr
+from .verdicts import VERDICTS, observer_word, verdict_word
+from .windows_filter import WindowsFilter
+from .windows_model import Column, Kind, WindowsModel
+
+Widths = tuple[int, int, int]
+"""Of a column, px: with words cut short, with all of them, with air."""
+
+
+class WindowsTable(QTableView):
+    """Whole rows are selected. Delete and Enter are the table's own while it has the focus."""
+
+    removeRequested = pyqtSignal()
+    zoomRequested = pyqtSignal()
+
+    def __init__(self, windows: WindowsModel, shown: WindowsFilter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.hint = ""
+        """What is said in the middle of an empty table."""
+        self._windows = windows
+        self._shown = shown
+        self.setModel(shown)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setAlternatingRowColors(True)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setSortingEnabled(True)
+        self.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+        self.verticalHeader().hide()
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        header = self.horizontalHeader()
+        header.setStretchLastSection(True)
+        header.setHighlightSections(False)
+        header.setTextElideMode(Qt.TextElideMode.ElideRight)
+        header.setMinimumSectionSize(1)
+        shown.modelReset.connect(self._show_sorting)
+        self.fit()
+
+    def selected_rows(self) -> list[int]:
+        """In ascending order."""
+        ranges = self.selectionModel().selection()
+        return sorted({row for each in ranges for row in range(each.top(), each.bottom() + 1)})
+
+    def selected_fids(self) -> list[int]:
+        """From top to bottom."""
+        fids = self._shown.fids()
+        return [fids[row] for row in self.selected_rows()]
+
+    def rows_selection(self, rows: list[int]) -> QItemSelection:
+        """Rows, in ascending order, as a selection."""
+        selection = QItemSelection()
+        first = 0
+        for place, row in enumerate(rows):
+            if place + 1 == len(rows) or rows[place + 1] != row + 1:
+                selection.select(self._shown.index(rows[first], 0), self._shown.index(row, 0))
+                first = place + 1
+        return selection
+
+    def is_in_sight(self, row: int) -> bool:
+        """Whether the row is in the visible part of the table."""
+        rect = self.visualRect(self._shown.index(row, 0))
+        return rect.top() >= 0 and rect.bottom() < max(self.viewport().height(), rect.height())
+
+    def fit(self) -> None:
+        """Widths and heights for this font, these columns and this much room."""
+        metrics = QFontMetrics(self.font())
+        side = metrics.ascent()
+        self.setIconSize(QSize(side, side))
+        self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
+        room = self.viewport().width()
+        short = room < sum(normal for _, normal, _ in self._all_widths(metrics, False)[:-1])
+        self._windows.set_short_titles(short)
+        widths = self._all_widths(metrics, short)
+        least, natural, airy = (sum(sizes) for sizes in zip(*widths[:-1]))
+        wide = room >= airy + widths[-1][0]  # the reasons are shown only where nothing has to give way to them
+        self.setColumnHidden(len(widths) - 1, not wide)
+        for section, (smallest, normal, largest) in enumerate(widths[:-1]):
+            if room < natural:
+                share = max(0.0, (room - least) / max(natural - least, 1))
+                size = smallest + share * (normal - smallest)
+            else:
+                share = min(1.0, (room - natural) / max(airy - natural, 1))
+                size = normal + share * (largest - normal)
+            self.setColumnWidth(section, int(size))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.oldSize().width() != event.size().width():
+            self.fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self.fit()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and _is_own(event):
+            event.accept()  # else QGIS's own action on this key would compete for it
+            return True
+        return bool(super().event(event))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not _is_own(event):
+            super().keyPressEvent(event)
+        elif event.matches(QKeySequence.StandardKey.Delete):
+            self.removeRequested.emit()
+        else:
+            self.zoomRequested.emit()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hint and self._shown.rowCount() == 0:
+            painter = QPainter(self.viewport())
+            painter.setPen(self.palette().color(QPalette.ColorRole.PlaceholderText))
+            margin = self.fontMetrics().height()
+            room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
+            painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
+            painter.end()
+
+    def _all_widths(self, metrics: QFontMetrics, short: bool) -> list[Widths]:
+        return [self._widths(column, metrics, short) for column in self._windows.columns]
+
+    def _widths(self, column: Column, metrics: QFontMetrics, short: bool) -> Widths:
+        style, em = self.style(), metrics.horizontalAdvance("m")
+        margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self) + 1) + em // 2
+        heading = 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin, None, self)
+        arrow = 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize, None, self)  # Fusion's hint is too small
+        title = metrics.horizontalAdvance(column.title(short)) + heading + em // 2
+        chip = self.iconSize().width() + em // 2
+
+        def width(*texts: str) -> int:
+            return max(map(metrics.horizontalAdvance, texts)) + margins
+
+        if column.kind is Kind.REASON:
+            return 20 * em, 20 * em, 20 * em
+        if column.kind is Kind.VERDICT:
+            words = [verdict_word(verdict) for verdict in VERDICTS]
+            changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
+            least, natural, airy = chip + width(words[0]), chip + width(*words), chip + width(*changed)
+        elif column.kind is Kind.OBSERVER:
+            natural = width(observer_word("visible"), observer_word("invisible"))
+            least, airy = natural, natural + em
+        else:
+            natural = width({Kind.ID: "000", Kind.SOURCES: "00"}.get(column.kind, "0.00"))
+            least, airy = natural, natural + em
+        if column.kind is Kind.ID:
+            title += arrow  # the table is sorted by it at first
+        return max(least, title), max(natural, title), max(airy, title + arrow) + em
+
+    def _show_sorting(self) -> None:
+        """After the columns changed the arrow may stand on another one."""
+        header = self.horizontalHeader()
+        blocked = header.blockSignals(True)
+        header.setSortIndicator(self._windows.columns.index(self._windows.sorted_by), self._windows.sort_order)
+        header.blockSignals(blocked)
+        self.fit()
+
+
+def _is_own(event: QKeyEvent) -> bool:
+    enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+    return bool(event.matches(QKeySequence.StandardKey.Delete)) or (
+        enter and event.modifiers() in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
+    )
