@@ -269,6 +269,10 @@ class InspectionDock(QgsDockWidget):
 
 
 def _load_chart() -> None:
-    """Load matplotlib beside the interface, which would stand still for a second when the first curve appears."""
+    """Load matplotlib beside the interface, which would stand still for a second when the first curve appears.
+
+    None of our own modules: one that comes when the plugin is disabled already would stay.
+    """
     with suppress(ImportError):
-        importlib.import_module(f"{__package__}.curves_chart")
+        for name in ("figure", "font_manager", "backends.backend_qtagg"):
+            importlib.import_module(f"matplotlib.{name}")

@@ -124,6 +124,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
 
     @staticmethod
     def _length(name: str, description: str, default: float) -> QgsProcessingParameterNumber:
-        return QgsProcessingParameterNumber(
+        length = QgsProcessingParameterNumber(
             name, description, QgsProcessingParameterNumber.Type.Double, default, minValue=0.01
         )
+        length.setMetadata({"widget_wrapper": {"decimals": 2}})
+        return length

@@ -61,10 +61,7 @@ def test_every_algorithm_says_what_it_does(provider: QgsProcessingProvider) -> N
     [
         "placewindows",
         "inspectwindows",
-        pytest.param(
-            "inspect_mosaic",
-            marks=pytest.mark.xfail(strict=True, reason="a model takes its parameters' help from its own help map"),
-        ),
+        "inspect_mosaic",
     ],
 )
 def test_every_parameter_has_help(provider: QgsProcessingProvider, name: str) -> None:
