@@ -155,12 +155,12 @@ def peak_memory() -> float:
 
 def memory_after(ground: Ground, counts: Sequence[int]) -> list[float]:
     """Peak memory after each number of windows on two threads, MB; for a process of its own."""
-    requests = ground.requests("DEFLATE")
-    peaks, done = [peak_memory()], 0
-    for count in counts:
-        inspect_many(requests, count - done, 2)
-        done = count
-        peaks.append(peak_memory())
+    peaks = [peak_memory()]
+    many = islice(cycle(ground.requests("DEFLATE")), counts[-1])
+    with ThreadPoolExecutor(2) as executor:
+        for done, _ in enumerate(inspect_windows(many, executor, 4), 1):
+            if done in counts:
+                peaks.append(peak_memory())
     return peaks
 
 

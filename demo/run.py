@@ -94,6 +94,8 @@ def make_demonstration(folder: Path) -> Inputs:
 
 def find_inputs(folder: Path) -> list[Inputs]:
     """The mosaics of a folder, each with all its orthoimages and the seamlines."""
+    if not folder.is_dir():
+        raise SystemExit(f"{folder} is no folder.")
     files = sorted(path for path in folder.iterdir() if path.is_file())
     images = [path for path in files if path.suffix.lower() in RASTERS]
     mosaics = [path for path in images if path.name.lower().startswith("mosaic")]
