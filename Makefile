@@ -49,6 +49,7 @@ endif
 demo: link ## Inspect a generated block, or with DATA=folder your own rasters; results in output/demo
 	QT_QPA_PLATFORM=offscreen $(PYTHON) -m demo.run --output output/demo $(if $(DATA),--data "$(DATA)") \
 		$(if $(SIDE),--side $(SIDE)) $(if $(SPACING),--spacing $(SPACING))
+	$(if $(DATA),,@$(PYTHON) -m demo.screenshot --block output/demo/block --output output/demo)
 
 benchmark: link ## Measure the speed, on one core
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run

@@ -8,11 +8,10 @@ from typing import Callable
 
 from qgis.core import Qgis, QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
 from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
-from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QIcon, QKeySequence, QPalette, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
-    QLabel,
     QProgressBar,
     QSplitter,
     QTabWidget,
@@ -44,7 +43,6 @@ class InspectionDock(QgsDockWidget):
         self.setObjectName("SeamInspectorDock")
         self._iface = iface
         self._canvas = iface.mapCanvas()
-        self._make_readable()
         Thread(target=_load_chart, name="seam-inspector-chart", daemon=True).start()
         self.session = Session(self)
         self.tool = WindowTool(self._canvas, self.session)
@@ -56,10 +54,12 @@ class InspectionDock(QgsDockWidget):
         self.images = ImagesPanel(self.session)
         self._make_actions()
         self._lay_out()
+        self._make_readable()
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
         self.session.inputsChanged.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._enable_actions)
+        self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.orderChanged.connect(self.judge.refresh)
         self.windows.zoomRequested.connect(self.zoom_to)
         self.tool.finished.connect(self._leave_tool)
@@ -102,6 +102,11 @@ class InspectionDock(QgsDockWidget):
             return
         self._canvas.refresh()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.StyleChange:
+            self._make_readable()
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Side by side when the dock is wide, one above the other when it is narrow."""
         super().resizeEvent(event)
@@ -112,20 +117,16 @@ class InspectionDock(QgsDockWidget):
             self._splitter.setSizes([2000, 3000])  # shares; Qt fits them to the room there is
 
     def _make_readable(self) -> None:
-        """Themes such as Night Mapping colour labels by style sheet and leave dark text on dark in the palette."""
-        palette, label = self.palette(), QLabel(self)
-        label.ensurePolished()
-        text = label.palette().color(QPalette.ColorRole.WindowText)
-        label.deleteLater()
-        for role, ground in (
-            (QPalette.ColorRole.WindowText, QPalette.ColorRole.Window),
-            (QPalette.ColorRole.Text, QPalette.ColorRole.Base),
-            (QPalette.ColorRole.ButtonText, QPalette.ColorRole.Button),
-        ):
-            back = palette.color(ground).lightness()
-            if abs(palette.color(role).lightness() - back) < _LEAST_CONTRAST <= abs(text.lightness() - back):
-                palette.setColor(role, text)
-        self.setPalette(palette)
+        """Give plain widgets the colours of a table where theirs can't be read.
+
+        Themes such as Night Mapping colour tables and labels by style sheet, and leave dark text on black in the
+        palette of what draws itself.
+        """
+        self.windows.table.ensurePolished()
+        readable = self.windows.table.palette()
+        for widget in self.findChildren(QWidget):
+            if _is_unreadable(widget.palette()) and not _is_unreadable(readable):
+                widget.setPalette(readable)
 
     def _make_actions(self) -> None:
         self.draw = self._action(
@@ -255,6 +256,12 @@ class InspectionDock(QgsDockWidget):
         layer = self.session.window_layer()
         self.undo.setEnabled(layer is not None and layer.isEditable() and layer.undoStack().canUndo())
 
+    def _repaint_windows(self) -> None:
+        """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""
+        layer = self.session.window_layer()
+        if layer is not None:
+            layer.triggerRepaint()
+
     def _show_progress(self, done: int, asked: int) -> None:
         self.progress.setVisible(asked > 0)
         self.progress.setRange(0, max(asked, 1))
@@ -266,6 +273,11 @@ class InspectionDock(QgsDockWidget):
         self._iface.messageBar().pushMessage(
             tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS
         )
+
+
+def _is_unreadable(palette: QPalette) -> bool:
+    text, back = palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base)
+    return abs(text.lightness() - back.lightness()) < _LEAST_CONTRAST
 
 
 def _load_chart() -> None:

@@ -1,0 +1,284 @@
+"""The hands and eyes of a scenario that is played in the real QGIS desktop. See demo/desktop.py."""
+from __future__ import annotations
+
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from qgis.core import QgsPointXY, QgsProject, QgsRasterLayer, QgsRectangle, QgsVectorLayer
+from qgis.PyQt.QtCore import QEventLoop, QPoint, Qt, QTimer
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QApplication, QTabWidget, QWidget
+from qgis.utils import iface, plugins
+
+Point = tuple[float, float]
+_LEFT, _NO_KEY = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+
+
+class Desk:
+    """The main window, the map, and the plugin's dock once it is open."""
+
+    def __init__(self, job: dict[str, Any], raised: list[str]) -> None:
+        self._raised = raised
+        self.folder = Path(job["folder"])
+        self.parameters: dict[str, Any] = job["parameters"]
+        self.report: dict[str, Any] = {}
+        self.window = iface.mainWindow()
+        self.canvas = iface.mapCanvas()
+        self.project = QgsProject.instance()
+        screen = self.window.screen().availableGeometry()
+        self.window.showNormal()
+        self.window.setGeometry(screen)
+        for name in ("Browser", "mPanelToolbar"):
+            panel = self.window.findChild(QWidget, name)
+            if panel is not None:
+                panel.hide()
+        self.pause(0.5)
+
+    @property
+    def plugin(self) -> Any:
+        """The plugin, as QGIS loaded it."""
+        return plugins["seam_inspector"]
+
+    @property
+    def dock(self) -> Any:
+        """The inspection desk; None before it was opened."""
+        return self.plugin._dock
+
+    @property
+    def session(self) -> Any:
+        """The dock's model."""
+        return self.dock.session
+
+    # Waiting
+
+    def wait(self, condition: Callable[[], object], seconds: float, what: str) -> None:
+        """Let a true event loop run until the condition holds.
+
+        Raises AssertionError when the time is up, or when a slot raised meanwhile.
+        """
+        loop, timer = QEventLoop(), QTimer()
+        end = time.monotonic() + seconds
+
+        def look() -> None:
+            if condition() or time.monotonic() > end or self._raised:
+                loop.quit()
+
+        timer.timeout.connect(look)
+        timer.start(10)
+        if not condition():
+            loop.exec()
+        timer.stop()
+        assert not self._raised, f"{what}: not before a slot raised"
+        assert condition(), f"{what}: not after {seconds:g} s"
+
+    def pause(self, seconds: float) -> None:
+        """Let events run for a while."""
+        loop = QEventLoop()
+        QTimer.singleShot(int(seconds * 1000), loop.quit)
+        loop.exec()
+
+    def wait_for_work(self, seconds: float = 60) -> None:
+        """Until no window is being placed or inspected, and the map is drawn."""
+        self.wait(lambda: not self.session.is_busy, seconds, "background work done")
+        self.wait_for_map()
+
+    def wait_for_map(self, seconds: float = 30) -> None:
+        """Until the map is drawn."""
+        self.pause(0.3)
+        self.wait(lambda: not self.canvas.isDrawing(), seconds, "map drawn")
+        self.pause(0.2)
+
+    # Loading
+
+    def load_rasters(self, paths: list[Path]) -> list[QgsRasterLayer]:
+        """Add rasters, the last one on top."""
+        layers = [QgsRasterLayer(str(path), path.stem) for path in paths]
+        assert all(layer.isValid() for layer in layers)
+        for layer in layers:
+            self.project.addMapLayer(layer)
+        for node in self.project.layerTreeRoot().findLayers():
+            node.setExpanded(False)
+        return layers
+
+    def load_seamlines(self, path: Path) -> QgsVectorLayer:
+        """Add the layer ``seamlines`` of a GeoPackage."""
+        layer = QgsVectorLayer(f"{path}|layername=seamlines", "seamlines")
+        assert layer.isValid()
+        self.project.addMapLayer(layer)
+        return layer
+
+    def open_dock(self) -> None:
+        """By the button of the toolbar."""
+        action = next(
+            action for action in iface.rasterToolBar().actions() if action.objectName() == "seamInspectorAction"
+        )
+        if self.dock is None or not self.dock.isVisible():
+            action.trigger()
+        self.wait(lambda: self.dock is not None and self.dock.isVisible(), 20, "dock open")
+        self.pause(0.2)
+
+    def set_up(self, block: Path, side_m: float, spacing_m: float, mosaic: str = "mosaic") -> None:
+        """Load a block of orthoimages with its mosaic, open the dock, set the inputs, show the whole mosaic."""
+        images = sorted(path for path in block.glob("*.tif") if not path.stem.startswith(("mosaic", "source_label")))
+        *sources, top = self.load_rasters([*images, block / f"{mosaic}.tif"])
+        seamlines = self.load_seamlines(block / "seamlines.gpkg")
+        self.open_dock()
+        self.session.set_inputs(
+            replace(
+                self.session.inputs,
+                mosaic=top.id(),
+                sources=tuple(layer.id() for layer in sources),
+                seamlines=seamlines.id(),
+                side_m=side_m,
+                spacing_m=spacing_m,
+            )
+        )
+        self.show_all(top.extent())
+
+    def show_all(self, extent: QgsRectangle) -> None:
+        """Zoom out to an extent."""
+        self.canvas.setExtent(extent.buffered(0.02 * extent.width()))
+        self.canvas.refresh()
+        self.wait_for_map()
+
+    # Mouse and keys
+
+    def pixel(self, point: Point) -> QPoint:
+        """Where a point of the map is on the canvas."""
+        place = self.canvas.getCoordinateTransform().transform(QgsPointXY(*point))
+        return QPoint(round(place.x()), round(place.y()))
+
+    def move(self, point: Point) -> None:
+        """Move the mouse over the map."""
+        QTest.mouseMove(self.canvas.viewport(), self.pixel(point))
+        self.pause(0.1)
+
+    def click(self, point: Point) -> None:
+        """Click on the map."""
+        QTest.mouseMove(self.canvas.viewport(), self.pixel(point))
+        QTest.mouseClick(self.canvas.viewport(), _LEFT, _NO_KEY, self.pixel(point))
+
+    def drag(self, start: Point, end: Point, before_release: Callable[[], None] | None = None) -> None:
+        """Drag on the map. Moves coalesce under X, so nothing depends on how many were seen."""
+        view, first, last = self.canvas.viewport(), self.pixel(start), self.pixel(end)
+        QTest.mousePress(view, _LEFT, _NO_KEY, first)
+        for step in range(1, 11):
+            QTest.mouseMove(view, first + (last - first) * step / 10)
+            self.pause(0.02)
+        if before_release is not None:
+            before_release()
+        QTest.mouseRelease(view, _LEFT, _NO_KEY, last)
+
+    def press(self, key: Qt.Key) -> None:
+        """Press a key where the focus is, in the dock's table."""
+        self.window.activateWindow()
+        self.dock.windows.table.setFocus()
+        self.wait(lambda: QApplication.focusWidget() is self.dock.windows.table, 5, "focus in the table")
+        QTest.keyClick(self.dock.windows.table, key)
+        self.pause(0.3)
+
+    def rest_mouse(self) -> None:
+        """Away from the map, so that no draft is on the screenshots; nor a message."""
+        iface.messageBar().clearWidgets()
+        QTest.mouseMove(self.window, QPoint(5, 5))
+        self.pause(0.2)
+
+    # Seeing
+
+    def screenshot(self, path: str | Path) -> None:
+        """Save the main window's picture."""
+        self.pause(0.3)
+        path = Path(path)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        assert self.window.grab().save(str(path)), f"can't write {path}"
+        self.report.setdefault("screenshots", []).append(str(path))
+
+    def show_tab(self, number: int) -> None:
+        """0: curves, 1: images."""
+        self.dock.findChild(QTabWidget).setCurrentIndex(number)
+        self.pause(0.3)
+
+    def table(self) -> list[list[str]]:
+        """The texts of the windows' table, row by row."""
+        model = self.dock.windows.table.model()
+        role = Qt.ItemDataRole.DisplayRole
+        return [
+            [str(model.index(row, column).data(role) or "") for column in range(model.columnCount())]
+            for row in range(model.rowCount())
+        ]
+
+    def curves_of(self, fid: int) -> bool:
+        """Whether the chart shows a window's curves, drawn."""
+        result, panel = self.session.result(fid), self.dock.curves
+        chart = panel._chart
+        if result is None or chart is None or chart.chart is None or chart._picture is None:
+            return False
+        return bool(panel._export._results == [result])
+
+    # Leaving
+
+    def new_project(self) -> None:
+        """An empty project, as by QGIS's own button."""
+        self.drop_changes()
+        iface.newProject(False)
+        self.pause(0.3)
+
+    def drop_changes(self) -> None:
+        """Forget what is not saved, so that no dialog asks."""
+        for layer in self.project.mapLayers().values():
+            if isinstance(layer, QgsVectorLayer) and layer.isEditable():
+                layer.rollBack()
+        self.project.setDirty(False)
+
+
+class Gaps:
+    """The event loop's longest gap, and where Python was meanwhile: ``with Gaps() as gaps: ...``."""
+
+    PERIOD_MS = 5
+    LONG_S = 0.06
+
+    def __init__(self) -> None:
+        self.longest = 0.0
+        self.long_ones: list[tuple[float, str]] = []
+        self._timer = QTimer()
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+        self._last = 0.0
+        self._seen = ""
+        self._on = False
+        self._thread = threading.get_ident()
+        self._watch = threading.Thread(target=self._watch_stack, daemon=True)
+
+    def __enter__(self) -> Gaps:
+        self._last, self._on = time.perf_counter(), True
+        self._timer.start(self.PERIOD_MS)
+        self._watch.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._timer.stop()
+        self._tick()
+        self._on = False
+        self._watch.join()
+
+    def _tick(self) -> None:
+        now = time.perf_counter()
+        gap, self._last = now - self._last, now
+        self.longest = max(self.longest, gap)
+        if gap > self.LONG_S:
+            self.long_ones.append((gap, self._seen))
+        self._seen = ""
+
+    def _watch_stack(self) -> None:
+        while self._on:
+            time.sleep(0.02)
+            if time.perf_counter() - self._last > self.LONG_S * 0.7 and not self._seen:
+                stack = traceback.extract_stack(sys._current_frames()[self._thread])
+                ours = [f"{Path(frame.filename).name}:{frame.lineno} {frame.name}" for frame in stack[-6:]]
+                self._seen = " > ".join(ours)

@@ -1,0 +1,132 @@
+"""An operator's walk through the demonstration block: draw, place, inspect, judge, save, come back.
+
+Parameters: ``block`` (folder), ``side_m``, ``screenshots`` (folder).
+"""
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import Qt
+from qgis.utils import iface
+
+from demo.desk import Desk
+
+
+def play(desk: Desk) -> None:
+    """Everything is asserted here that can be seen here; the rest is in the report."""
+    block, side_m = Path(desk.parameters["block"]), float(desk.parameters["side_m"])
+    shots = Path(desk.parameters["screenshots"])
+    desk.set_up(block, side_m, 2 * side_m)
+    draw_windows(desk)
+    place_and_inspect(desk)
+    judge(desk)
+    desk.screenshot(shots / "desk.png")
+    show_images(desk, shots / "desk_images.png")
+    save_and_reopen(desk)
+    desk.screenshot(shots / "desk_reopened.png")
+
+
+def draw_windows(desk: Desk) -> None:
+    """One by a click near a seam, one by a drag; each has its curve a moment later."""
+    session = desk.session
+    desk.dock.draw.trigger()
+    assert desk.canvas.mapTool() is desk.dock.tool
+    away = 6 * desk.canvas.mapUnitsPerPixel()
+    desk.wait(lambda: session.seam_point_near(*place(desk, 0.46, 0.8), 1000), 20, "seams found")
+    near = session.seam_point_near(*place(desk, 0.46, 0.8), 1000)
+    desk.click((near[0] + away, near[1]))
+    desk.wait(lambda: has_curve(desk, 1), 30, "curve of the clicked window")
+    clicked = session.windows()[0]
+    desk.report["clicked_m"] = clicked.extent[2] - clicked.extent[0]
+    seam = session.seam_point_near(*centre(clicked.extent), 0.01 * desk.report["clicked_m"])
+    desk.report["clicked_on_seam"] = seam is not None
+
+    def look() -> None:
+        desk.report["label"] = desk.dock.tool._overlay._items.label.text()
+
+    desk.drag(place(desk, 0.6, 0.13), place(desk, 0.76, 0.38), look)
+    desk.wait(lambda: has_curve(desk, 2), 30, "curve of the drawn window")
+    desk.wait_for_work()
+
+
+def place_and_inspect(desk: Desk) -> None:
+    """Windows along the seams, all of them inspected."""
+    session = desk.session
+    desk.dock.place.trigger()
+    desk.wait(lambda: len(session.windows()) > 2, 60, "windows placed")
+    desk.wait_for_work()
+    desk.dock.inspect.trigger()
+    desk.wait(lambda: all(row.verdict for row in session.windows()), 120, "all inspected")
+    desk.wait_for_work()
+    desk.report["verdicts"] = [row.verdict for row in session.windows()]
+
+
+def judge(desk: Desk) -> None:
+    """The first window, by the key V, with the focus in the table."""
+    session = desk.session
+    first = session.windows()[0]
+    session.select([first.fid])
+    desk.pause(0.5)
+    desk.press(Qt.Key.Key_V)
+    assert session.row(first.fid).observer == "visible"
+    desk.report["sentence"] = desk.dock.judge.sentence()
+    desk.report["table"] = desk.table()
+    desk.dock.draw.trigger()  # off: the tool of before is back
+    assert desk.canvas.mapTool() is not desk.dock.tool
+    desk.rest_mouse()
+    desk.wait_for_map()
+
+
+def show_images(desk: Desk, path: Path) -> None:
+    """The clips of the first window, and the map at 2 x 2 screen pixels an image pixel."""
+    fid = desk.session.selected()[0]
+    desk.show_tab(1)
+    desk.dock.zoom_to(fid)
+    desk.rest_mouse()
+    desk.wait(lambda: desk.session.pictures(fid) is not None, 30, "pictures")
+    desk.wait_for_map()
+    desk.report["pictures"] = [picture.raster for picture in desk.session.pictures(fid)]
+    desk.report["map_units_per_pixel"] = desk.canvas.mapUnitsPerPixel()
+    desk.screenshot(path)
+
+
+def save_and_reopen(desk: Desk) -> None:
+    """Edits and project are saved; the project opened again has inputs, windows and judgement."""
+    before = [(row.window_id, row.verdict, row.ratios, row.observer) for row in desk.session.windows()]
+    inputs = desk.session.inputs
+    assert iface.vectorLayerTools().saveEdits(desk.session.window_layer())
+    path = desk.folder / "project.qgz"
+    assert desk.project.write(str(path))
+    desk.new_project()
+    assert desk.session.windows() == []
+    assert not desk.session.inputs.mosaic
+    assert QgsProject.instance().read(str(path))
+    desk.wait(lambda: len(desk.session.windows()) == len(before), 20, "windows back")
+    after = [(row.window_id, row.verdict, row.ratios, row.observer) for row in desk.session.windows()]
+    assert after == before
+    assert desk.session.inputs == inputs
+    assert not any(row.stale for row in desk.session.windows())
+    desk.session.select([desk.session.windows()[0].fid])
+    desk.show_tab(0)
+    desk.wait_for_map()
+
+
+def has_curve(desk: Desk, count: int) -> bool:
+    """Whether there are so many windows, and the chart shows the last one's curves."""
+    session = desk.session
+    selected = session.selected()
+    if len(session.windows()) != count or len(selected) != 1:
+        return False
+    return session.result(selected[0]) is not None and desk.curves_of(selected[0])
+
+
+def place(desk: Desk, x: float, y: float) -> tuple[float, float]:
+    """A point of the mosaic, by shares from its upper left corner."""
+    extent = desk.session.mosaic_layer().extent()
+    return extent.xMinimum() + x * extent.width(), extent.yMaximum() - y * extent.height()
+
+
+def centre(extent: tuple[float, float, float, float]) -> tuple[float, float]:
+    """Of a rectangle."""
+    return (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2

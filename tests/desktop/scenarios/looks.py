@@ -1,0 +1,72 @@
+"""The desk as it looks: right of the map and below it, in whatever theme and scale QGIS was started with.
+
+Parameters: ``block`` (folder), ``side_m``, ``screenshots`` (folder), ``name`` (of the pictures).
+"""
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QLabel, QLineEdit, QWidget
+from qgis.utils import iface
+
+from demo.desk import Desk
+
+
+def play(desk: Desk) -> None:
+    """Pictures of everything; what is cut off is in the report."""
+    block, side_m = Path(desk.parameters["block"]), float(desk.parameters["side_m"])
+    folder, name = Path(desk.parameters["screenshots"]), desk.parameters["name"]
+    desk.set_up(block, side_m, side_m)
+    empty(desk, folder / f"{name}_empty.png")
+    desk.dock.place.trigger()
+    desk.wait(lambda: desk.session.windows(), 60, "windows placed")
+    desk.wait_for_work()
+    desk.dock.inspect.trigger()
+    desk.wait_for_work(120)
+    desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 30, "verdicts written")
+    desk.session.select([desk.session.windows()[0].fid])
+    desk.rest_mouse()
+    desk.pause(1)
+    for side, area in (
+        ("right", Qt.DockWidgetArea.RightDockWidgetArea), ("below", Qt.DockWidgetArea.BottomDockWidgetArea)
+    ):  # fmt: skip
+        iface.addDockWidget(area, desk.dock)
+        if side == "right":
+            desk.window.resizeDocks([desk.dock], [420], Qt.Orientation.Horizontal)
+        desk.pause(0.5)
+        desk.show_tab(0)
+        desk.wait_for_map()
+        desk.report[f"{side}_size"] = [desk.dock.width(), desk.dock.height()]
+        desk.report[f"{side}_cut"] = cut_off(desk.dock)
+        desk.screenshot(folder / f"{name}_{side}.png")
+        desk.show_tab(1)
+        fid = desk.session.selected()[0]
+        desk.wait(lambda number=fid: desk.session.pictures(number) is not None, 30, "pictures")
+        desk.wait_for_map()
+        desk.screenshot(folder / f"{name}_{side}_images.png")
+
+
+def empty(desk: Desk, path: Path) -> None:
+    """Before there is a window, inputs unfolded."""
+    desk.dock.inputs.box.fold(False)
+    desk.pause(0.5)
+    desk.report["inputs_cut"] = cut_off(desk.dock)
+    desk.screenshot(path)
+    desk.dock.inputs.box.fold(True)
+
+
+def cut_off(dock: QWidget) -> list[str]:
+    """Visible controls that are smaller than they have to be, or stick out of the dock."""
+    found = []
+    for widget in dock.findChildren(QWidget):
+        if not widget.isVisible() or not isinstance(widget, (QAbstractButton, QComboBox, QLabel, QLineEdit)):
+            continue
+        text = getattr(widget, "text", lambda: "")()
+        if isinstance(widget, QAbstractButton) and not text:
+            continue  # those of Qt's and QGIS's own frames are smaller than they ask for
+        least = widget.minimumSizeHint()
+        right = widget.mapTo(dock, widget.rect().topRight()).x()
+        if widget.height() < least.height() or widget.width() < least.width() or right > dock.width():
+            found.append(f"{type(widget).__name__} {text!r} {widget.width()}x{widget.height()} at {right}")
+    return found

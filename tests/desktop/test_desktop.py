@@ -1,0 +1,97 @@
+"""The real QGIS desktop on a virtual screen. Numbers that were measured are printed: `pytest -s`."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from demo.desktop import play
+from tests.desktop.conftest import SCENARIOS, check
+
+SIDE_M = 100.0  # 1024 px of the whole block
+SMALL_SIDE_M = 25.0  # 256 px of the small one
+
+
+def test_operators_walk(
+    whole_block: Path | None, request: pytest.FixtureRequest, tmp_path: Path, screenshots: Path
+) -> None:
+    """Draw, inspect, judge, save and reopen."""
+    block, side_m = (whole_block, SIDE_M) if whole_block else (request.getfixturevalue("small_block"), SMALL_SIDE_M)
+    parameters = {"block": str(block), "side_m": side_m, "screenshots": str(screenshots)}
+    run = play(SCENARIOS / "demo.py", tmp_path, parameters, screen="1500x950")
+    check(run)
+    report = run.report
+    assert report["clicked_m"] == pytest.approx(102.4 if whole_block else 25.6, abs=0.01)
+    assert report["clicked_on_seam"]
+    size, pixels, sources = report["label"].split(", ")
+    assert size.endswith(" m")
+    assert pixels.endswith(" px")
+    assert sources.endswith("sources")
+    assert len(report["verdicts"]) > 4
+    assert set(report["verdicts"]) <= {"significant", "reduced", "preserved"}
+    assert {"significant", "reduced"} <= set(report["verdicts"])
+    assert report["verdicts"][0] == "significant"
+    assert "significant loss" in report["sentence"]
+    assert len(report["table"]) == len(report["verdicts"])
+    assert report["table"][0][1] == "significant"
+    assert "visible" in report["table"][0]
+    assert report["pictures"][0] == "mosaic.tif"
+    assert len(report["pictures"]) > 1
+    assert report["map_units_per_pixel"] == pytest.approx(0.05, rel=0.02)
+    assert all(Path(path).exists() for path in report["screenshots"])
+    say("operator's walk", run.seconds, {})
+
+
+def test_hundred_windows(data_folder: Path, whole_block: Path | None, tmp_path: Path, screenshots: Path) -> None:
+    """Eight real sources; the event loop never stalls."""
+    brighton = data_folder / "seams" / "brighton"
+    if not brighton.is_dir():
+        pytest.skip(f"no real data at {brighton}")
+    parameters = {
+        "brighton": str(brighton), "block": str(whole_block or ""), "screenshots": str(screenshots)
+    }  # fmt: skip
+    run = play(SCENARIOS / "brighton.py", tmp_path, parameters)
+    say("Brighton", run.seconds, run.report)
+    check(run)
+    report = run.report
+    assert report["sources"] == 8
+    assert report["placed"] > 80
+    assert report["windows"] == report["inspected"] == report["results"] == 100
+    assert report["gap_ms"] < 500  # a shared machine of two cores; the goal is 50 ms, and the figure is printed
+
+
+def test_dangers(small_block: Path, tmp_path: Path) -> None:
+    """Enable and disable, close, remove and quit while a task is at work."""
+    run = play(SCENARIOS / "dangers.py", tmp_path, {"block": str(small_block), "side_m": SMALL_SIDE_M})
+    say("dangers", run.seconds, run.report)
+    check(run)
+    assert run.report["after"] == run.report["before"]
+    assert run.report["busy_at_exit"]
+    assert run.seconds_to_exit < 20
+
+
+@pytest.mark.parametrize(
+    ("name", "options"),
+    [
+        ("light", {}),
+        ("dark", {"theme": "Night Mapping"}),
+        ("scaled", {"scale": 2, "screen": "3200x2000"}),
+    ],
+)
+def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: Path, screenshots: Path) -> None:
+    """Right of the map and below it; nothing is cut off."""
+    parameters = {"block": str(small_block), "side_m": SMALL_SIDE_M, "screenshots": str(screenshots), "name": name}
+    run = play(SCENARIOS / "looks.py", tmp_path, parameters, **options)
+    say(f"looks, {name}", run.seconds, run.report)
+    check(run)
+    assert run.report["right_size"][0] <= 440
+    assert run.report["right_cut"] == run.report["below_cut"] == run.report["inputs_cut"] == []
+
+
+def say(what: str, seconds: float, report: dict[str, Any]) -> None:
+    """What was measured."""
+    print(f"\n{what}: {seconds:.0f} s")  # noqa: T201
+    for name, value in report.items():
+        if name != "screenshots":
+            print(f"    {name}: {value:.3f}" if isinstance(value, float) else f"    {name}: {value}")  # noqa: T201
