@@ -3,6 +3,7 @@
 A script that raises would open a modal dialog and hang, and the exit code would say nothing about it.
 """
 import faulthandler
+import importlib.machinery
 import importlib.util
 import json
 import os

@@ -46,9 +46,10 @@ def main() -> int:
 
 
 def shrink(picture: Path) -> None:
-    """To 256 colours, where pngquant is there."""
+    """To fewer colours, where pngquant is there: the README shows them."""
     if shutil.which("pngquant"):
-        subprocess.run(["pngquant", "--force", "--ext", ".png", "--skip-if-larger", str(picture)], check=False)
+        options = ["--nofs", "--force", "--ext", ".png", "--skip-if-larger"]
+        subprocess.run(["pngquant", "128", *options, str(picture)], check=False)
 
 
 if __name__ == "__main__":
