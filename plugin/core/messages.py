@@ -169,3 +169,6 @@ WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them 
 NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
 NO_SEAMLINES = Message("No seamlines are chosen; choose a layer of seamlines in the inputs.")
 TASK_FAILED = Message("{task} failed ({error}); please report this.")
+# files
+CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")
+FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import (
@@ -41,6 +42,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     GROUP = QT_TRANSLATE_NOOP("@default", "Seam inspection")
     GROUP_ID = "Seam inspection"  # a model has its group's name for an id, and belongs to the same group
     HELP: str
+    RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
+    """Parameters with many rasters, which are opened one by one and not by QGIS."""
 
     def name(self) -> str:
         return self.ID
@@ -113,7 +116,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         except SeamInspectorError as error:
             return False, sentence(error.message)
         # QGIS would load every source, and refuse them all, without a reason, for one that can't be opened.
-        others = {name: value for name, value in parameters.items() if name != common.SOURCES}
+        others = {name: value for name, value in parameters.items() if name not in self.RASTER_LISTS}
         return super().checkParameterValues(others, context)
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
@@ -150,6 +153,11 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     ) -> Sink:
         """Like ``sink``; nothing when the output is not wanted."""
         return self.sink(parameters, name, context, *layout) if parameters.get(name) else (None, None)
+
+    def file_path(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Path | None:
+        """Where an output file goes; None when it is not wanted."""
+        path = self.parameterAsFileOutput(parameters, name, context) if parameters.get(name) else ""
+        return Path(path) if path else None
 
     @staticmethod
     def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:
