@@ -20,11 +20,11 @@ from seam_inspector.plugin.core.inspection import (
     Source,
     WindowRequest,
     inspect_window,
-    inspect_windows,
     make_block,
     window_request,
 )
 from seam_inspector.plugin.core.rasters import RasterRef, describe, read_clip
+from seam_inspector.plugin.core.runs import inspect_windows
 from seam_inspector.plugin.core.windows import Grid, PixelWindow
 
 from .ground import COMPRESSED, FORMATS, SIDE, Ground

@@ -119,12 +119,15 @@ def draw_lines(
         label = tr("significant loss below")
         drawn += axes.plot(reach, [limit, limit], color=style.limit, linewidth=2 * style.scale, label=label)
     places = iter(range(len(curves)))
+    line: str | tuple[int, tuple[int, ...]]
     for curve in sorted(curves, key=lambda curve: curve.is_mosaic):
         number = 0 if curve.is_mosaic else next(places)
         if curve.key in hidden:
             continue
         if curve.is_mosaic:
             colour, line, width, size, order = style.text, "-", 2.6, 5.0, 4
+        elif curve.is_composite:
+            colour, line, width, size, order = style.text, (0, (4, 2)), 1.2, 3.0, 3
         else:
             colour, line = source_look(number if curve.colour is None else curve.colour, style)
             width, size, order = 1.2, 3.0, 3

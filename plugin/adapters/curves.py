@@ -29,6 +29,8 @@ class ChartCurve:
     """Number of a source's colour, so that it keeps it from window to window; None: by its place in the chart."""
     spread: tuple[tuple[float, float], ...] = ()
     """Lowest and highest value of each component when the curve is a mean, else empty."""
+    is_composite: bool = False
+    """Whether it is the hard-cut composite of the sources, which is none of them."""
 
     @property
     def key(self) -> tuple[bool, str]:
@@ -64,13 +66,17 @@ def window_curves(result: WindowResult, band: str, colours: Mapping[str, int]) -
     """The curves of one window and band, the mosaic's first. ``colours``: numbers by file name."""
     curves = []
     seen: Counter[str] = Counter()
-    for clip in result.clips:
+    for clip in result.with_composite:
         if band not in clip.curves:
             continue
         is_mosaic = clip.role == "mosaic"
         seen[clip.raster] += not is_mosaic
         twin = f" ({seen[clip.raster]})" if seen[clip.raster] > 1 and not is_mosaic else ""
         curve = clip.curves[band]
+        if clip.role == "composite":
+            label = tr("composite of the sources")
+            curves.append(ChartCurve(label, False, curve.detail, curve.background, is_composite=True))
+            continue
         colour = None if is_mosaic else colours.get(clip.raster)
         curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
     return curves
@@ -88,7 +94,7 @@ def mean_curves(results: Sequence[WindowResult], band: str) -> list[ChartCurve]:
     depth = depths.most_common(1)[0][0]
     clips = [clip for clip in clips if len(clip.curves[band].detail) == depth and clip.curves[band].variance > 0]
     mosaics = [clip for clip in clips if clip.role == "mosaic"]
-    sources = [clip for clip in clips if clip.role != "mosaic"]
+    sources = [clip for clip in clips if clip.role == "source"]
     titles = tr("mosaic (mean)"), tr("sources (mean)")
     return [_mean(group, band, title) for group, title in zip((mosaics, sources), titles) if group]
 
@@ -102,7 +108,7 @@ def _mean(clips: Sequence[ClipResult], band: str, label: str) -> ChartCurve:
 
 def least_of_sources(curves: Iterable[ChartCurve], component: int) -> float | None:
     """The lowest share of a component among the sources: of the least sharp one, where it is a detail."""
-    shares = (curve.values[component] for curve in curves if not curve.is_mosaic)
+    shares = (curve.values[component] for curve in curves if not (curve.is_mosaic or curve.is_composite))
     return min((share for share in shares if share > 0), default=None)
 
 

@@ -5,6 +5,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 
 from qgis.core import (
+    NULL,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCsException,
@@ -23,9 +24,10 @@ from qgis.core import (
 )
 
 from ..core import messages
+from ..core.cells import Cell
 from ..core.errors import RasterError, SettingsError, WindowError
-from ..core.inspection import Source
 from ..core.rasters import Raster, RasterRef
+from ..core.sources import Source
 from ..core.windows import Extent
 
 LOCATION_FIELD = "location"  # as gdaltindex writes it
@@ -140,6 +142,21 @@ def indexed_sources(
             path = os.path.normpath(os.path.join(folder, path))
         sources.append(Source(RasterRef(path), extent(_transformed(geometry, transform))))
     return sources
+
+
+def seam_cells(rows: Iterable[QgsFeature], transform: QgsCoordinateTransform) -> list[Cell]:
+    """Polygons that say in their field ``source`` which orthoimage the mosaic was cut from."""
+    cells = []
+    for feature in rows:
+        name, geometry = feature["source"], QgsGeometry(feature.geometry())
+        if _is_text(name) and not geometry.isEmpty():
+            outline = _transformed(geometry, transform)
+            cells.append(Cell(str(name), bytes(outline.asWkb()), extent(outline)))
+    return cells
+
+
+def _is_text(value: object) -> bool:
+    return value is not None and value != NULL and str(value) != ""
 
 
 def transformed_extent(

@@ -5,8 +5,11 @@ from collections.abc import Iterator
 
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
+from ..core.explanation import Change
+from ..core.forecasts import Forecast
 from ..core.inspection import WindowResult
 from ..core.placing import PlacedWindow
+from ..core.shifts import Shift
 from ..core.wavelets import Curve
 from .compat import field
 from .text import sentence
@@ -19,9 +22,13 @@ def window_fields(levels: int) -> QgsFields:
         ("verdict", "text"),
         ("reason", "text"),
         ("sources", "integer"),
-        *_ratio_fields(levels),
+        *_level_fields("ratio", levels),
         ("background_ratio", "real"),
         ("observer", "text"),
+        *_level_fields("composite_ratio", levels),
+        *_level_fields("expected_ratio", levels),
+        ("unclear_share", "real"),
+        ("cause", "text"),
     )
 
 
@@ -45,10 +52,44 @@ def pair_fields(levels: int) -> QgsFields:
         ("window_id", "integer"),
         ("source", "text"),
         ("band", "text"),
-        *_ratio_fields(levels),
+        *_level_fields("ratio", levels),
         ("similarity", "real"),
         ("offset_x", "real"),
         ("offset_y", "real"),
+        ("resampled", "integer"),
+        ("gain", "real"),
+        ("bias", "real"),
+        ("gamma", "real"),
+        *_level_fields("contrast", levels),
+        *_level_fields("sharpness", levels),
+        ("clipped", "real"),
+        ("colour_shift", "real"),
+        ("shift_x", "real"),
+        ("shift_y", "real"),
+    )
+
+
+def forecast_fields(levels: int) -> QgsFields:
+    """OUTPUT of ``predictloss``: one polygon per window."""
+    return _fields(
+        ("window_id", "integer"),
+        ("reason", "text"),
+        ("sources", "integer"),
+        *_level_fields("expected_ratio", levels),
+    )
+
+
+def forecast_pair_fields(levels: int) -> QgsFields:
+    """PAIRS of ``predictloss``: one row per window and pair of sources."""
+    return _fields(
+        ("window_id", "integer"),
+        ("source", "text"),
+        ("other", "text"),
+        ("band", "text"),
+        *_level_fields("rho", levels),
+        *_level_fields("ratio", levels),
+        ("shift_x", "real"),
+        ("shift_y", "real"),
         ("resampled", "integer"),
     )
 
@@ -65,9 +106,11 @@ def placed_feature(placed: PlacedWindow, geometry: QgsGeometry) -> QgsFeature:
 
 def window_feature(result: WindowResult, geometry: QgsGeometry, observer: str | None) -> QgsFeature:
     """The row of OUTPUT for a result."""
-    judgement = result.judgement
+    judgement, found = result.judgement, result.explanation
+    levels = len(judgement.ratios.detail)
+    unknown = [None] * levels
     return feature(
-        window_fields(len(judgement.ratios.detail)),
+        window_fields(levels),
         [
             result.window_id,
             judgement.verdict.value,
@@ -76,6 +119,10 @@ def window_feature(result: WindowResult, geometry: QgsGeometry, observer: str | 
             *judgement.ratios.detail,
             judgement.ratios.background,
             observer,
+            *(next(iter(found.ratios.values())).detail if found else unknown),
+            *(found.expected if found else unknown),
+            found.unclear_share if found else None,
+            found.cause.value if found else None,
         ],
         geometry,
     )
@@ -84,7 +131,7 @@ def window_feature(result: WindowResult, geometry: QgsGeometry, observer: str | 
 def curve_features(result: WindowResult) -> Iterator[QgsFeature]:
     """The rows of CURVES for a result; a constant clip has no relative variances."""
     fields = curve_fields()
-    for clip in result.clips:
+    for clip in result.with_composite:
         for band, curve in clip.curves.items():
             for component, level, share in _components(curve):
                 row = [result.window_id, clip.raster, clip.role, band, component, level]
@@ -93,10 +140,11 @@ def curve_features(result: WindowResult) -> Iterator[QgsFeature]:
 
 
 def pair_features(result: WindowResult) -> Iterator[QgsFeature]:
-    """The rows of PAIRS for a result."""
-    for pair in result.pairs:
+    """The rows of PAIRS for a result: each source, then their composite."""
+    for pair in (*result.pairs, *result.composite_pairs):
+        levels = len(pair.ratios.detail)
         yield feature(
-            pair_fields(len(pair.ratios.detail)),
+            pair_fields(levels),
             [
                 result.window_id,
                 pair.source,
@@ -106,8 +154,42 @@ def pair_features(result: WindowResult) -> Iterator[QgsFeature]:
                 pair.offset_x,
                 pair.offset_y,
                 int(pair.resampled),
+                *_change_values(pair.change, levels),
             ],
         )
+
+
+def _change_values(change: Change | None, levels: int) -> list[object]:
+    if change is None:
+        return [None] * (7 + 2 * levels)
+    tone = change.tone
+    return [
+        *((tone.gain, tone.bias, tone.gamma) if tone else (None, None, None)),
+        *change.contrast,
+        *change.sharpness,
+        change.clipped,
+        change.colour_shift,
+        *_shift_values(change.shift),
+    ]
+
+
+def _shift_values(shift: Shift | None) -> tuple[float | None, float | None]:
+    return (shift.x, shift.y) if shift else (None, None)
+
+
+def forecast_feature(forecast: Forecast, geometry: QgsGeometry | None) -> QgsFeature:
+    """The row of OUTPUT for a forecast."""
+    reason = sentence(forecast.reason) if forecast.reason else None
+    fields = forecast_fields(len(forecast.expected))
+    return feature(fields, [forecast.window_id, reason, forecast.sources, *forecast.expected], geometry)
+
+
+def forecast_pair_features(forecast: Forecast) -> Iterator[QgsFeature]:
+    """The rows of PAIRS for a forecast."""
+    fields = forecast_pair_fields(len(forecast.expected))
+    for pair in forecast.pairs:
+        row = [forecast.window_id, pair.source, pair.other, forecast.band, *pair.feather.rho, *pair.feather.ratios]
+        yield feature(fields, [*row, *_shift_values(pair.shift), int(pair.resampled)])
 
 
 def feature(fields: QgsFields, values: list[object], geometry: QgsGeometry | None = None) -> QgsFeature:
@@ -125,8 +207,8 @@ def _components(curve: Curve) -> Iterator[tuple[str, int, float]]:
     yield "background", len(curve.detail), curve.background
 
 
-def _ratio_fields(levels: int) -> list[tuple[str, str]]:
-    return [(f"ratio_{level}", "real") for level in range(1, levels + 1)]
+def _level_fields(name: str, levels: int) -> list[tuple[str, str]]:
+    return [(f"{name}_{level}", "real") for level in range(1, levels + 1)]
 
 
 def _fields(*columns: tuple[str, str]) -> QgsFields:

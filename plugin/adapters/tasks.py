@@ -17,11 +17,14 @@ from qgis.PyQt.QtCore import pyqtSignal
 
 from ..core import messages
 from ..core.errors import SeamInspectorError
-from ..core.inspection import Settings, WindowRequest, inspect_windows
+from ..core.inspection import Settings, WindowRequest
 from ..core.messages import Message
+from ..core.nearest import SeamIndex
 from ..core.placing import place_windows
 from ..core.rasters import Mosaic, validity_check
+from ..core.runs import inspect_windows
 from ..core.seamlines import find_seams
+from .courtesy import courteous
 from .pictures import make_pictures
 
 Cancelled = Callable[[], bool]
@@ -58,9 +61,10 @@ class BackgroundTask(QgsTask):
 
     def run(self) -> bool:
         try:
-            for share, result in self._job(self.isCanceled):
-                self.arrived.emit(result)
-                self.setProgress(100 * share)
+            with courteous():
+                for share, result in self._job(self.isCanceled):
+                    self.arrived.emit(result)
+                    self.setProgress(100 * share)
         except SeamInspectorError as error:
             self._failure = error.message
         except Exception as error:  # the last door: a task must not raise into QGIS
@@ -91,10 +95,10 @@ def inspection_job(requests: Iterable[WindowRequest], count: int) -> Job:
 
 
 def seams_job(lines: Iterable[bytes | None], pixel_size: float) -> Job:
-    """Finds the seams of a layer of lines or polygons; yields the list of them."""
+    """Finds the seams of a layer of lines or polygons; yields the SeamIndex of them."""
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        yield 1.0, find_seams(lines, pixel_size)
+        yield 1.0, SeamIndex(find_seams(lines, pixel_size))
 
     return job
 

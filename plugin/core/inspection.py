@@ -1,26 +1,25 @@
-"""One window: request -> result. Many windows: the same on any ``concurrent.futures.Executor``."""
+"""One window: request -> result."""
 from __future__ import annotations
 
-import os
-from collections import deque
-from collections.abc import Iterable, Iterator
-from concurrent.futures import Executor, Future, wait
-from dataclasses import dataclass, field
-from typing import Callable
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from . import messages, thresholds
+from .cells import Cell, cell_labels, cells_over
 from .contrast import Judgement, Ratios, Verdict, check_max_ratio, curve_ratios, judge
-from .errors import NotCoveredError, RasterError, SettingsError, WindowError
+from .errors import NotCoveredError, RasterError, WindowError
+from .explanation import COMPOSITE, Change, Explanation, explain
+from .measuring import correlation, judged_band, measure_clip
 from .messages import Message
-from .rasters import Clip, Mosaic, Raster, RasterRef, describe, read_clip
-from .systems import extent_on
-from .wavelets import Curve, check_decomposition, clip_curves
+from .rasters import Clip, Mosaic, RasterRef, read_clip
+from .sources import Source, gather_sources, sources_over
+from .wavelets import Curve, check_decomposition
 from .windows import Extent, PixelWindow, snap_window
 
-LUMINANCE = "luminance"
-_PATIENCE_SECONDS = 0.2  # between two looks at whether the run was cancelled
+REFERENCES = ("sources", COMPOSITE)
+"""What a verdict can be taken against: whole sources, as in the paper, or their hard-cut composite."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +32,8 @@ class Settings:
     """R, 1 to 8."""
     max_ratio: float = thresholds.MAX_SIGNIFICANT_RATIO
     """Largest ratio_1 that is a significant loss."""
+    reference: str = REFERENCES[0]
+    """What the verdict is taken against, one of ``REFERENCES``."""
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
@@ -41,34 +42,18 @@ class Settings:
 
 
 @dataclass(frozen=True)
-class Source:
-    """An orthoimage that may take part, with its footprint; the file itself is opened when a window needs it."""
-
-    ref: RasterRef
-    extent: Extent
-    """Bounding box in the mosaic's reference system."""
-
-
-@dataclass(frozen=True)
 class Block:
     """A mosaic and the orthoimages it may have been made from."""
 
     mosaic: Mosaic
     sources: tuple[Source, ...]
+    cells: tuple[Cell, ...] = ()
+    """Which source each part of the mosaic was cut from, where that is known."""
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Those whose footprint covers the window, give or take the share of pixels that may be invalid."""
-        xmin, ymin, xmax, ymax = self.mosaic.grid.window_extent(window)
-        slack_x = thresholds.MAX_INVALID_SHARE * (xmax - xmin) + self.mosaic.grid.pixel_width
-        slack_y = thresholds.MAX_INVALID_SHARE * (ymax - ymin) + self.mosaic.grid.pixel_height
-        return tuple(
-            source
-            for source in self.sources
-            if source.extent[0] <= xmin + slack_x
-            and source.extent[1] <= ymin + slack_y
-            and source.extent[2] >= xmax - slack_x
-            and source.extent[3] >= ymax - slack_y
-        )
+        grid = self.mosaic.grid
+        return sources_over(self.sources, grid.window_extent(window), grid.pixel_width, grid.pixel_height)
 
 
 @dataclass(frozen=True)
@@ -84,6 +69,8 @@ class WindowRequest:
     settings: Settings
     reason: Message | None = None
     """Why there is no window."""
+    cells: tuple[Cell, ...] = ()
+    """Known seam cells that meet the window."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +80,7 @@ class ClipResult:
     raster: str
     """File name without its folder."""
     role: str
-    """``mosaic`` or ``source``."""
+    """``mosaic``, ``source`` or ``composite``."""
     curves: dict[str, Curve]
     """By band name, ``luminance`` first where there is one."""
 
@@ -103,7 +90,7 @@ class PairResult:
     """The mosaic against one source in one window and band."""
 
     source: str
-    """File name without its folder."""
+    """File name without its folder, or ``composite``."""
     band: str
     ratios: Ratios
     similarity: float | None
@@ -113,6 +100,8 @@ class PairResult:
     offset_y: float
     resampled: bool
     """Whether the source was warped to the mosaic's grid."""
+    change: Change | None = None
+    """What became of its grey values in the mosaic."""
 
 
 @dataclass(frozen=True)
@@ -126,8 +115,28 @@ class WindowResult:
     clips: tuple[ClipResult, ...] = ()
     """The mosaic first, then the sources that took part."""
     pairs: tuple[PairResult, ...] = ()
+    explanation: Explanation | None = None
+    """Why contrast was lost; None where nothing could be compared."""
     notices: tuple[Message, ...] = field(default=(), compare=False)
     """Why a source that could not be read or compared did not take part."""
+
+    @property
+    def with_composite(self) -> tuple[ClipResult, ...]:
+        """The clips, last the sources' composite where there is one."""
+        found = self.explanation
+        return self.clips if found is None else (*self.clips, ClipResult(COMPOSITE, COMPOSITE, found.curves))
+
+    @property
+    def composite_pairs(self) -> tuple[PairResult, ...]:
+        """The mosaic against the composite, band by band."""
+        found = self.explanation
+        if found is None:
+            return ()
+        resampled = any(pair.resampled for pair in self.pairs)
+        return tuple(
+            PairResult(COMPOSITE, name, ratios, found.similarity[name], 0.0, 0.0, resampled, found.changes[-1][name])
+            for name, ratios in found.ratios.items()
+        )
 
     @property
     def source_count(self) -> int:
@@ -136,7 +145,7 @@ class WindowResult:
 
 
 def make_block(
-    mosaic: Mosaic, sources: Iterable[RasterRef], indexed: Iterable[Source] = ()
+    mosaic: Mosaic, sources: Iterable[RasterRef], indexed: Iterable[Source] = (), cells: Iterable[Cell] = ()
 ) -> tuple[Block, list[Message]]:
     """A mosaic with its sources, each once, and notices about those left out.
 
@@ -145,31 +154,8 @@ def make_block(
 
     Raises SettingsError when no source is named at all.
     """
-    candidates: list[RasterRef | Source] = [*sources, *indexed]
-    if not candidates:
-        raise SettingsError(messages.NO_SOURCES_GIVEN())
-    kept: list[Source] = []
-    notices: list[Message] = []
-    taken: set[str] = set()
-    for candidate in candidates:
-        ref = candidate.ref if isinstance(candidate, Source) else candidate
-        key = _key(ref)
-        if key == _key(mosaic.ref):
-            notices.append(messages.MOSAIC_AMONG_SOURCES(name=ref.name))
-        elif key not in taken:
-            taken.add(key)
-            try:
-                kept.append(candidate if isinstance(candidate, Source) else _footprint(ref, mosaic))
-            except RasterError as error:
-                notices.append(messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
-    return Block(mosaic, tuple(kept)), notices
-
-
-def _footprint(ref: RasterRef, mosaic: Mosaic) -> Source:
-    raster = describe(ref)
-    if not raster.wkt:
-        raise RasterError(messages.NO_REFERENCE_SYSTEM(name=ref.name))
-    return Source(ref, extent_on(raster.extent, raster.wkt, mosaic.wkt))
+    kept, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
+    return Block(mosaic, tuple(kept), tuple(cells)), notices
 
 
 def window_request(block: Block, window_id: int, extent: Extent, settings: Settings) -> WindowRequest:
@@ -178,120 +164,112 @@ def window_request(block: Block, window_id: int, extent: Extent, settings: Setti
         window = snap_window(block.mosaic.grid, extent, settings.levels)
     except WindowError as error:
         return WindowRequest(window_id, block.mosaic, (), None, settings, error.message)
-    return WindowRequest(window_id, block.mosaic, block.sources_over(window), window, settings)
+    cells = cells_over(block.cells, block.mosaic.grid.window_extent(window))
+    return WindowRequest(window_id, block.mosaic, block.sources_over(window), window, settings, cells=cells)
 
 
 def inspect_window(request: WindowRequest) -> WindowResult:
-    """Clip, decompose, compare and judge one window.
+    """Clip, decompose, compare, judge and explain one window.
 
     A raster that can't be compared is left out with a notice; a window that can't be measured is
     ``not_comparable`` with the reason. Neither raises.
     """
     if request.window is None:
-        return _not_comparable(request, request.reason)
+        return not_comparable(request, request.reason)
     try:
-        mosaic = read_clip(request.mosaic.ref, request.mosaic, request.window)
+        mosaic = _measured(request.mosaic.ref, request)
     except RasterError as error:
-        return _not_comparable(request, error.message)
-    mosaic_curves, mosaic_coarse = _measure(mosaic, request.settings)
-    band = _judged_band(mosaic.raster)
-    clips = [ClipResult(mosaic.raster.ref.name, "mosaic", mosaic_curves)]
-    del mosaic  # its pixels, so that the next raster's take their place
-    pairs: list[PairResult] = []
+        return not_comparable(request, error.message)
+    band = judged_band(mosaic.clip.raster)
+    sources, notices, not_covering = _comparable_sources(request, band)
+    judgement = judge(mosaic.curves[band], [one.curves[band] for one in sources], request.settings.max_ratio)
+    refused = (*notices, *not_covering)
+    if not sources and refused and mosaic.curves[band].variance > 0:
+        why = refused[: thresholds.MAX_REASONS]
+        judgement = Judgement(judgement.verdict, judgement.ratios, messages.NO_SOURCE_COMPARABLE(why=why))
+    clips = [mosaic.result("mosaic"), *(one.result("source") for one in sources)]
+    if judgement.verdict is Verdict.NOT_COMPARABLE:
+        pairs = [pair for one in sources for pair in _pairs(mosaic, one, {})]
+        return WindowResult(
+            request.window_id, request.window, judgement, tuple(clips), tuple(pairs), notices=tuple(notices)
+        )
+    found = _explain(request, mosaic, sources)
+    pairs = [pair for one, changes in zip(sources, found.changes) for pair in _pairs(mosaic, one, changes)]
+    if request.settings.reference == COMPOSITE:
+        against = judge(mosaic.curves[band], [found.curves[band]], request.settings.max_ratio)
+        judgement = replace(judgement, verdict=against.verdict, reason=against.reason)
+    return WindowResult(
+        request.window_id, request.window, judgement, tuple(clips), tuple(pairs), found, tuple(notices)
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """A clip with what was measured in it, by band name."""
+
+    clip: Clip
+    curves: dict[str, Curve]
+    coarse: dict[str, np.ndarray]
+
+    def result(self, role: str) -> ClipResult:
+        return ClipResult(self.clip.raster.ref.name, role, self.curves)
+
+
+def _measured(ref: RasterRef, request: WindowRequest) -> _Measured:
+    assert request.window is not None
+    clip = read_clip(ref, request.mosaic, request.window)
+    return _Measured(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
+
+
+def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[_Measured], list[Message], list[Message]]:
+    """Sources that can be compared, why others can't, and which do not cover the window."""
+    sources: list[_Measured] = []
     notices: list[Message] = []
     not_covering: list[Message] = []
     for source in request.sources:
         try:
-            clip = read_clip(source.ref, request.mosaic, request.window)
-            curves, coarse = _measure(clip, request.settings)
-            _check_comparable(clip, curves, band)
+            one = _measured(source.ref, request)
+            _check_comparable(one.clip, one.curves, band)
         except NotCoveredError as error:
             not_covering.append(error.message)
-            continue
         except RasterError as error:
             notices.append(error.message)
-            continue
-        clips.append(ClipResult(source.ref.name, "source", curves))
-        pairs += [
-            PairResult(
-                source.ref.name,
-                name,
-                curve_ratios(mosaic_curves[name], curve),
-                _correlation(mosaic_coarse[name], coarse[name]),
-                clip.offset_x,
-                clip.offset_y,
-                clip.resampled,
-            )
-            for name, curve in curves.items()
-            if name in mosaic_curves
-        ]
-        del clip
-    judgement = judge(
-        mosaic_curves[band], [clip.curves[band] for clip in clips[1:]], request.settings.max_ratio
+        else:
+            sources.append(one)
+    return sources, notices, not_covering
+
+
+def _explain(request: WindowRequest, mosaic: _Measured, sources: Sequence[_Measured]) -> Explanation:
+    labels = None
+    if request.cells and request.window is not None:
+        names = [one.clip.raster.ref.name for one in sources]
+        labels = cell_labels(request.cells, names, request.mosaic.grid, request.window)
+    return explain(
+        mosaic.clip,
+        mosaic.curves,
+        mosaic.coarse,
+        [(one.clip, one.curves) for one in sources],
+        request.settings.wavelet,
+        request.settings.levels,
+        labels,
     )
-    refused = (*notices, *not_covering)
-    if len(clips) == 1 and refused and mosaic_curves[band].variance > 0:
-        why = refused[: thresholds.MAX_REASONS]
-        judgement = Judgement(judgement.verdict, judgement.ratios, messages.NO_SOURCE_COMPARABLE(why=why))
-    return WindowResult(request.window_id, request.window, judgement, tuple(clips), tuple(pairs), tuple(notices))
 
 
-def inspect_windows(
-    requests: Iterable[WindowRequest], executor: Executor, ahead: int, cancelled: Callable[[], bool] = lambda: False
-) -> Iterator[WindowResult]:
-    """Results in the order of the requests, each as soon as it and those before it are ready.
-
-    At most ``ahead`` windows are under way or waiting to be taken, so memory does not grow with their number.
-    A window that fails in a way nobody foresaw becomes ``not_comparable`` with the error as its reason.
-    Stops when ``cancelled`` says so, with the results that are ready by then, within a fraction of a second even
-    while a window is under way.
-    """
-    waiting: deque[tuple[WindowRequest, Future[WindowResult]]] = deque()
-    try:
-        for request in requests:
-            if cancelled():
-                break
-            waiting.append((request, executor.submit(inspect_window, request)))
-            if len(waiting) >= ahead:
-                yield from _ready(*waiting.popleft(), cancelled)
-        while waiting:
-            yield from _ready(*waiting.popleft(), cancelled)
-    finally:
-        for _, future in waiting:
-            future.cancel()
-
-
-def _ready(
-    request: WindowRequest, future: Future[WindowResult], cancelled: Callable[[], bool]
-) -> Iterator[WindowResult]:
-    """The result as soon as it is there; nothing when ``cancelled`` says so before."""
-    while not future.done():
-        if cancelled():
-            future.cancel()
-            return
-        wait([future], timeout=_PATIENCE_SECONDS)
-    error = future.exception()
-    if error is None:
-        yield future.result()
-    elif isinstance(error, Exception):
-        yield _not_comparable(request, messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}"))
-    else:
-        raise error
-
-
-def _measure(clip: Clip, settings: Settings) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
-    """Curves and coarse components of a clip by band name, luminance first where there is one."""
-    weights = thresholds.LUMINANCE_WEIGHTS if clip.raster.has_luminance else ()
-    curves, coarse = clip_curves(clip.bands, settings.wavelet, settings.levels, weights)
-    names = list(clip.raster.band_names)
-    if weights:
-        names, curves, coarse = [LUMINANCE, *names], [curves[-1], *curves[:-1]], [coarse[-1], *coarse[:-1]]
-    return dict(zip(names, curves)), dict(zip(names, coarse))
-
-
-def _judged_band(raster: Raster) -> str:
-    """Luminance where there are three bands or more, else the first band."""
-    return LUMINANCE if raster.has_luminance else raster.band_names[0]
+def _pairs(mosaic: _Measured, source: _Measured, changes: Mapping[str, Change]) -> list[PairResult]:
+    return [
+        PairResult(
+            source.clip.raster.ref.name,
+            name,
+            curve_ratios(mosaic.curves[name], curve),
+            correlation(mosaic.coarse[name], source.coarse[name]),
+            source.clip.offset_x,
+            source.clip.offset_y,
+            source.clip.resampled,
+            changes.get(name),
+        )
+        for name, curve in source.curves.items()
+        if name in mosaic.curves
+    ]
 
 
 def _check_comparable(clip: Clip, curves: dict[str, Curve], band: str) -> None:
@@ -302,18 +280,7 @@ def _check_comparable(clip: Clip, curves: dict[str, Curve], band: str) -> None:
         raise RasterError(messages.SOURCE_CONSTANT(name=name))
 
 
-def _correlation(a: np.ndarray, b: np.ndarray) -> float | None:
-    a, b = (x.astype(np.float64).ravel() for x in (a, b))
-    a, b = a - a.mean(), b - b.mean()
-    scale = np.sqrt((a @ a) * (b @ b))
-    return float(a @ b / scale) if scale > 0 else None
-
-
-def _not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
+def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
+    """The result of a window that could not be measured."""
     nothing = Ratios((None,) * request.settings.levels, None)
     return WindowResult(request.window_id, request.window, Judgement(Verdict.NOT_COMPARABLE, nothing, reason))
-
-
-def _key(ref: RasterRef) -> str:
-    """The same for the same file, however its path is written."""
-    return os.path.realpath(ref.path) if os.path.exists(ref.path) else ref.path

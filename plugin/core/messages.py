@@ -148,6 +148,9 @@ WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw i
 NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
 INDEX_WITHOUT_LOCATION = Message("The index layer has no field '{field}'; make it with gdaltindex.")
 WINDOWS_RENUMBERED = Message("{count} windows had no number of their own and were given the next free ones.")
+CELLS_WITHOUT_SOURCE = Message(
+    "The layer of seam cells has no field 'source'; add one with the file names of the orthoimages."
+)
 DASK_MISSING = Message(
     "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty."
 )
@@ -166,9 +169,20 @@ WINDOWS_NOT_SAVED = Message(
     "layer elsewhere."
 )
 WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.")
+WINDOWS_PLACED_IN_PART = Message(
+    "Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages."
+)
+NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log messages say why.")
 NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
+MOSAIC_OPENING = Message("The mosaic is still being opened; try again in a moment.")
+MOSAIC_NOT_OPENED = Message(
+    "The mosaic was not opened, as the task was cancelled; choose another mosaic in the inputs, then this one again."
+)
 NO_SEAMLINES = Message("No seamlines are chosen; choose a layer of seamlines in the inputs.")
 TASK_FAILED = Message("{task} failed ({error}); please report this.")
+# forecasts
+ONE_SOURCE = Message("Only one source covers the window, so nothing will be feathered there.")
+ONE_SOURCE_COMPARABLE = Message("Only one source can be compared here: {why}")
 # files
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")

@@ -52,3 +52,27 @@ MIN_SHARE = 1e-20  # of the variance: smaller ones are rounding of float64, and 
 MAX_SIGNIFICANT_RATIO = 0.5  # Pyka 2010, section 5: detail at level 1 at least halved in the visible cases
 LUMINANCE_WEIGHTS = (0.299, 0.587, 0.114)  # red, green, blue; ITU-R BT.601, Pyka 2009
 MAX_REASONS = 3  # sources named in the reason of a window; more would not be read
+
+# Which source the mosaic follows, and why contrast was lost
+MIN_SHIFT_PEAK = 0.15  # height of the phase correlation's peak that is no accident, in large tiles
+MIN_SHIFT_PEAK_PX = 20.0  # over the tile's side, in small ones: unrelated tiles reach 15 / side
+SAME_SHIFT_PX = 1.5  # tiles whose shifts, to the whole pixel, differ by less look at the same image
+MIN_TILE_SHARE = 0.8  # of a tile's pixels have to come from the source whose shift is asked for
+MIN_WINNER_LEAD = 0.1  # of the correlation over the next source's: below it a wider neighbourhood decides
+MIN_MIXTURE_FIT = 0.9  # share of the mosaic's fine detail that a mixture of two explains; a hard cut stays below
+MIN_MIXTURE_GAIN = 0.05  # by which the mixture has to explain more than the better source alone
+MIN_MIXTURE_WEIGHT = 0.1  # of each of the two sources
+MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do not count
+MIN_TONE_RESIDUAL = 0.05  # grey values: a line that fits the coarse means this well is one
+MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
+MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
+MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
+MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
+MIN_CAUSE_FIT = 0.05  # strangers explain 0.01 to 0.03; a Gaussian blur of 2 px leaves 0.1
+MIN_CLIPPED_SHARE = 0.005  # of the pixels: the share that JRC's specification allows in one tail of the histogram
+MIN_COLOUR_SHIFT = 1.05  # gains of the colours 5 % apart
+MIN_GAMMA_CHANGE = 1.1  # as a factor, either way
+MAX_NARROWED_GAIN = 0.9  # a tenth of the contrast
+MIN_MISREGISTRATION_PX = 0.4  # half a pixel less what a shift measured in a small part is off by
+MAX_BLURRED_SHARPNESS = 0.93  # a hard cut has 0.99 to 1.01, a Gaussian blur of 0.5 px 0.7
+MIN_MIXED_SHARE = 0.005  # of the pixels: a hard cut has 0.0001, a feather of 7 px some 0.02

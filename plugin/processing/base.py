@@ -29,6 +29,7 @@ from ..core.errors import RasterError, SeamInspectorError
 from . import parameters as common
 
 if TYPE_CHECKING:
+    from ..core.messages import Message
     from ..core.rasters import Mosaic
 
 Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
@@ -172,6 +173,21 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """Give a layer that will be loaded a style."""
         if destination and context.willLoadLayerOnCompletion(destination):
             context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
+
+
+class Warnings:
+    """Says each sentence once: a raster that can't be compared is not named in every window."""
+
+    def __init__(self, feedback: QgsProcessingFeedback) -> None:
+        self._feedback = feedback
+        self._said: set[str] = set()
+
+    def say(self, notices: Iterable[Message]) -> None:
+        """Push those that were not said before."""
+        for warning in map(sentence, notices):
+            if warning not in self._said:
+                self._feedback.pushWarning(warning)
+            self._said.add(warning)
 
 
 class _Styler(QgsProcessingLayerPostProcessorInterface):

@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsFeature,
-    QgsGeometry,
     QgsProcessing,
     QgsProcessingContext,
-    QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsProcessingOutputNumber,
+    QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterNumber,
@@ -26,21 +24,19 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
-from ..core.errors import RasterError, SettingsError, WindowError
+from ..core.errors import SettingsError
 from . import parameters as common
-from .base import SeamInspectorAlgorithm
+from .base import SeamInspectorAlgorithm, Warnings
+from .drawn_windows import DrawnWindows
 
 if TYPE_CHECKING:
+    from ..core.cells import Cell
     from ..core.inspection import Block, Settings, WindowRequest
-    from ..core.messages import Message
-    from ..core.rasters import RasterRef
 
-WINDOWS, MAX_RATIO, SCHEDULER = "WINDOWS", "MAX_RATIO", "SCHEDULER"
+WINDOWS, CELLS, REFERENCE = "WINDOWS", "CELLS", "REFERENCE"
+MAX_RATIO, SCHEDULER = "MAX_RATIO", "SCHEDULER"
 OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
-
-_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
-
 
 class InspectWindows(SeamInspectorAlgorithm):
     """How much detail a mosaic kept in each window, against each of its sources."""
@@ -69,6 +65,28 @@ class InspectWindows(SeamInspectorAlgorithm):
         self.addDescribed(*common.source_index())
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
+        self.addDescribed(
+            QgsProcessingParameterEnum(
+                REFERENCE,
+                tr("Verdict against"),
+                ["sources", "composite"],
+                defaultValue="sources",
+                optional=True,  # else QGIS would refuse models that were drawn before there was this choice
+                usesStaticStrings=True,
+            ),
+            tr(
+                "sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the "
+                "sources, each pixel from the one that the mosaic follows; fairer across a seam."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(CELLS, tr("Seam cells"), [polygon], optional=True),
+            tr(
+                "Polygons that say in the field 'source' which orthoimage each part of the mosaic was cut from. Where "
+                "they are known they decide on the composite; elsewhere it is found from the detail itself."
+            ),
+            advanced=True,
+        )
         self.addDescribed(
             QgsProcessingParameterNumber(
                 MAX_RATIO,
@@ -108,21 +126,11 @@ class InspectWindows(SeamInspectorAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._settings(parameters, context).check()
         self.describe_mosaic(parameters, context)
-        if not common.raster_values(parameters, common.SOURCES, context) and not parameters.get(common.SOURCE_INDEX):
-            raise SettingsError(messages.NO_SOURCES_GIVEN())
+        common.check_sources(parameters, context)
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ..adapters.layers import raster_ref
-
         self._mosaic = self.describe_mosaic(parameters, context)
-        self._sources: list[RasterRef] = []
-        self._left_out: list[Message] = []
-        for value in common.raster_values(parameters, common.SOURCES, context):
-            try:
-                self._sources.append(raster_ref(value, context))
-            except RasterError as error:
-                self._left_out.append(error.message)
-        self._index_path = common.index_path(self, parameters, common.SOURCE_INDEX, context)
+        self._given = common.given_sources(self, parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -130,19 +138,19 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..adapters import layers, tables
         from ..adapters.executors import open_executor
         from ..core.contrast import Verdict
-        from ..core.inspection import inspect_windows
+        from ..core.runs import inspect_windows
 
         settings = self._settings(parameters, context)
         settings.check()
         windows = self.source(parameters, WINDOWS, context)
         if windows.featureCount() == 0:
             raise SettingsError(messages.NO_WINDOWS())
-        block = self._block(parameters, context, feedback)
+        warnings = Warnings(feedback)
+        block = self._block(parameters, context, warnings)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
-        drawn = _DrawnWindows(windows, block, crs, settings, context, feedback)
+        drawn = DrawnWindows(windows, crs, context)
 
         verdicts: Counter[Verdict] = Counter()
-        warned: set[str] = set()  # a raster that can't be compared is named once, not in every window
         with open_executor(self.parameterAsString(parameters, SCHEDULER, context)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
             table = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
@@ -153,17 +161,14 @@ class InspectWindows(SeamInspectorAlgorithm):
             pairs, pairs_id = self.optional_sink(
                 parameters, PAIRS, context, tables.pair_fields(settings.levels), *table
             )
-            for result in inspect_windows(drawn.requests(), executor, ahead, feedback.isCanceled):
+            for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, feedback.isCanceled):
                 geometry, observer = drawn.taken(result.window_id)
                 if result.window is not None:
                     geometry = layers.rectangle(grid.window_extent(result.window))
                 self.write(output, [tables.window_feature(result, geometry, observer)])
                 self.write(curves, tables.curve_features(result))
                 self.write(pairs, tables.pair_features(result))
-                for warning in map(sentence, result.notices):
-                    if warning not in warned:
-                        feedback.pushWarning(warning)
-                    warned.add(warning)
+                warnings.say(result.notices)
                 if result.judgement.reason is not None:
                     feedback.pushInfo(f"{result.window_id}: {sentence(result.judgement.reason)}")
                 verdicts[result.judgement.verdict] += 1
@@ -189,96 +194,41 @@ class InspectWindows(SeamInspectorAlgorithm):
             self.parameterAsString(parameters, common.WAVELET, context),
             self.parameterAsInt(parameters, common.LEVELS, context),
             self.parameterAsDouble(parameters, MAX_RATIO, context),
+            self.parameterAsString(parameters, REFERENCE, context),
         )
 
-    def _block(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> Block:
-        from ..adapters import layers
+    def _block(self, parameters: dict[str, Any], context: QgsProcessingContext, warnings: Warnings) -> Block:
+        from ..adapters.layers import mosaic_crs
         from ..core.inspection import make_block
 
         indexed = []
         if parameters.get(common.SOURCE_INDEX):
             index = self.source(parameters, common.SOURCE_INDEX, context)
-            crs = layers.mosaic_crs(self._mosaic)
-            transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
-            names = index.fields().names()
-            indexed = layers.indexed_sources(layers.features(index), names, self._index_path, transform)
-        for notice in self._left_out:
-            feedback.pushWarning(sentence(notice))
-        block, notices = make_block(self._mosaic, self._sources, indexed)
-        for notice in notices:
-            feedback.pushWarning(sentence(notice))
+            crs = mosaic_crs(self._mosaic)
+            indexed = common.indexed_sources(index, self._given.index_path, crs, context)
+        warnings.say(self._given.left_out)
+        block, notices = make_block(self._mosaic, self._given.refs, indexed, self._cells(parameters, context))
+        warnings.say(notices)
         return block
 
-
-class _DrawnWindows:
-    """The features of the window layer, read one by one; what a result needs of them is kept until it is taken."""
-
-    def __init__(
-        self,
-        windows: QgsProcessingFeatureSource,
-        block: Block,
-        crs: QgsCoordinateReferenceSystem,
-        settings: Settings,
-        context: QgsProcessingContext,
-        feedback: QgsProcessingFeedback,
-    ) -> None:
-        self.count = windows.featureCount()
-        self.renumbered = 0
-        """How many windows had no number of their own."""
-        self._windows, self._block, self._settings = windows, block, settings
-        self._transform = QgsCoordinateTransform(windows.sourceCrs(), crs, context.transformContext())
-        self._names = set(windows.fields().names())
-        self._waiting: dict[int, tuple[QgsGeometry | None, str | None]] = {}
-        self._numbers = self._given_numbers()
-        self._last = max(self._numbers, default=0)
-
-    def requests(self) -> Iterator[WindowRequest]:
-        """One request per feature, in the layer's order."""
+    def _cells(self, parameters: dict[str, Any], context: QgsProcessingContext) -> list[Cell]:
         from ..adapters import layers
+
+        if not parameters.get(CELLS):
+            return []
+        cells = self.source(parameters, CELLS, context)
+        if "source" not in cells.fields().names():
+            raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
+        crs = layers.mosaic_crs(self._mosaic)
+        transform = QgsCoordinateTransform(cells.sourceCrs(), crs, context.transformContext())
+        return layers.seam_cells(layers.features(cells), transform)
+
+    @staticmethod
+    def _requests(drawn: DrawnWindows, block: Block, settings: Settings) -> Iterator[WindowRequest]:
         from ..core.inspection import WindowRequest, window_request
 
-        for feature in layers.features(self._windows):
-            number = self._number(feature)
-            geometry: QgsGeometry | None = None
-            try:
-                outline = layers.window_geometry(feature, self._transform)
-                geometry = layers.rectangle(layers.extent(outline))
-                request = window_request(self._block, number, layers.extent(outline), self._settings)
-            except WindowError as error:
-                request = WindowRequest(number, self._block.mosaic, (), None, self._settings, error.message)
-            observer = (feature["observer"] or None) if "observer" in self._names else None
-            self._waiting[number] = geometry, observer
-            yield request
-
-    def taken(self, window_id: int) -> tuple[QgsGeometry | None, str | None]:
-        """The rectangle as drawn and the observer's word of a window whose result has come."""
-        return self._waiting.pop(window_id)
-
-    def _given_numbers(self) -> set[int]:
-        from ..adapters import layers
-
-        if "window_id" not in self._names:
-            return set()
-        numbers = (_whole(feature["window_id"]) for feature in layers.features(self._windows))
-        return {number for number in numbers if number is not None}
-
-    def _number(self, feature: QgsFeature) -> int:
-        """The feature's own number when it is the first to have it, else the next free one."""
-        own = _whole(feature["window_id"]) if "window_id" in self._names else None
-        if own is not None and own in self._numbers:
-            self._numbers.remove(own)
-            return own
-        self.renumbered += "window_id" in self._names
-        self._last += 1
-        return self._last
-
-
-def _whole(value: object) -> int | None:
-    """A window's number from a field of any type."""
-    try:
-        number = float(str(value))
-    except ValueError:
-        return None
-    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None
+        for window in drawn.windows():
+            if window.extent is None:
+                yield WindowRequest(window.window_id, block.mosaic, (), None, settings, window.reason)
+            else:
+                yield window_request(block, window.window_id, window.extent, settings)

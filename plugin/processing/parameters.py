@@ -1,12 +1,16 @@
 """Parameters that several algorithms have, and how their values are read."""
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingFeatureSource,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
@@ -17,7 +21,13 @@ from qgis.core import (
 )
 
 from ..adapters.text import tr
-from ..core import thresholds
+from ..core import messages, thresholds
+from ..core.errors import RasterError, SettingsError
+
+if TYPE_CHECKING:
+    from ..core.messages import Message
+    from ..core.rasters import RasterRef
+    from ..core.sources import Source
 
 Parameters = dict[str, Any]
 Described = tuple[QgsProcessingParameterDefinition, str]
@@ -27,6 +37,18 @@ SOURCES = "SOURCES"
 SOURCE_INDEX = "SOURCE_INDEX"
 LEVELS = "LEVELS"
 WAVELET = "WAVELET"
+
+
+@dataclass(frozen=True)
+class GivenSources:
+    """The values of SOURCES and SOURCE_INDEX in plain data, as far as they can be had before the work begins."""
+
+    refs: tuple[RasterRef, ...]
+    """The files of SOURCES."""
+    left_out: tuple[Message, ...]
+    """Why others have no file."""
+    index_path: str
+    """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
 
 
 def mosaic() -> Described:
@@ -101,11 +123,37 @@ def raster_values(parameters: Parameters, name: str, context: QgsProcessingConte
     return list(value) if isinstance(value, (list, tuple)) else [value]
 
 
-def index_path(
-    algorithm: QgsProcessingAlgorithm, parameters: Parameters, name: str, context: QgsProcessingContext
-) -> str:
-    """The file of an index layer, from which relative locations start; empty for a layer in memory."""
-    from ..adapters.layers import layer_path
+def check_sources(parameters: Parameters, context: QgsProcessingContext) -> None:
+    """Raise SettingsError when neither SOURCES nor SOURCE_INDEX names any."""
+    if not raster_values(parameters, SOURCES, context) and not parameters.get(SOURCE_INDEX):
+        raise SettingsError(messages.NO_SOURCES_GIVEN())
 
-    layer = algorithm.parameterAsVectorLayer(parameters, name, context)
-    return layer_path(layer) if layer is not None else ""
+
+def given_sources(
+    algorithm: QgsProcessingAlgorithm, parameters: Parameters, context: QgsProcessingContext
+) -> GivenSources:
+    """What the layers of SOURCES and SOURCE_INDEX say of their files; to be asked in their thread."""
+    from ..adapters.layers import layer_path, raster_ref
+
+    refs: list[RasterRef] = []
+    left_out: list[Message] = []
+    for value in raster_values(parameters, SOURCES, context):
+        try:
+            refs.append(raster_ref(value, context))
+        except RasterError as error:
+            left_out.append(error.message)
+    index = algorithm.parameterAsVectorLayer(parameters, SOURCE_INDEX, context)
+    return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
+
+
+def indexed_sources(
+    index: QgsProcessingFeatureSource, path: str, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
+) -> list[Source]:
+    """The orthoimages of an index layer with their footprints in a reference system.
+
+    Raises SettingsError when the layer is no such index.
+    """
+    from ..adapters import layers
+
+    transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
+    return layers.indexed_sources(layers.features(index), index.fields().names(), path, transform)

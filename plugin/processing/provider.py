@@ -7,8 +7,9 @@ from qgis.PyQt.QtGui import QIcon
 from ..adapters.resources import icon_path, model_paths
 from .inspectwindows import InspectWindows
 from .placewindows import PlaceWindows
+from .predictloss import PredictLoss
 
-ALGORITHMS = (PlaceWindows, InspectWindows)
+ALGORITHMS = (PlaceWindows, InspectWindows, PredictLoss)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):

@@ -12,7 +12,10 @@ import pytest
 for name in ("qgis", "PyQt5", "PyQt6"):
     sys.modules.setdefault(name, None)  # type: ignore[arg-type]
 
-from tests.core.synthetic import write_raster  # noqa: E402
+from seam_inspector.plugin.core.rasters import Mosaic, RasterRef, describe_mosaic  # noqa: E402
+
+from tests.core.clips import SIZE  # noqa: E402
+from tests.core.synthetic import orthoimage, write_raster  # noqa: E402
 
 MakeRaster = Callable[..., str]
 
@@ -25,3 +28,10 @@ def make_raster(tmp_path: Path) -> MakeRaster:
         return write_raster(tmp_path / name, array, **options)
 
     return make
+
+
+@pytest.fixture(scope="session")
+def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Mosaic:
+    """256 x 256 px of 10 cm, red, green and blue in 8 bit."""
+    folder = tmp_path_factory.mktemp("mosaic")
+    return describe_mosaic(RasterRef(write_raster(folder / "mosaic.tif", orthoimage(SIZE))))

@@ -13,11 +13,11 @@ from seam_inspector.plugin.core.inspection import (
     Block,
     Settings,
     WindowResult,
-    inspect_windows,
     make_block,
     window_request,
 )
 from seam_inspector.plugin.core.rasters import RasterRef, describe_mosaic
+from seam_inspector.plugin.core.runs import inspect_windows
 from seam_inspector.plugin.core.windows import PixelWindow
 
 from tests.core.synthetic import decompose, luminance, read_pixels, write_raster

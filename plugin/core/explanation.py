@@ -1,0 +1,281 @@
+"""Why a window lost contrast: the mosaic against each source and against the fair reference.
+
+Follows the mosaic through its sources, builds the hard-cut composite of them, and compares grey values, contrast,
+position and mixture (Pyka 2010, section 3, names the causes).
+"""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from scipy import ndimage
+
+from . import thresholds
+from .causes import Cause, Evidence, find_cause
+from .cells import UNKNOWN
+from .composite import Composite, follows_at, make_composite
+from .contrast import Ratios, curve_ratios
+from .following import Following, Planes, follow, refined
+from .measuring import LUMINANCE, correlation, judged_plane, measure_bands
+from .prediction import expected_ratios, feathers
+from .rasters import Clip
+from .shifts import Shift, find_shift
+from .tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
+from .wavelets import Curve
+
+COMPOSITE = "composite"
+"""Name and role of the fair reference in tables."""
+_COLOURS = ("red", "green", "blue")
+
+
+@dataclass(frozen=True)
+class Change:
+    """What became of a source's grey values in the mosaic, in one band."""
+
+    tone: Tone | None
+    """None where it can't be fitted."""
+    contrast: tuple[float | None, ...]
+    """Standard deviation of the mosaic's detail over the source's, levels 1..R; None where the source has none."""
+    clipped: float
+    """Share of pixels at the end of the mosaic's scale that were not at the source's."""
+    colour_shift: float | None
+    """Largest over smallest gain of the colours; None without colours."""
+    shift: Shift | None
+    """How the mosaic lies on the source on the ground, px; None where they show nothing in common."""
+
+    @property
+    def sharpness(self) -> tuple[float | None, ...]:
+        """Contrast over gain, levels 1..R: 1 means that all detail came over at the gain."""
+        gain = abs(self.tone.gain) if self.tone else 0.0
+        return tuple(None if value is None or not gain else value / gain for value in self.contrast)
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """What the sources say about one window of the mosaic."""
+
+    cause: Cause
+    curves: dict[str, Curve]
+    """Of the levelled composite, by band."""
+    ratios: dict[str, Ratios]
+    """The mosaic against the levelled composite, by band."""
+    similarity: dict[str, float | None]
+    """Correlation of the coarse components with the composite's, by band."""
+    changes: tuple[dict[str, Change], ...]
+    """By band: against each source in turn, then against the composite."""
+    expected: tuple[float | None, ...]
+    """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs of sources."""
+    unclear_share: float
+    """Share of pixels for which no source wins clearly."""
+    mixed_share: float
+    """Share of pixels in which two sources are mixed."""
+    apart: float | None
+    """How far the two sources that the mosaic follows most lie from each other, px; None where there are none."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Image:
+    """A clip reduced to the bands that all have, with what is looked at more than once."""
+
+    bands: np.ndarray
+    names: tuple[str, ...]
+    coarse: dict[str, np.ndarray]
+
+    @property
+    def band_names(self) -> tuple[str, ...]:
+        """Luminance first where there is one."""
+        return tuple(self.coarse)
+
+    @cached_property
+    def plane(self) -> np.ndarray:
+        """What the verdict looks at, (rows, columns) float32."""
+        return judged_plane(self.bands, self.names)
+
+    def band(self, name: str) -> np.ndarray:
+        """One band as it is."""
+        band: np.ndarray = self.bands[self.names.index(name)]
+        return band
+
+
+def explain(
+    mosaic: Clip,
+    curves: Mapping[str, Curve],
+    coarse: Mapping[str, np.ndarray],
+    sources: Sequence[tuple[Clip, Mapping[str, Curve]]],
+    wavelet: str,
+    levels: int,
+    labels: np.ndarray | None = None,
+) -> Explanation:
+    """Explain one window from its clips and their curves, at least one source; ``coarse`` are the mosaic's coarse
+    components by band.
+
+    ``labels``, (rows, columns) uint8, says which source each pixel was taken from where that is known, else
+    ``cells.UNKNOWN``.
+    """
+    clips = [mosaic, *(clip for clip, _ in sources)]
+    names = tuple(name for name in mosaic.raster.band_names if all(name in c.raster.band_names for c in clips))
+    image, *images = (_image(clip, names, levels) for clip in clips)
+    shape = image.bands.shape[1:]
+    following = _follow(image, images)
+    if labels is not None:
+        labels = np.where(labels == UNKNOWN, following.labels, labels)
+        shares = np.bincount(labels.ravel(), minlength=len(images)) / labels.size
+        following = replace(following, labels=labels, shares=tuple(shares.tolist()))
+    whole = np.ones((shape[0] >> levels, shape[1] >> levels), bool)
+    followed = [follows_at(following, i, levels) if i in following.followed else whole for i in range(len(images))]
+    tones = [_tones(image, other, where) for other, where in zip(images, followed)]
+    if labels is None:
+        following = refined(following, image.plane, _levelled_planes(images, tones, following))
+    composite = make_composite([other.bands for other in images], names, following, tones)
+    reference = _image_of(composite, levels)
+    levelled_curves, levelled_coarse = measure_bands(composite.levelled, names, wavelet, levels)
+    plain_curves, _ = measure_bands(composite.bands, names, wavelet, levels)
+    shifts = [_shift(image, other, clip, following, i) for i, (other, (clip, _)) in enumerate(zip(images, sources))]
+    reference_tones = _tones(image, reference, whole)
+    reference_shift = find_shift(image.plane, reference.plane)
+    changes = [
+        _changes(image, other, curves, of_source, tone, shift)
+        for other, (_, of_source), tone, shift in zip(images, sources, tones, shifts)
+    ]
+    changes.append(_changes(image, reference, curves, plain_curves, reference_tones, reference_shift))
+    planes = [other.plane for other in images]
+    return Explanation(
+        find_cause(_evidence(changes[-1], shifts, following)),
+        levelled_curves,
+        {name: curve_ratios(curves[name], curve) for name, curve in levelled_curves.items()},
+        {name: correlation(coarse[name], own) for name, own in levelled_coarse.items()},
+        tuple(changes),
+        expected_ratios(feathers(planes, wavelet, levels), levels),
+        following.unclear_share,
+        following.mixed_share,
+        _apart(planes, following),
+    )
+
+
+def _image(clip: Clip, names: tuple[str, ...], levels: int) -> _Image:
+    order = [clip.raster.band_names.index(name) for name in names]
+    bands = clip.bands if order == list(range(len(clip.bands))) else clip.bands[order]
+    return _with_coarse(bands, names, levels)
+
+
+def _image_of(composite: Composite, levels: int) -> _Image:
+    return _with_coarse(composite.bands, composite.names, levels)
+
+
+def _with_coarse(bands: np.ndarray, names: tuple[str, ...], levels: int) -> _Image:
+    coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
+    if names[:3] == _COLOURS:
+        weighted = sum(weight * coarse[name] for weight, name in zip(thresholds.LUMINANCE_WEIGHTS, names))
+        coarse = {LUMINANCE: np.asarray(weighted), **coarse}
+    return _Image(bands, names, coarse)
+
+
+def _follow(image: _Image, images: Sequence[_Image]) -> Following:
+    """What the mosaic follows; where that explains it badly, once more with the sources moved to where it lies."""
+    shape = (image.bands.shape[1], image.bands.shape[2])
+
+    def planes(start: int, stop: int) -> list[np.ndarray]:
+        return [image.plane[start:stop], *(other.plane[start:stop] for other in images)]
+
+    plain = follow(planes, shape, len(images))
+    if plain.fit >= thresholds.MIN_SOURCE_FIT:
+        return plain
+    target = image.plane
+    shifts = [find_shift(target, other.plane) for other in images]
+    if all(shift is None or shift.length < thresholds.MIN_MISREGISTRATION_PX for shift in shifts):
+        return plain
+    moved = follow(_moved(planes, shifts), shape, len(images))
+    return moved if moved.fit >= plain.fit + thresholds.MIN_FIT_GAIN else plain
+
+
+def _moved(planes: Planes, shifts: Sequence[Shift | None]) -> Planes:
+    def moved(start: int, stop: int) -> list[np.ndarray]:
+        mosaic, *others = planes(start, stop)
+        return [
+            mosaic,
+            *(
+                other if shift is None else ndimage.shift(other, (shift.y, shift.x), order=3, mode="nearest")
+                for other, shift in zip(others, shifts)
+            ),
+        ]
+
+    return moved
+
+
+def _tones(image: _Image, other: _Image, where: np.ndarray) -> dict[str, Tone | None]:
+    pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,)) for band in other.bands]
+    if LUMINANCE in other.coarse:
+        pixels.insert(0, (other.bands[:3], thresholds.LUMINANCE_WEIGHTS))
+    mosaic, source = (np.stack(list(one.coarse.values())) for one in (image, other))
+    return dict(zip(image.band_names, fit_tones(mosaic, source, where, pixels)))
+
+
+def _levelled_planes(
+    images: Sequence[_Image], tones: Sequence[Mapping[str, Tone | None]], following: Following
+) -> dict[int, np.ndarray]:
+    """Planes of the followed sources in the mosaic's grey values."""
+    planes = {}
+    for i in following.followed if len(following.followed) > 1 else ():
+        tone = tones[i][images[i].band_names[0]] or Tone(1.0, 0.0)
+        planes[i] = images[i].plane * np.float32(tone.gain) + np.float32(tone.bias)
+    return planes
+
+
+def _shift(image: _Image, other: _Image, clip: Clip, following: Following, source: int) -> Shift | None:
+    """On the ground: where the source's pixel grid lies beside the mosaic's, that is taken into account."""
+    where = following.labels == source if source in following.followed else None
+    shift = find_shift(image.plane, other.plane, where)
+    if shift is None:
+        return None
+    return replace(shift, x=shift.x + clip.offset_x, y=shift.y + clip.offset_y)
+
+
+def _changes(
+    image: _Image,
+    other: _Image,
+    curves: Mapping[str, Curve],
+    others: Mapping[str, Curve],
+    tones: Mapping[str, Tone | None],
+    shift: Shift | None,
+) -> dict[str, Change]:
+    clipped = {name: clipped_share(image.band(name), other.band(name)) for name in image.names}
+    gains = [tone.gain for tone in (tones.get(name) for name in _COLOURS) if tone is not None]
+    colours = colour_shift(gains) if len(gains) == len(_COLOURS) else None
+    clipped[LUMINANCE] = max(clipped.values())
+    return {
+        name: Change(tones[name], _contrast(curves[name], others[name]), clipped[name], colours, shift)
+        for name in image.band_names
+    }
+
+
+def _contrast(mosaic: Curve, source: Curve) -> tuple[float | None, ...]:
+    return tuple(
+        float(np.sqrt(m * mosaic.variance / (s * source.variance))) if s > thresholds.MIN_SHARE else None
+        for m, s in zip(mosaic.detail, source.detail)
+    )
+
+
+def _evidence(changes: Mapping[str, Change], shifts: Sequence[Shift | None], following: Following) -> Evidence:
+    """Of the judged band, the first."""
+    change = next(iter(changes.values()))
+    gain = change.tone.gain if change.tone else None
+    lengths = [shift.length for i, shift in enumerate(shifts) if shift is not None and i in following.followed]
+    return Evidence(
+        gain,
+        change.tone.gamma if change.tone else 1.0,
+        change.clipped,
+        change.colour_shift,
+        max(lengths, default=0.0),
+        following.mixed_share,
+        following.kept / abs(gain) if following.kept is not None and gain else None,
+        following.fit,
+    )
+
+
+def _apart(planes: Sequence[np.ndarray], following: Following) -> float | None:
+    if len(following.followed) < 2:
+        return None
+    shift = find_shift(*(planes[i] for i in following.followed[:2]))
+    return None if shift is None else shift.length

@@ -1,0 +1,227 @@
+"""Which source a mosaic follows, pixel by pixel, and where it mixes two of them.
+
+The fingerprint is the fine detail: a mosaic carries the very noise of the source that its pixels were taken from, so
+the local correlation of the high-passed mosaic with that source's is near 1, whatever gain, bias or gamma was
+applied. Where images were feathered no single source explains the mosaic, and a mixture of two does.
+
+Sums of products are taken over cells of 4 x 4 px, and everything else is computed on those.
+"""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Callable
+
+import numpy as np
+from scipy.ndimage import uniform_filter
+
+from . import thresholds
+
+Planes = Callable[[int, int], Sequence[np.ndarray]]
+
+CELL_PX = 4
+_NEAR, _WIDE = 3, 9  # cells a side that are correlated: 12 px, and 36 px where those do not decide
+_MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
+_STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
+_EQUAL_SHARE = 0.02  # of the standard deviation: rounding to whole values stays below it
+_LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
+
+
+@dataclass(frozen=True, eq=False)
+class Following:
+    """What the mosaic was made from in one window."""
+
+    labels: np.ndarray
+    """(rows, columns) uint8: index of the source that the mosaic follows, everywhere."""
+    clear: np.ndarray
+    """(rows, columns) bool: where one source wins clearly."""
+    mixed_share: float
+    """Share of the pixels where the mosaic is a mixture of two sources."""
+    shares: tuple[float, ...]
+    """Share of the pixels that follow each source."""
+    fit: float
+    """Share of the mosaic's fine detail that its sources explain, 0 to 1, the mean over the window."""
+    kept: float | None
+    """Fine contrast of the mosaic as a multiple of its sources', outside the mixtures; None where there is none."""
+
+    @property
+    def unclear_share(self) -> float:
+        """Share of the pixels where no source wins clearly."""
+        return 1 - float(self.clear.mean())
+
+    @property
+    def followed(self) -> tuple[int, ...]:
+        """Indices of the sources that the mosaic was made from, those with most pixels first."""
+        order = np.argsort(self.shares)[::-1]
+        return tuple(int(i) for i in order if self.shares[i] >= thresholds.MIN_FOLLOWED_SHARE)
+
+
+def high_pass(band: np.ndarray) -> np.ndarray:
+    """A band (rows, columns) less its smoothed self, in float32: what is finer than a Gaussian of about 2 px."""
+    smooth = band = band.astype(np.float32, copy=False)
+    for spacing in (1, 2):  # binomials with holes: variance 1/2 and 2 px squared along each axis
+        for axis in (0, 1):
+            smooth = _binomial(smooth, spacing, axis)
+    return band - smooth
+
+
+def follow(planes: Planes, shape: tuple[int, int], count: int) -> Following:
+    """Which of ``count`` sources the mosaic follows in a window of ``shape`` (rows, columns).
+
+    ``planes`` gives some rows, from start to stop, of the mosaic and of every source, each (stop - start, columns), on
+    one grid: the window is worked on in strips, so that memory does not grow with it.
+    """
+    rows, columns = shape
+    strips = []
+    for start in range(0, rows, _STRIP):
+        stop = min(start + _STRIP, rows)
+        first, last = max(start - _MARGIN, 0), min(stop + _MARGIN, rows)
+        mosaic, *sources = (high_pass(plane) for plane in planes(first, last))
+        cells = _follow_cells(mosaic, sources)
+        inner = slice((start - first) // CELL_PX, (start - first) // CELL_PX + -(-(stop - start) // CELL_PX))
+        strips.append([part[inner] for part in cells])
+    winner, clear, mixed, fit, own, of_winner = (np.concatenate(parts) for parts in zip(*strips))
+    textured = own > _LEAST_ENERGY * CELL_PX**2
+    outside = ~mixed & textured
+    total = of_winner[outside].sum()
+    return Following(
+        _to_pixels(winner, rows, columns),
+        _to_pixels(clear, rows, columns),
+        float(mixed.mean()),
+        tuple((np.bincount(winner.ravel(), minlength=count) / winner.size).tolist()),
+        float(fit[textured].mean()) if textured.any() else 0.0,
+        float(np.sqrt(own[outside].sum() / total)) if total > 0 else None,
+    )
+
+
+def refined(following: Following, mosaic: np.ndarray, levelled: Mapping[int, np.ndarray]) -> Following:
+    """The same, with the pixels of cells that a cut runs through given to the source that they equal.
+
+    ``levelled``: planes (rows, columns) of the followed sources, brought to the mosaic's grey values. A pixel changes
+    only where another source equals the mosaic around it and its own does not, so feathers and blur stay as they are.
+    """
+    limit = _EQUAL_SHARE * float(mosaic.std())
+    labels = following.labels.copy()
+    far = {i: _binomial(_binomial(np.abs(mosaic - plane), 1, 0), 1, 1) for i, plane in levelled.items()}
+    own = np.full(labels.shape, np.inf, np.float32)
+    for i, distance in far.items():
+        np.copyto(own, distance, where=following.labels == i)
+    for i, distance in far.items():
+        better = (distance < limit) & (own > 2 * limit) & (distance < own)
+        labels[better] = i
+        own[better] = distance[better]
+    return replace(following, labels=labels)
+
+
+def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
+    """By cells: winner, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
+    own = _products(mosaic, mosaic)
+    energies = [_products(source, source) for source in sources]
+    shared = [_products(mosaic, source) for source in sources]
+    near = _correlations(own, energies, shared, _NEAR)
+    winner, lead = _winner(near)
+    if len(sources) > 1:
+        wide = _correlations(own, energies, shared, _WIDE)
+        winner = np.where(lead < thresholds.MIN_WINNER_LEAD, wide.argmax(axis=0), winner)
+        winner = _without_specks(winner, len(sources))
+    mixed, explained = _mixtures(sources, own, energies, shared, winner)
+    best = np.take_along_axis(near, winner[np.newaxis], axis=0)[0]
+    textured = own > _LEAST_ENERGY * CELL_PX**2
+    clear = ~mixed & ((lead >= thresholds.MIN_WINNER_LEAD) | ~textured)
+    fit = np.maximum(explained, np.maximum(best, 0) ** 2)
+    of_winner = np.take_along_axis(np.stack(energies), winner[np.newaxis], axis=0)[0]
+    return winner.astype(np.uint8), clear, mixed, fit, own, of_winner
+
+
+def _binomial(band: np.ndarray, spacing: int, axis: int) -> np.ndarray:
+    """A quarter, half, quarter of the samples ``spacing`` apart; the edge continues as it is."""
+    margins = [(spacing, spacing) if i == axis else (0, 0) for i in (0, 1)]
+    padded = np.pad(band, margins, mode="edge")
+    length = band.shape[axis]
+    first, middle, last = (
+        padded[:, start : start + length] if axis else padded[start : start + length]
+        for start in (0, spacing, 2 * spacing)
+    )
+    smooth = first + last
+    smooth *= 0.25
+    smooth += 0.5 * middle
+    return smooth
+
+
+def _products(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Sums of a x b over cells, (rows / 4, columns / 4), without what sticks out of whole cells."""
+    rows, columns = (length // CELL_PX for length in a.shape)
+    whole = np.s_[: rows * CELL_PX, : columns * CELL_PX]
+    split = (rows, CELL_PX, columns, CELL_PX)
+    return np.einsum("aibj,aibj->ab", a[whole].reshape(split), b[whole].reshape(split))
+
+
+def _correlations(
+    own: np.ndarray, energies: Sequence[np.ndarray], shared: Sequence[np.ndarray], cells: int
+) -> np.ndarray:
+    """Local correlation of the mosaic with each source, (sources, cell rows, cell columns)."""
+    least = _LEAST_ENERGY * CELL_PX**2
+    mosaic = uniform_filter(own, cells) + least
+    return np.stack(
+        [
+            uniform_filter(product, cells) / np.sqrt(mosaic * (uniform_filter(energy, cells) + least))
+            for product, energy in zip(shared, energies)
+        ]
+    )
+
+
+def _winner(correlations: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Index of the highest correlation, and its lead over the next."""
+    winner = correlations.argmax(axis=0)
+    if len(correlations) == 1:
+        return winner, correlations[0]
+    ordered = np.partition(correlations, -2, axis=0)
+    return winner, ordered[-1] - ordered[-2]
+
+
+def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:
+    """Each cell follows the majority of its 3 x 3 neighbours."""
+    votes = np.stack([uniform_filter((winner == i).astype(np.float32), 3) for i in range(count)])
+    return votes.argmax(axis=0)
+
+
+def _mixtures(
+    sources: Sequence[np.ndarray],
+    own: np.ndarray,
+    energies: Sequence[np.ndarray],
+    shared: Sequence[np.ndarray],
+    winner: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Cells in which two sources together explain the mosaic and neither does alone, and how much they explain.
+
+    Least squares for the weights a and b of two sources, cell by cell; only sources that win somewhere are mixed.
+    """
+    mosaic = _together(own) + _LEAST_ENERGY
+    wins = np.bincount(winner.ravel(), minlength=len(sources))
+    followed = [i for i, count in enumerate(wins) if count >= thresholds.MIN_FOLLOWED_SHARE * winner.size]
+    sums = {i: (_together(energies[i]) + _LEAST_ENERGY, _together(shared[i])) for i in followed}
+    alone = np.zeros_like(mosaic)
+    for energy, product in sums.values():
+        np.maximum(alone, np.maximum(product, 0) ** 2 / (mosaic * energy), out=alone)
+    explained = np.zeros_like(mosaic)
+    for i, j in combinations(followed, 2):
+        (energy_i, product_i), (energy_j, product_j) = sums[i], sums[j]
+        common = _together(_products(sources[i], sources[j]))
+        determinant = 1.001 * energy_i * energy_j - common**2
+        a = (product_i * energy_j - product_j * common) / determinant
+        b = (product_j * energy_i - product_i * common) / determinant
+        both = np.minimum(a, b) > thresholds.MIN_MIXTURE_WEIGHT * (a + b)
+        both &= a + b > 0
+        np.maximum(explained, np.where(both, (a * product_i + b * product_j) / mosaic, 0), out=explained)
+    mixed = (explained > thresholds.MIN_MIXTURE_FIT) & (explained > alone + thresholds.MIN_MIXTURE_GAIN)
+    return mixed, explained
+
+
+def _together(products: np.ndarray) -> np.ndarray:
+    return uniform_filter(products, _MIXED) * CELL_PX**-2
+
+
+def _to_pixels(cells: np.ndarray, rows: int, columns: int) -> np.ndarray:
+    pixels = cells.repeat(CELL_PX, axis=0).repeat(CELL_PX, axis=1)
+    return np.pad(pixels, ((0, rows - pixels.shape[0]), (0, columns - pixels.shape[1])), mode="edge")

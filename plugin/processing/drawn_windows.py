@@ -1,0 +1,96 @@
+"""The features of a window layer, read one by one, each with a number of its own."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+)
+
+from ..core.errors import WindowError
+from ..core.messages import Message
+from ..core.windows import Extent
+
+_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+
+
+@dataclass(frozen=True)
+class DrawnWindow:
+    """One feature."""
+
+    window_id: int
+    extent: Extent | None
+    """The rectangle around it, in the reference system asked for; None where it can't be measured."""
+    reason: Message | None = None
+    """Why not."""
+
+
+class DrawnWindows:
+    """All of them; what a result needs of a window is kept until it is taken."""
+
+    def __init__(
+        self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
+    ) -> None:
+        self.count = source.featureCount()
+        self.renumbered = 0
+        """How many windows had no number of their own."""
+        self._source = source
+        self._transform = QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())
+        self._names = set(source.fields().names())
+        self._waiting: dict[int, tuple[QgsGeometry | None, str | None]] = {}
+        self._numbers = self._given_numbers()
+        self._last = max(self._numbers, default=0)
+
+    def windows(self) -> Iterator[DrawnWindow]:
+        """One per feature, in the layer's order."""
+        from ..adapters import layers
+
+        for feature in layers.features(self._source):
+            number = self._number(feature)
+            geometry: QgsGeometry | None = None
+            try:
+                extent = layers.extent(layers.window_geometry(feature, self._transform))
+                geometry = layers.rectangle(extent)
+                window = DrawnWindow(number, extent)
+            except WindowError as error:
+                window = DrawnWindow(number, None, error.message)
+            observer = (feature["observer"] or None) if "observer" in self._names else None
+            self._waiting[number] = geometry, observer
+            yield window
+
+    def taken(self, window_id: int) -> tuple[QgsGeometry | None, str | None]:
+        """The rectangle as drawn and the observer's word of a window whose result has come."""
+        return self._waiting.pop(window_id)
+
+    def _given_numbers(self) -> set[int]:
+        from ..adapters import layers
+
+        if "window_id" not in self._names:
+            return set()
+        numbers = (_whole(feature["window_id"]) for feature in layers.features(self._source))
+        return {number for number in numbers if number is not None}
+
+    def _number(self, feature: QgsFeature) -> int:
+        """The feature's own number when it is the first to have it, else the next free one."""
+        own = _whole(feature["window_id"]) if "window_id" in self._names else None
+        if own is not None and own in self._numbers:
+            self._numbers.remove(own)
+            return own
+        self.renumbered += "window_id" in self._names
+        self._last += 1
+        return self._last
+
+
+def _whole(value: object) -> int | None:
+    """A window's number from a field of any type."""
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None
