@@ -1,10 +1,7 @@
 """The hands and eyes of a scenario that is played in the real QGIS desktop. See demo/desktop.py."""
 from __future__ import annotations
 
-import sys
-import threading
 import time
-import traceback
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -139,6 +136,7 @@ class Desk:
                 spacing_m=spacing_m,
             )
         )
+        self.wait(lambda: self.session.mosaic_grid() is not None, 20, "mosaic open")
         self.show_all(top.extent())
 
     def show_all(self, extent: QgsRectangle) -> None:
@@ -217,11 +215,32 @@ class Desk:
         """Whether the chart shows a window's curves, drawn."""
         result, panel = self.session.result(fid), self.dock.curves
         chart = panel._chart
-        if result is None or chart is None or chart.chart is None or chart._picture is None:
+        if result is None or chart is None or not chart.is_drawn:
             return False
         return bool(panel._export._results == [result])
 
     # Leaving
+
+    def save_and_reopen(self) -> None:
+        """Edits and project are saved; the project opened again has inputs, windows and judgements."""
+        before, inputs = self._windows(), self.session.inputs
+        assert iface.vectorLayerTools().saveEdits(self.session.window_layer())
+        path = str(self.folder / "project.qgz")
+        assert self.project.write(path)
+        self.new_project()
+        assert self.session.windows() == []
+        assert not self.session.inputs.mosaic
+        assert self.project.read(path)
+        self.wait(lambda: len(self.session.windows()) == len(before), 20, "windows back")
+        self.wait(lambda: self.session.mosaic_grid() is not None, 20, "mosaic open again")
+        assert self._windows() == before
+        assert self.session.inputs == inputs
+
+    def _windows(self) -> list[tuple[Any, ...]]:
+        """What the project keeps of the windows; feature ids change when they are saved."""
+        return [
+            (row.window_id, row.verdict, row.ratios, row.observer, row.stale) for row in self.session.windows()
+        ]
 
     def new_project(self) -> None:
         """An empty project, as by QGIS's own button."""
@@ -235,50 +254,3 @@ class Desk:
             if isinstance(layer, QgsVectorLayer) and layer.isEditable():
                 layer.rollBack()
         self.project.setDirty(False)
-
-
-class Gaps:
-    """The event loop's longest gap, and where Python was meanwhile: ``with Gaps() as gaps: ...``."""
-
-    PERIOD_MS = 5
-    LONG_S = 0.06
-
-    def __init__(self) -> None:
-        self.longest = 0.0
-        self.long_ones: list[tuple[float, str]] = []
-        self._timer = QTimer()
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.timeout.connect(self._tick)
-        self._last = 0.0
-        self._seen = ""
-        self._on = False
-        self._thread = threading.get_ident()
-        self._watch = threading.Thread(target=self._watch_stack, daemon=True)
-
-    def __enter__(self) -> Gaps:
-        self._last, self._on = time.perf_counter(), True
-        self._timer.start(self.PERIOD_MS)
-        self._watch.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._timer.stop()
-        self._tick()
-        self._on = False
-        self._watch.join()
-
-    def _tick(self) -> None:
-        now = time.perf_counter()
-        gap, self._last = now - self._last, now
-        self.longest = max(self.longest, gap)
-        if gap > self.LONG_S:
-            self.long_ones.append((gap, self._seen))
-        self._seen = ""
-
-    def _watch_stack(self) -> None:
-        while self._on:
-            time.sleep(0.02)
-            if time.perf_counter() - self._last > self.LONG_S * 0.7 and not self._seen:
-                stack = traceback.extract_stack(sys._current_frames()[self._thread])
-                ours = [f"{Path(frame.filename).name}:{frame.lineno} {frame.name}" for frame in stack[-6:]]
-                self._seen = " > ".join(ours)

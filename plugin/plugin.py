@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
 
-from .adapters.packages import missing_packages_sentence
+from .adapters.packages import broken_package_sentence, missing_packages_sentence
 from .adapters.resources import icon_path
 from .adapters.text import Translation, tr
 from .processing.provider import SeamInspectorProvider
@@ -67,20 +67,31 @@ class SeamInspectorPlugin:
         """The dock, made on first use so that QGIS starts without loading what it needs."""
         assert self._iface is not None
         assert self._action is not None
-        missing = missing_packages_sentence(desk=True)
-        if missing:
-            self._action.setChecked(False)
-            self._iface.messageBar().pushMessage(tr("Seam Inspector"), missing, Qgis.MessageLevel.Warning, 0)
-            return
         if self._dock is None:
-            from .gui.dock import InspectionDock
-
+            why_not = missing_packages_sentence(desk=True)
+            if not why_not:
+                try:
+                    from .gui.dock import InspectionDock
+                except ImportError as error:
+                    why_not = broken_package_sentence(error)
+                    if not why_not:
+                        raise
+            if why_not:
+                self._explain(why_not)
+                return
             self._dock = InspectionDock(self._iface)
             self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
             width = self._dock.standard_width
             self._iface.mainWindow().resizeDocks([self._dock], [width], Qt.Orientation.Horizontal)
             self._dock.visibilityChanged.connect(self._dock_shown)
         self._dock.setUserVisible(shown)
+
+    def _explain(self, why_not: str) -> None:
+        """Why there is no dock; the message stays until it is read."""
+        assert self._iface is not None
+        assert self._action is not None
+        self._action.setChecked(False)
+        self._iface.messageBar().pushMessage(tr("Seam Inspector"), why_not, Qgis.MessageLevel.Warning, 0)
 
     def _dock_shown(self, visible: bool) -> None:
         if self._action is not None and self._dock is not None:

@@ -41,6 +41,7 @@ UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
 _LAYER_NAME = "windows"
 _RATIO = re.compile(r"ratio_[1-9][0-9]*")
+_ANY_RATIO = re.compile(r"((composite|expected)_)?ratio_[1-9][0-9]*")
 _SHAPEFILE = "ESRI Shapefile"
 _SHAPEFILE_NAME = 10  # letters at most, so it goes without background_ratio
 
@@ -169,11 +170,15 @@ def write_numbers(layer: QgsVectorLayer, numbers: Mapping[int, int]) -> None:
 
 
 def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) -> None:
-    """Write results, by feature id, as one step of undo. The observer's word stays."""
+    """Write results, by feature id, as one step of undo. The observer's word stays.
+
+    Ratios of more levels, left by another inspection, go.
+    """
+    ratios = dict.fromkeys(name for name in layer.fields().names() if _ANY_RATIO.fullmatch(name))
     with edit_step(layer, tr("Inspect windows")):
         for fid, result in results.items():
             row = window_feature(result, rectangle((0, 0, 0, 0)), None)
-            values = dict(zip(row.fields().names(), row.attributes()))
+            values = {**ratios, **dict(zip(row.fields().names(), row.attributes()))}
             for name in ("window_id", "observer"):
                 del values[name]
             _change(layer, fid, values)

@@ -1,8 +1,8 @@
-"""The block under inspection, made from the project's layers when it is needed, and windows on its pixels."""
+"""The block under inspection, made from the project's layers, and windows on its pixels."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from functools import partial
 
 from qgis.core import (
     QgsCoordinateTransform,
@@ -14,30 +14,69 @@ from qgis.core import (
     QgsVectorLayer,
     QgsVectorLayerFeatureSource,
 )
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ..adapters import layers, window_layer
-from ..adapters.blocks import layer_block
+from ..adapters.blocks import BlockFiles, OpenedFiles, block_files, layer_sources, opening_job
 from ..adapters.inputs import Inputs
+from ..adapters.tasks import Outcome
+from ..adapters.text import tr
 from ..adapters.window_layer import WindowRow
 from ..core import messages
-from ..core.errors import SeamInspectorError, WindowError
-from ..core.inspection import Block, Settings, WindowRequest, window_request
+from ..core.errors import SeamInspectorError, SettingsError, WindowError
+from ..core.inspection import Block, Settings, Source, WindowRequest, make_block, window_request
+from ..core.messages import Message
 from ..core.windows import PixelWindow
+from .background import Background
 
 
-class BlockCache:
-    """Knows the inputs; opens the mosaic's header once, not at every move of the mouse."""
+class BlockCache(QObject):
+    """Knows the inputs. The mosaic's header and the source index are opened in the background, each once."""
 
-    def __init__(self, project: QgsProject) -> None:
+    opened = pyqtSignal()
+    """The mosaic was opened, or could not be."""
+
+    def __init__(self, project: QgsProject, background: Background, parent: QObject | None = None) -> None:
+        super().__init__(parent)
         self._project = project
+        self._background = background
+        self._background.ended.connect(self._ended)
         self.inputs = Inputs()
-        self._block: Block | None = None
-        self._has_failed = False
+        self._turn = 0  # counts what was opened, so that only the last one is taken
+        self._seen: dict[str, tuple[str, str]] = {}
+        self._indexed: dict[str, tuple[Source, ...]] = {}  # of source indexes, which may vanish
+        self._states: dict[object, int] = {}
+        self.forget()
 
     def forget(self) -> None:
-        """The inputs or the project's layers have changed."""
-        self._block = None
-        self._has_failed = False
+        """Another project."""
+        self._files: BlockFiles | None = None
+        self._opened: OpenedFiles | None = None
+        self._unopened: Message = messages.NO_MOSAIC()  # why nothing is opened
+        self._block: Block | None = None
+        self._failure: Message | None = None  # why what is opened makes no block
+
+    def refresh(self, anew: bool = False) -> None:
+        """The inputs or the project's layers have changed; ``anew``: there may be something else in the files."""
+        self._block = self._failure = None
+        try:
+            files = block_files(self._project, self.inputs)
+        except SeamInspectorError as error:
+            self.forget()
+            self._unopened = error.message
+            self._background.cancel_others(set())
+            return
+        if files == self._files and not anew:
+            return
+        if files != self._files:
+            self._opened = None
+        self._files = files
+        self._unopened = messages.MOSAIC_OPENING()
+        self._turn += 1
+        self._background.cancel_others({self._turn})
+        job = opening_job(self._project, self.inputs, files)
+        take = partial(self._take, self._turn, self.inputs.source_index if files.index else "")
+        self._background.start(tr("Open the mosaic"), job, take, self._turn)
 
     def mosaic_layer(self) -> QgsRasterLayer | None:
         """The mosaic, while it is there."""
@@ -48,20 +87,72 @@ class BlockCache:
         """How windows are measured."""
         return Settings(self.inputs.wavelet, self.inputs.levels, self.inputs.max_ratio)
 
+    def problem(self) -> Message | None:
+        """Why there is no block; None when there is one."""
+        if self._opened is None:
+            return self._unopened
+        if self._block is None and self._failure is None:
+            mosaic = self._opened.mosaic
+            try:
+                sources = layer_sources(self._project, self.inputs, mosaic)
+                self._block = make_block(mosaic, [], [*sources, *self._opened.indexed])[0]
+            except SeamInspectorError as error:
+                self._failure = error.message
+        return self._failure
+
     def required(self) -> Block:
-        """The block. Raises SeamInspectorError when the inputs make none."""
-        if self._block is None:
-            self._has_failed = True
-            self._block = layer_block(self._project, self.inputs)
-            self._has_failed = False
+        """The block. Raises SettingsError when there is none, or not yet."""
+        problem = self.problem()
+        if problem is not None:
+            raise SettingsError(problem)
+        assert self._block is not None
         return self._block
 
     def silent(self) -> Block | None:
-        """The block; None when the inputs make none."""
-        if self._block is None and not self._has_failed:
-            with suppress(SeamInspectorError):
-                return self.required()
-        return self._block
+        """The block; None when there is none, or not yet."""
+        return self._block if self.problem() is None else None
+
+    def state(self) -> int | None:
+        """The number of the present state of all that a result depends on; None while that is not known.
+
+        Equal states have equal numbers, so results are up to date again when a change is taken back. A layer that
+        vanished counts as it was.
+        """
+        inputs = self.inputs
+        indexed = self._indexed.get(inputs.source_index)
+        if indexed is None and self._project.mapLayer(inputs.source_index) is None:
+            indexed = ()
+        if not inputs.mosaic or indexed is None:
+            return None
+        sources = tuple(map(self.seen, inputs.sources))
+        _, windows_crs = self.seen(inputs.windows)
+        state = self.seen(inputs.mosaic), sources, indexed, self.settings(), windows_crs
+        return self._states.setdefault(state, len(self._states))
+
+    def seen(self, layer_id: str) -> tuple[str, str]:
+        """Data source and reference system of a layer, as they were last seen; its id when it never was."""
+        layer = self._project.mapLayer(layer_id)
+        if layer is not None:
+            crs = layer.crs()
+            self._seen[layer_id] = layer.source(), crs.authid() or layers.system_wkt(crs)
+        return self._seen.get(layer_id, (layer_id, ""))
+
+    def _take(self, turn: int, index: str, found: object) -> None:
+        if turn != self._turn:
+            return
+        if isinstance(found, OpenedFiles):
+            self._opened = found
+            self._indexed[index] = found.indexed
+        else:
+            self._opened = None
+            self._unopened = found if isinstance(found, Message) else messages.MOSAIC_NOT_OPENED()
+        self._block = self._failure = None
+        self.opened.emit()
+
+    def _ended(self, key: object, outcome: Outcome) -> None:
+        """A task that was cancelled in QGIS, or failed, must not leave us waiting."""
+        if key == self._turn and self._unopened == messages.MOSAIC_OPENING() and self._opened is None:
+            self._take(self._turn, "", outcome.message)
 
     def seamlines(self, block: Block) -> Iterator[bytes | None] | None:
         """The seamlines' geometries in the mosaic's reference system, to be read in any thread."""
@@ -92,11 +183,6 @@ class BlockCache:
         if layer.crs() != crs:  # the box of a polygon that is not upright there is too large
             shapes = window_layer.read_shapes(layer, [row.fid for row in rows])
         return _requests(block, list(rows), shapes, transform, self.settings())
-
-
-def measured(inputs: Inputs) -> tuple[object, ...]:
-    """The inputs that a result depends on."""
-    return inputs.mosaic, inputs.sources, inputs.source_index, inputs.wavelet, inputs.levels, inputs.max_ratio
 
 
 def _requests(

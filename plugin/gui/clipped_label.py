@@ -5,6 +5,7 @@ from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QFontMetrics, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
+from .theme import readable_palette
 from .verdicts import rich_tip
 
 _WRAPPED = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter) | int(Qt.TextFlag.TextWordWrap)
@@ -48,7 +49,7 @@ class ClippedLabel(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setPen(self.palette().color(self.foregroundRole()))
+        painter.setPen(readable_palette(self).color(self.foregroundRole()))
         painter.drawText(self.rect(), _WRAPPED, self._fitting(self.fontMetrics()))
         painter.end()
 

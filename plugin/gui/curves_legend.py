@@ -1,15 +1,26 @@
-"""The legend beside the curves: a list whose entries show and hide their curve."""
+"""The legend beside the curves or below them: a list whose entries show and hide their curve."""
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QBrush, QColor, QIcon, QKeyEvent, QPainter, QPalette, QPen, QPixmap
-from qgis.PyQt.QtWidgets import QAbstractItemView, QFrame, QListWidget, QListWidgetItem, QMenu, QWidget
+from qgis.PyQt.QtCore import QEvent, QModelIndex, QPoint, QPointF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPainter, QPalette, QPen, QPixmap, QResizeEvent
+from qgis.PyQt.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QListView,
+    QListWidget,
+    QListWidgetItem,
+    QMenu,
+    QStyle,
+    QStyleOptionViewItem,
+    QWidget,
+)
 
 from ..adapters.charts import ChartStyle, source_look
 from ..adapters.curves import ChartCurve
 from ..adapters.text import tr
+from .theme import ReadableItems, blended
 
 _PENS = {
     "-": Qt.PenStyle.SolidLine,
@@ -18,6 +29,10 @@ _PENS = {
     "-.": Qt.PenStyle.DashDotLine,
 }
 _KEY = Qt.ItemDataRole.UserRole
+_IS_HIDDEN = _KEY + 1
+_HIDDEN_SHARE = 0.55  # of the text's colour: fainter, and still to be read
+_SHOWN_ACROSS = 20  # of a name beside others, so that two of them fit into a narrow dock
+_MOST_ACROSS = 4  # names in a row; more are hard to scan
 _SHOWN_CHARACTERS = 26  # of a name; a longer one is elided in its middle
 
 
@@ -38,6 +53,8 @@ class CurvesLegend(QListWidget):
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
+        self.setResizeMode(QListView.ResizeMode.Adjust)
+        self.setItemDelegate(_Entries(self))
         self.setToolTip(tr("Click an entry to hide its curve or to show it again; right click for more"))
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.itemClicked.connect(self._toggle)
@@ -45,17 +62,59 @@ class CurvesLegend(QListWidget):
         self.customContextMenuRequested.connect(self._open_menu)
         self._shown: object = None
 
+    @property
+    def is_across(self) -> bool:
+        """Whether the entries stand side by side."""
+        return bool(self.flow() == QListView.Flow.LeftToRight)
+
+    def set_across(self, across: bool) -> None:
+        """Entries side by side in columns, for a place below the chart, or one below the other."""
+        if across != self.is_across:
+            self.setFlow(QListView.Flow.LeftToRight if across else QListView.Flow.TopToBottom)
+            self.setWrapping(across)
+            self.scheduleDelayedItemsLayout()
+
+    def entry_size(self) -> QSize:
+        """Of each entry: a share of the width where they stand side by side."""
+        height = round(1.25 * self.fontMetrics().height())
+        room = self.maximumViewportSize().width() - self._kept_free()
+        return QSize(room // self._columns(room) if self.is_across else 0, height)
+
+    def height_within(self, width: int, most: int) -> int:
+        """Of the rows that the entries fill side by side in this width; only whole rows, and at least one."""
+        around, entry = self.height() - self.viewport().height(), self.entry_size().height()
+        rows = -(-self.count() // self._columns(width - around - self._kept_free()))
+        return max(1, min(rows, (most - around) // entry)) * entry + around + 2
+
     def sizeHint(self) -> QSize:
         """As wide as the names, within reason."""
-        metrics = self.fontMetrics()
-        names = (self.item(row).text() for row in range(self.count()))
-        widest = max((metrics.horizontalAdvance(name) for name in names), default=0)
-        text = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth())
-        return QSize(text + self.iconSize().width() + 2 * metrics.height(), 6 * metrics.height())
+        return QSize(self._entry_width() + self.fontMetrics().height(), 6 * self.fontMetrics().height())
 
     def minimumSizeHint(self) -> QSize:
         """Room for a line's piece and the start of a name."""
-        return QSize(5 * self.fontMetrics().height(), 3 * self.fontMetrics().height())
+        line = self.fontMetrics().height()
+        return QSize(5 * line, (2 if self.is_across else 3) * line)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self.is_across:
+            self.scheduleDelayedItemsLayout()
+
+    def _kept_free(self) -> int:
+        """Of the width: Qt leaves room for a scroll bar where there is none, and breaks rows that reach into it."""
+        return int(self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent, None, self)) + 4
+
+    def _columns(self, width: int) -> int:
+        return max(1, min(width // max(self._entry_width(), 1), self.count(), _MOST_ACROSS))
+
+    def _entry_width(self) -> int:
+        """Piece and longest name, within reason."""
+        metrics = self.fontMetrics()
+        names = (self.item(row).text() for row in range(self.count()))
+        widest = max((metrics.horizontalAdvance(name) for name in names), default=0)
+        most = _SHOWN_ACROSS if self.is_across else _SHOWN_CHARACTERS
+        text = min(widest, most * metrics.averageCharWidth())
+        return text + self.iconSize().width() + metrics.height()
 
     def show_curves(
         self, curves: Sequence[ChartCurve], hidden: Collection[tuple[bool, str]], style: ChartStyle, has_limit: bool
@@ -104,8 +163,6 @@ class CurvesLegend(QListWidget):
         super().leaveEvent(event)
 
     def _look(self, item: QListWidgetItem, curve: ChartCurve, row: int, is_hidden: bool, style: ChartStyle) -> None:
-        group = QPalette.ColorGroup.Disabled if is_hidden else QPalette.ColorGroup.Active
-        text = self.palette().color(group, QPalette.ColorRole.Text)
         if curve.is_mosaic:
             colour, line = style.text, "-"
         else:
@@ -113,9 +170,10 @@ class CurvesLegend(QListWidget):
         font = item.font()
         font.setBold(curve.is_mosaic)
         item.setFont(font)
-        item.setForeground(QBrush(text))
+        item.setData(_IS_HIDDEN, is_hidden)
         width, radius = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
-        item.setIcon(self._piece(text if is_hidden else QColor(colour), _PENS[line], width, radius))
+        piece = blended(QColor(style.text), QColor(style.background), 0.3) if is_hidden else QColor(colour)
+        item.setIcon(self._piece(piece, _PENS[line], width, radius))
         click = tr("Click to show this curve") if is_hidden else tr("Click to hide this curve")
         item.setToolTip(f"{curve.label}\n{click}")
 
@@ -156,3 +214,24 @@ class CurvesLegend(QListWidget):
         menu.deleteLater()
         if chosen is not None and chosen in (alone, everything):
             self.soloed.emit(item.data(_KEY) if chosen == alone else None)
+
+
+class _Entries(ReadableItems):
+    """Names of hidden curves are faint."""
+
+    def __init__(self, legend: CurvesLegend) -> None:
+        super().__init__(legend)
+        self._legend = legend
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
+        return self._legend.entry_size()
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        super().initStyleOption(option, index)
+        if index.data(_IS_HIDDEN):
+            palette = option.palette
+            back = palette.color(QPalette.ColorRole.Base)
+            palette.setColor(
+                QPalette.ColorRole.Text, blended(palette.color(QPalette.ColorRole.Text), back, _HIDDEN_SHARE)
+            )
+            option.palette = palette

@@ -1,4 +1,4 @@
-"""The tab with the curves of the selected windows. matplotlib is loaded when it is first seen with a result."""
+"""The tab with the curves of the selected windows. matplotlib is loaded in the background."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -28,6 +28,7 @@ from ..adapters.curves import (
     window_curves,
 )
 from ..adapters.text import tr
+from .chart_loader import ChartLoader
 from .curves_export import CurvesExport
 from .curves_selection import selected_results, title
 
@@ -40,7 +41,8 @@ if TYPE_CHECKING:
     Key = tuple[bool, str]
 
 _TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
-_MAX_LEGEND_SHARE = 0.36  # of the width, until the user moves the border
+_WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the chart
+_MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
 _RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
 
 
@@ -54,6 +56,8 @@ class CurvesPanel(QWidget):
         self._colours: dict[str, int] = {}
         self._band = ""  # the user's choice, kept while other windows lack it
         self._idle_text = ""
+        self._loader = ChartLoader()
+        self._loader.start()
         self._chart: CurvesChart | None = None
         self._legend: CurvesLegend | None = None
         self._legend_width = 0
@@ -94,8 +98,7 @@ class CurvesPanel(QWidget):
         self._text.setMargin(self.fontMetrics().height())
         self._text.setMinimumSize(1, 1)
         self._splitter = QSplitter(Qt.Orientation.Horizontal)
-        self._splitter.setAutoFillBackground(True)
-        self._splitter.setBackgroundRole(QPalette.ColorRole.Base)
+        self._splitter.setChildrenCollapsible(False)
         self._splitter.splitterMoved.connect(self._on_border_moved)
         self._pages = QStackedWidget()
         self._pages.addWidget(self._text)
@@ -117,7 +120,7 @@ class CurvesPanel(QWidget):
         layout.addWidget(self._status)
 
     def _build_chart(self) -> None:
-        """Load matplotlib, which takes half a second, and put the chart in its place."""
+        """Put the chart in its place."""
         from .curves_chart import CurvesChart
         from .curves_legend import CurvesLegend
 
@@ -127,7 +130,7 @@ class CurvesPanel(QWidget):
         self._splitter.addWidget(self._legend)
         self._splitter.setStretchFactor(0, 1)
         self._splitter.setStretchFactor(1, 0)
-        self._splitter.setCollapsible(0, False)
+        self.setTabOrder(self._export, self._legend)
         self._chart.pointed.connect(self._on_pointed)
         self._legend.toggled.connect(self._on_toggled)
         self._legend.soloed.connect(self._on_soloed)
@@ -176,6 +179,9 @@ class CurvesPanel(QWidget):
         if not results:
             self._show_text(missing)
             return
+        if self._chart is None and self._loader.is_alive():
+            self._refresh_soon()
+            return
         self._fill_bands(bands_of(results))
         try:
             if self._chart is None:
@@ -211,7 +217,7 @@ class CurvesPanel(QWidget):
         assert self._legend is not None
         hidden = frozenset(self._hidden & {curve.key for curve in curves})
         chart = Chart(curves, self._session.inputs.max_ratio, self._logarithmic.isChecked(), hidden)
-        style = chart_style(self)
+        style = chart_style(self._legend)  # one sheet with it
         has_limit = significance_limit(curves, chart.max_ratio) is not None
         self._legend.show_curves(curves, hidden, style, has_limit)
         self._fit_legend()
@@ -228,13 +234,27 @@ class CurvesPanel(QWidget):
         self._show_point()
 
     def _fit_legend(self) -> None:
-        """As wide as the longest name so far, so that the axes seldom move from window to window."""
-        if self._legend is None or self._border_moved:
+        """Beside the chart where there is room, else below it.
+
+        As wide as the longest name so far, so that the axes seldom move from window to window.
+        """
+        if self._legend is None:
             return
-        self._legend_width = max(self._legend_width, self._legend.sizeHint().width())
-        whole = self._pages.width()
-        width = min(self._legend_width, int(whole * _MAX_LEGEND_SHARE))
-        self._splitter.setSizes([whole - width - self._splitter.handleWidth(), width])
+        is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
+        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
+        if orientation != self._splitter.orientation():
+            self._splitter.setOrientation(orientation)
+            self._border_moved = False
+        self._legend.set_across(not is_wide)
+        if self._border_moved:
+            return
+        width, height = self._pages.width(), self._pages.height()
+        if is_wide:
+            self._legend_width = max(self._legend_width, self._legend.sizeHint().width())
+            whole, size = width, min(self._legend_width, int(width * _MAX_LEGEND_SHARE))
+        else:
+            whole, size = height, self._legend.height_within(width, int(height * _MAX_LEGEND_SHARE))
+        self._splitter.setSizes([whole - size - self._splitter.handleWidth(), size])
 
     # what the user does
 

@@ -44,7 +44,7 @@ def _why_nothing(session: Session, selected: Sequence[int], found: Sequence[Wind
     if found:
         reason = found[0].judgement.reason
         return sentence(reason) if reason else tr("This window can't be compared.")
-    if session.is_busy:
+    if any(map(session.is_pending, selected)):
         return tr("Measuring ...")
     rows = [row for row in map(session.row, selected) if row is not None]
     if len(rows) == 1 and rows[0].verdict == _NOT_COMPARABLE and rows[0].reason and not rows[0].stale:

@@ -1,15 +1,12 @@
 """The inspection desk: a dock beside or below the map that puts the panels together."""
 from __future__ import annotations
 
-import importlib
-from contextlib import suppress
-from threading import Thread
 from typing import Callable
 
 from qgis.core import Qgis, QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
 from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
-from qgis.PyQt.QtCore import QEvent, QSize, Qt
-from qgis.PyQt.QtGui import QIcon, QKeySequence, QPalette, QResizeEvent
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QIcon, QKeySequence, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
     QProgressBar,
@@ -32,7 +29,6 @@ from .windows_panel import WindowsPanel
 
 _SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
 _MESSAGE_SECONDS = 8
-_LEAST_CONTRAST = 80  # of 255, between the lightness of text and that of what it stands on
 
 
 class InspectionDock(QgsDockWidget):
@@ -43,7 +39,6 @@ class InspectionDock(QgsDockWidget):
         self.setObjectName("SeamInspectorDock")
         self._iface = iface
         self._canvas = iface.mapCanvas()
-        Thread(target=_load_chart, name="seam-inspector-chart", daemon=True).start()
         self.session = Session(self)
         self.tool = WindowTool(self._canvas, self.session)
         self._previous_tool: QgsMapTool | None = None
@@ -54,7 +49,6 @@ class InspectionDock(QgsDockWidget):
         self.images = ImagesPanel(self.session)
         self._make_actions()
         self._lay_out()
-        self._make_readable()
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
         self.session.inputsChanged.connect(self._enable_actions)
@@ -102,11 +96,6 @@ class InspectionDock(QgsDockWidget):
             return
         self._canvas.refresh()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.StyleChange:
-            self._make_readable()
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Side by side when the dock is wide, one above the other when it is narrow."""
         super().resizeEvent(event)
@@ -115,18 +104,6 @@ class InspectionDock(QgsDockWidget):
         if orientation != self._splitter.orientation():
             self._splitter.setOrientation(orientation)
             self._splitter.setSizes([2000, 3000])  # shares; Qt fits them to the room there is
-
-    def _make_readable(self) -> None:
-        """Give plain widgets the colours of a table where theirs can't be read.
-
-        Themes such as Night Mapping colour tables and labels by style sheet, and leave dark text on black in the
-        palette of what draws itself.
-        """
-        self.windows.table.ensurePolished()
-        readable = self.windows.table.palette()
-        for widget in self.findChildren(QWidget):
-            if _is_unreadable(widget.palette()) and not _is_unreadable(readable):
-                widget.setPalette(readable)
 
     def _make_actions(self) -> None:
         self.draw = self._action(
@@ -178,6 +155,8 @@ class InspectionDock(QgsDockWidget):
         toolbar.setIconSize(QSize(size, size))
         toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         toolbar.addActions([self.draw, self.place, self.inspect, self.inspect_selected, self.stop, self.undo])
+        for action in toolbar.actions():
+            toolbar.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
         for action in (self.inspect_selected, self.stop, self.undo):  # known by their icons, to save width
             toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
         self.progress = QProgressBar()
@@ -186,6 +165,8 @@ class InspectionDock(QgsDockWidget):
         tabs = QTabWidget()
         tabs.addTab(self.curves, tr("Curves"))
         tabs.addTab(self.images, tr("Images"))
+        tabs.setTabToolTip(0, tr("How the variance of the selected windows spreads over the levels of detail"))
+        tabs.setTabToolTip(1, tr("The clips of the selected window side by side, to judge the loss by eye"))
         tabs.setDocumentMode(True)
         list_side, list_layout = QWidget(), QVBoxLayout()
         list_layout.setContentsMargins(0, 0, 0, 0)
@@ -273,18 +254,3 @@ class InspectionDock(QgsDockWidget):
         self._iface.messageBar().pushMessage(
             tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS
         )
-
-
-def _is_unreadable(palette: QPalette) -> bool:
-    text, back = palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base)
-    return abs(text.lightness() - back.lightness()) < _LEAST_CONTRAST
-
-
-def _load_chart() -> None:
-    """Load matplotlib beside the interface, which would stand still for a second when the first curve appears.
-
-    None of our own modules: one that comes when the plugin is disabled already would stay.
-    """
-    with suppress(ImportError):
-        for name in ("figure", "font_manager", "backends.backend_qtagg"):
-            importlib.import_module(f"matplotlib.{name}")

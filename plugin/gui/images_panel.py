@@ -171,6 +171,7 @@ class ImagesPanel(QWidget):
         view.hovered.connect(self._hovered)
         view.focused.connect(self._focused)
         view.show()
+        self.setTabOrder(self.views[-1] if self.views else self._zoom_to_best, view)
         self.views.append(view)
 
     def _drop_view(self) -> None:

@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, 
 
 from ..adapters.layers import LOCATION_FIELD
 from ..adapters.text import sentence, tr
-from ..core import thresholds
+from ..core import messages, thresholds
 from ..core.errors import SettingsError
 from ..core.placing import window_side_px
 from .layer_box import LayerBox
@@ -134,7 +134,7 @@ class InputsPanel(QWidget):
             self.box.fold(False)
             self._may_fold = True
         self._had_mosaic = bool(inputs.mosaic)
-        is_set = self._session.mosaic_layer() is not None and bool(inputs.sources or inputs.source_index)
+        is_set = self._session.mosaic_grid() is not None and bool(inputs.sources or inputs.source_index)
         if is_set and self._may_fold and not self._holds(QApplication.focusWidget()):
             self.box.fold(True)
             self._may_fold = False
@@ -154,20 +154,26 @@ class InputsPanel(QWidget):
 
     # What is shown
 
-    def _summary(self) -> tuple[str, str]:
-        """``ortho_2024`` and `` · 8 sources · seamlines``."""
+    def _summary(self) -> tuple[str, str, str]:
+        """``ortho_2024``, `` · 8 sources · seamlines``, and why nothing can be inspected with these."""
         inputs, project = self._session.inputs, QgsProject.instance()
         if not inputs.mosaic:
-            return tr("Inputs: choose the mosaic"), ""
+            return tr("Inputs: choose the mosaic"), "", ""
         count = sum(project.mapLayer(source) is not None for source in inputs.sources)
-        parts = ["", tr("1 source") if count == 1 else tr("{count} sources").format(count=count)]
+        problem = self._session.problem() if self._session.mosaic_layer() is not None else None
+        parts = [""]
+        if problem == messages.MOSAIC_OPENING():
+            parts.append(tr("opening ..."))
+        elif problem is not None and count:  # it is not the sources that are missing
+            parts.append(tr("can't be used"))
+        parts.append(tr("1 source") if count == 1 else tr("{count} sources").format(count=count))
         if count < len(inputs.sources):
             parts.append(tr("{count} missing").format(count=len(inputs.sources) - count))
         if project.mapLayer(inputs.source_index) is not None:
             parts.append(tr("source index"))
         if project.mapLayer(inputs.seamlines) is not None:
             parts.append(tr("seamlines"))
-        return self.mosaic.currentText(), " · ".join(parts)
+        return self.mosaic.currentText(), " · ".join(parts), sentence(problem) if problem is not None else ""
 
     def _show_side(self) -> None:
         """What becomes of the side: pixels, and the metres that these span."""

@@ -33,6 +33,7 @@ class JudgeBar(QWidget):
         self._fids: list[int] = []
         self._place = -1
         self._last_place = -1
+        self._asked = 0
 
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_SENTENCE_LINES, self)
@@ -62,6 +63,7 @@ class JudgeBar(QWidget):
         self._lay_out()
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
+        session.progressChanged.connect(self._follow_progress)
         self.refresh()
 
     def actions_for_dock(self) -> list[QAction]:
@@ -121,6 +123,12 @@ class JudgeBar(QWidget):
         """To the window after this one."""
         self._step(1)
 
+    def _follow_progress(self, _done: int, asked: int) -> None:
+        """Windows are being inspected that were not before, or none any more."""
+        if asked != self._asked:
+            self._asked = asked
+            self.refresh()
+
     def _toggle_visible(self, checked: bool) -> None:
         self._judge("visible" if checked else "")
 
@@ -166,7 +174,8 @@ class JudgeBar(QWidget):
 
     def _say(self, selected: Sequence[WindowRow], any_windows: bool) -> None:
         if len(selected) == 1:
-            sentence = window_sentence(selected[0])
+            is_pending = self._session.is_pending(selected[0].fid)
+            sentence = tr("Measuring ...") if is_pending else window_sentence(selected[0])
             side = self.fontMetrics().ascent()
             self._chip.setPixmap(verdict_chip(selected[0].verdict, selected[0].stale).pixmap(side, side))
         elif selected:

@@ -5,6 +5,7 @@ from qgis.PyQt.QtCore import QRect, QRectF, Qt
 from qgis.PyQt.QtGui import QPainter, QPalette
 
 from ..adapters.text import tr
+from .theme import readable_on
 
 
 def paint_title(
@@ -14,9 +15,8 @@ def paint_title(
     metrics = painter.fontMetrics()
     text, faint = palette.color(QPalette.ColorRole.WindowText), palette.color(QPalette.ColorRole.WindowText)
     faint.setAlphaF(0.2)
-    bright, on_bright = (
-        palette.color(role) for role in (QPalette.ColorRole.Highlight, QPalette.ColorRole.HighlightedText)
-    )
+    bright = palette.color(QPalette.ColorRole.Highlight)
+    on_bright = readable_on(bright, palette.color(QPalette.ColorRole.HighlightedText))
     colours = (bright, on_bright) if is_mosaic else (faint, text)
     if is_flipped:
         painter.fillRect(strip, bright)

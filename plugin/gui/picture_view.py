@@ -20,6 +20,7 @@ from ..adapters.pictures import Picture
 from ..adapters.text import tr
 from .picture_images import PictureImages
 from .picture_title import paint_title
+from .theme import readable_palette
 from .viewport import Viewport
 
 _WHEEL_STEP = 120  # eighths of a degree: one notch
@@ -132,23 +133,24 @@ class PictureView(QWidget):
         self._measure_screen()  # the desktop's scaling may have changed
         painter = QPainter(self)
         rect = self.image_rect()
-        painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Window))
-        painter.fillRect(rect, self.palette().color(QPalette.ColorRole.Dark))
+        palette = readable_palette(self)
+        painter.fillRect(self.rect(), palette.color(QPalette.ColorRole.Window))
+        painter.fillRect(rect, palette.color(QPalette.ColorRole.Dark))
         images = self._shown()
         if images is None:
             return
         if self._is_reading:
             painter.setOpacity(_READING_OPACITY)
         strip = QRect(0, 0, self.width(), self._title_height())
-        paint_title(painter, strip, self.palette(), images.picture.is_mosaic, self._title(), self._is_flipped_now())
+        paint_title(painter, strip, palette, images.picture.is_mosaic, self._title(), self._is_flipped_now())
         painter.setClipRect(rect)
         self._paint_picture(painter, images)
         if not self._is_reading:
             self._paint_marker(painter)
         if self._is_flipped_now():
-            self._frame(painter, rect, self.palette().color(QPalette.ColorRole.Highlight))
+            self._frame(painter, rect, palette.color(QPalette.ColorRole.Highlight))
         elif self.hasFocus():
-            self._frame(painter, rect, self.palette().color(QPalette.ColorRole.WindowText))
+            self._frame(painter, rect, palette.color(QPalette.ColorRole.WindowText))
 
     def _paint_picture(self, painter: QPainter, images: PictureImages) -> None:
         """The part that is seen, in the screen's own pixels, so that an image pixel is the same square everywhere."""

@@ -12,7 +12,7 @@ from .block_cache import BlockCache
 
 
 class SeamFinder:
-    """Looks for the seams once for each layer of seamlines and mosaic."""
+    """Looks for the seams once for each layer of seamlines and mosaic, and when the seamlines are edited."""
 
     def __init__(self, block: BlockCache, background: Background) -> None:
         self._block = block
@@ -20,27 +20,33 @@ class SeamFinder:
         self.forget()
 
     def forget(self) -> None:
-        """The layers may be gone, or others under the same names."""
+        """Another project."""
         self._seams = SeamIndex([])
-        self._key: tuple[str, str] | None = None  # the layers that were searched
+        self._key: object = None  # what was searched
+        self._turn = object()
 
-    def refresh(self) -> None:
-        """The inputs or the project's layers have changed."""
+    def refresh(self, anew: bool = False) -> None:
+        """The inputs or the project's layers have changed; ``anew``: so have the seamlines themselves."""
         block = self._block.silent()
         lines = self._block.seamlines(block) if block is not None else None
-        key = (self._block.inputs.seamlines, self._block.inputs.mosaic) if lines is not None else None
-        if key == self._key:
+        if block is None or lines is None:
+            self.forget()
             return
-        self.forget()
+        seamlines = self._block.inputs.seamlines
+        key = seamlines, self._block.seen(seamlines), block.mosaic
+        if key == self._key and not anew:
+            return
+        if key != self._key:  # else those of before are better than none
+            self.forget()
         self._key = key
-        if block is not None and lines is not None:
-            job = tasks.seams_job(lines, block.mosaic.grid.pixel_width)
-            self._background.start(tr("Find seams"), job, partial(self._take, key))
+        self._turn = turn = object()
+        job = tasks.seams_job(lines, block.mosaic.grid.pixel_width)
+        self._background.start(tr("Find seams"), job, partial(self._take, turn))
 
     def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within ``reach``; none while they are being found."""
         return self._seams.nearest(x, y, reach)
 
-    def _take(self, key: object, seams: Any) -> None:
-        if key == self._key:
-            self._seams = SeamIndex(seams)
+    def _take(self, turn: object, seams: Any) -> None:
+        if turn is self._turn:
+            self._seams = seams

@@ -13,6 +13,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ..adapters import layers, tasks, window_layer
 from ..adapters.inputs import Inputs, load_inputs, save_inputs
+from ..adapters.log import write_log
 from ..adapters.pictures import Picture
 from ..adapters.text import sentence, tr
 from ..adapters.window_layer import WindowRow
@@ -22,7 +23,8 @@ from ..core.inspection import Block, WindowResult
 from ..core.messages import Message
 from ..core.windows import Grid, PixelWindow
 from .background import Background
-from .block_cache import BlockCache, measured
+from .block_cache import BlockCache
+from .inputs_watch import InputsWatch
 from .seam_finder import SeamFinder
 from .window_pictures import WindowPictures
 from .window_results import WindowResults
@@ -45,13 +47,21 @@ class Session(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._project = QgsProject.instance()
-        self._block = BlockCache(self._project)
+        self._inputs_background = Background(self)  # apart, since another window layer does not matter to it
+        self._inputs_background.failed.connect(self._failed)
+        self._block = BlockCache(self._project, self._inputs_background, self)
+        self._block.opened.connect(self._opened)
+        self._seams = SeamFinder(self._block, self._inputs_background)
+        self._layers = InputsWatch(self._project, self)
+        self._layers.layersChanged.connect(self._files_changed)
+        self._layers.indexEdited.connect(self._files_changed)
+        self._layers.seamlinesEdited.connect(self._seamlines_edited)
         self._watch = WindowWatch(self)
         self._watch.windowsChanged.connect(self.windowsChanged)
         self._watch.selectionChanged.connect(self.selectionChanged)
+        self._watch.replaced.connect(self._windows_replaced)
         self._background = Background(self)
         self._background.failed.connect(self._failed)
-        self._seams = SeamFinder(self._block, self._background)
         self._results = WindowResults(self._block, self._watch, self._background, self)
         self._results.arrived.connect(self.resultArrived)
         self._results.failed.connect(self._failed)
@@ -68,6 +78,8 @@ class Session(QObject):
         while self._connections:
             signal, slot = self._connections.pop()
             signal.disconnect(slot)
+        self._layers.close()
+        self._inputs_background.close()
         self._background.close()
         self._results.close()
         self._watch.close()
@@ -88,20 +100,20 @@ class Session(QObject):
             self._results.write()  # into the layer they are of
         self._block.inputs = inputs
         save_inputs(self._project, inputs)
-        self._layers_changed(told=False)
-        if measured(before) != measured(inputs):
-            self._pictures.forget()
-            self._watch.mark_stale(row.window_id for row in self.windows() if row.verdict)
-        self.inputsChanged.emit()
+        self._layers_changed()
 
     def mosaic_layer(self) -> QgsRasterLayer | None:
         """The mosaic, while it is there."""
         return self._block.mosaic_layer()
 
     def mosaic_grid(self) -> Grid | None:
-        """The mosaic's pixel grid; None while there is no mosaic that windows can lie on."""
+        """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
         block = self._block.silent()
         return block.mosaic.grid if block is not None else None
+
+    def problem(self) -> Message | None:
+        """Why nothing can be inspected now: an input is missing or can't be used, or the mosaic is being opened."""
+        return self._block.problem()
 
     def source_count_over(self, window: PixelWindow) -> int:
         """How many sources' footprints cover a window."""
@@ -176,6 +188,11 @@ class Session(QObject):
         """Whether windows are being placed or inspected."""
         return self._background.is_busy
 
+    def is_pending(self, fid: int) -> bool:
+        """Whether a window is being inspected, or its result not written yet."""
+        row = self.row(fid)
+        return row is not None and self._results.is_pending(row.window_id)
+
     def place_windows(self) -> None:
         """Place windows along the seamlines; they are added when all are found, and not inspected yet."""
         with self._raised():
@@ -221,9 +238,13 @@ class Session(QObject):
             windows = [placed.window for placed in placement.windows]
             if windows:
                 self._add(self._block.required(), windows)
-            if placement.dropped:
-                self._say(placement.dropped[0], Qgis.MessageLevel.Info)
-            self._say(messages.WINDOWS_PLACED(count=len(windows)), Qgis.MessageLevel.Success)
+            write_log(placement.dropped)
+            if windows:
+                placed = messages.WINDOWS_PLACED_IN_PART if placement.dropped else messages.WINDOWS_PLACED
+                self._say(placed(count=len(windows), notes=len(placement.dropped)), Qgis.MessageLevel.Success)
+            else:
+                why = placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED()
+                self._say(why, Qgis.MessageLevel.Warning)
 
     # The project
 
@@ -238,6 +259,9 @@ class Session(QObject):
         ]
 
     def _load(self, *_: object) -> None:
+        self._inputs_background.abandon()
+        self._block.forget()
+        self._seams.forget()
         self._forget_windows()
         self._block.inputs = load_inputs(self._project)
         self._layers_changed()
@@ -251,18 +275,34 @@ class Session(QObject):
             error = next((text.rstrip(". ") for text in layer.commitErrors() if text.startswith("ERROR")), "")
             self._say(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error), Qgis.MessageLevel.Critical)
 
-    def _layers_changed(self, *_: object, told: bool = True) -> None:
-        self._block.forget()
+    def _layers_changed(self, *_: object) -> None:
+        self._block.refresh()
+        self._layers.follow(self.inputs)
         layer = self._project.mapLayer(self.inputs.windows)
         if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
             self._forget_windows()
             self._watch.watch(layer)
+        self._opened()
+
+    def _opened(self) -> None:
+        """There may be another block, or none any more."""
         self._seams.refresh()
-        if told:
-            self.inputsChanged.emit()
+        self._watch.set_state(self._block.state())
+        self.inputsChanged.emit()
+
+    def _files_changed(self) -> None:
+        self._block.refresh(anew=True)
+        self._opened()
+
+    def _seamlines_edited(self) -> None:
+        self._seams.refresh(anew=True)
+
+    def _windows_replaced(self) -> None:
+        self._forget_windows()
+        self._layers_changed()
 
     def _forget_layers(self, ids: list[str]) -> None:
-        self._block.forget()
+        self._layers.leave(ids)
         if (layer := self._watch.layer) is not None and layer.id() in ids:
             self._forget_windows()
 
@@ -272,7 +312,6 @@ class Session(QObject):
         self._watch.watch(None)
         self._pictures.forget()
         self._results.forget()
-        self._seams.forget()
 
     def _failed(self, message: Message) -> None:
         self._say(message, Qgis.MessageLevel.Warning)

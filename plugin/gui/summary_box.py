@@ -22,10 +22,10 @@ class SummaryBox(QgsCollapsibleGroupBoxBasic):
         self._is_unapplied = False
         self.collapsedStateChanged.connect(self._tell)
 
-    def set_summary(self, name: str, rest: str = "") -> None:
-        """The title, of which the name is cut first."""
+    def set_summary(self, name: str, rest: str = "", problem: str = "") -> None:
+        """The title, of which the name is cut first, and what is wrong, for the tooltip."""
         self._name, self._rest = name, rest
-        self.setToolTip(name + rest)
+        self.setToolTip("\n".join(filter(None, (name + rest, problem))))
         self._cut()
 
     def fold(self, folded: bool) -> None:

@@ -1,4 +1,4 @@
-"""The pictures of windows: read in the background when they are asked for, a few of them kept."""
+"""The pictures of windows: read in the background when they are asked for, some of them kept."""
 from __future__ import annotations
 
 from functools import partial
@@ -10,12 +10,11 @@ from ..adapters import tasks
 from ..adapters.pictures import Picture
 from ..adapters.text import tr
 from ..adapters.window_layer import WindowRow
-from ..core.windows import Extent
 from .background import Background
 from .block_cache import BlockCache
 from .window_watch import WindowWatch
 
-_KEPT = 4  # windows, for going back and forth
+_MOST_BYTES = 256 * 2**20  # of pictures that are kept, for going back and forth
 
 
 class WindowPictures(QObject):
@@ -38,25 +37,30 @@ class WindowPictures(QObject):
         row = self._watch.row(fid)
         if row is None:
             return None
-        self._wanted = key = _key(row)
+        self._wanted = key = self._key(row)
         block, layer = self._block.silent(), self._watch.layer
         if key not in self._pictures and block is not None and layer is not None:
             self._background.cancel_others({key})
             if not self._background.is_under_way(key):
                 job = tasks.pictures_job(next(self._block.requests(block, layer, [row])))
                 self._background.start(tr("Read pictures"), job, partial(self._take, key), key)
+        if key in self._pictures:
+            self._pictures[key] = self._pictures.pop(key)  # the last one to go
         return self._pictures.get(key)
 
     def forget(self) -> None:
-        """They are of other rasters or another layer."""
+        """They are of another layer."""
         self._pictures.clear()
         self._wanted = None
         self._background.cancel_others(set())
 
     def _take(self, key: object, pictures: Any) -> None:
-        latest = list(self._pictures.items())[1 - _KEPT :]
-        self._pictures = {**dict(latest), key: pictures}
-        row = next((row for row in self._watch.rows() if _key(row) == key), None)
+        self._pictures[key] = pictures
+        sizes = {kept: _size(made) for kept, made in self._pictures.items()}
+        while sum(sizes.values()) > _MOST_BYTES and len(sizes) > 1:
+            oldest = next(iter(sizes))
+            del sizes[oldest], self._pictures[oldest]
+        row = next((row for row in self._watch.rows() if self._key(row) == key), None)
         if row is not None:  # else it was moved or removed meanwhile
             self.arrived.emit(row.fid)
 
@@ -66,7 +70,11 @@ class WindowPictures(QObject):
         if is_awaited and not self._background.is_under_way(key):
             self._take(key, [])
 
+    def _key(self, row: WindowRow) -> tuple[object, ...]:
+        """What pictures are of: another place of the same window, or other inputs, make other pictures."""
+        return row.window_id, row.extent, self._watch.state
 
-def _key(row: WindowRow) -> tuple[int, Extent]:
-    """What pictures are of: another place of the same window is another picture."""
-    return row.window_id, row.extent
+
+def _size(pictures: list[Picture]) -> int:
+    """Bytes in memory."""
+    return sum(pixels.nbytes for picture in pictures for pixels in (picture.pixels, *picture.reduced))

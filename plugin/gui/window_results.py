@@ -11,15 +11,11 @@ from ..adapters import tasks, window_layer
 from ..adapters.text import tr
 from ..core.errors import SeamInspectorError
 from ..core.inspection import WindowResult
-from ..core.windows import Extent
 from .background import Background
-from .block_cache import BlockCache, measured
-from .window_watch import WindowWatch
+from .block_cache import BlockCache
+from .window_watch import Place, WindowWatch
 
 _WRITE_MS = 1000  # results of a long run are written together, so that undo does not take them back one by one
-
-_Asked = tuple[Extent, tuple[object, ...]]
-"""Where a window lay and what the inputs were when it was sent to be inspected."""
 
 
 class WindowResults(QObject):
@@ -36,8 +32,8 @@ class WindowResults(QObject):
         self._watch = watch
         self._background = background
         self._results: dict[int, WindowResult] = {}
-        self._unwritten: dict[int, tuple[WindowResult, _Asked]] = {}
-        self._waiting: dict[int, _Asked] = {}
+        self._unwritten: dict[int, tuple[WindowResult, Place]] = {}
+        self._waiting: dict[int, Place] = {}
         self._writer = QTimer(self)
         self._writer.setSingleShot(True)
         self._writer.setInterval(_WRITE_MS)
@@ -47,6 +43,10 @@ class WindowResults(QObject):
     def result(self, window_id: int) -> WindowResult | None:
         """What was measured in this session."""
         return self._results.get(window_id)
+
+    def is_pending(self, window_id: int) -> bool:
+        """Whether a window is being inspected, or its result not written yet."""
+        return window_id in self._waiting or window_id in self._unwritten
 
     def inspect(self, fids: Sequence[int]) -> None:
         """Inspect windows, those left out that are being inspected already.
@@ -58,12 +58,12 @@ class WindowResults(QObject):
             return
         block = self._block.required()
         self._block.settings().check()
-        inputs = measured(self._block.inputs)
+        state = self._block.state()
         fids = self._watch.prepare(fids, self._block.inputs.levels)
         rows = [row for row in map(self._watch.row, fids) if row is not None]
-        rows = [row for row in rows if self._waiting.get(row.window_id) != (row.extent, inputs)]
+        rows = [row for row in rows if self._waiting.get(row.window_id) != (row.extent, state)]
         if rows:
-            asked = {row.window_id: (row.extent, inputs) for row in rows}
+            asked = {row.window_id: (row.extent, state) for row in rows}
             self._waiting.update(asked)
             for number in asked:
                 self._results.pop(number, None)
@@ -89,11 +89,7 @@ class WindowResults(QObject):
             self._background.stop()
             self.failed.emit(error.message)
             return
-        inputs = measured(self._block.inputs)
-        rows = [row for row in map(self._watch.row, found) if row is not None]
-        fresh = {row.window_id for row in rows if unwritten[row.window_id][1] == (row.extent, inputs)}
-        self._watch.mark_inspected(fresh)
-        self._watch.mark_stale({row.window_id for row in rows} - fresh)
+        self._watch.note_measured({number: place for number, (_, place) in unwritten.items()})
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
@@ -110,7 +106,7 @@ class WindowResults(QObject):
         self._writer.stop()
         self.forget()
 
-    def _take(self, asked: dict[int, _Asked], result: Any) -> None:
+    def _take(self, asked: dict[int, Place], result: Any) -> None:
         number = result.window_id
         self._results[number] = result
         self._unwritten[number] = result, asked[number]

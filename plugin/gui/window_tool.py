@@ -154,7 +154,7 @@ class WindowTool(QgsMapTool):
             mark = QgsPointXY(*draft.seam_point) if draft.seam_point is not None else None
             self._overlay.show(QgsRectangle(*draft.extent), draft.text, layer.crs(), draft.tone, mark)
         elif self._cursor is not None:  # beside the cursor
-            text = sentence(messages.NO_MOSAIC() if layer is None else messages.WINDOW_OUTSIDE())
+            text = sentence(self._session.problem() or messages.WINDOW_OUTSIDE())
             self._overlay.show(QgsRectangle(self._cursor, self._cursor), text, tone=Tone.REFUSED)
 
     def _draft(self) -> _Draft | None:

@@ -1,7 +1,7 @@
 """The window layer as the desk sees it: its rows, kept up to date one by one, which are stale, and the selection."""
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -14,6 +14,10 @@ from ..adapters.window_layer import UNNUMBERED, WindowRow
 from ..core.windows import Extent
 
 _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the windows to be inspected again
+_SHORTEST_TEXT = 100  # letters; some formats cut longer ones
+
+Place = tuple[Extent, "int | None"]
+"""Where a window lay and the number of the inputs' state; None is the state in which the layer was first seen."""
 
 
 class WindowWatch(QObject):
@@ -22,6 +26,8 @@ class WindowWatch(QObject):
     windowsChanged = pyqtSignal()
     """Once for all changes that come together."""
     selectionChanged = pyqtSignal()
+    replaced = pyqtSignal()
+    """The layer has another data source."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -35,9 +41,10 @@ class WindowWatch(QObject):
         self._rows: dict[int, WindowRow] = {}
         self._fids: dict[int, int] = {}
         self._unread: set[int] | None = None  # None: all of them
-        self._moved: set[int] = set()
-        self._origins: dict[int, Extent] = {}  # where a window lay before it became stale by moving
-        self._stale: set[int] = set()
+        self._measured: dict[int, set[tuple[object, Place]]] = {}  # what was found in a window, and for which place
+        self._marks: set[int] = set()  # numbers of those that were stale when the project was saved
+        self._state: int | None = None
+        self._first_state: int | None = None
         self._unnumbered: set[int] = set()
         self._given: dict[int | Extent, int] = {}  # numbers of windows that have none, by feature id and by place
         self._last_number = 0  # a number is not used again, or an old result would be taken for a new window's
@@ -57,7 +64,7 @@ class WindowWatch(QObject):
         self._forget()
         if self._layer is not None:
             stale = self._layer.customProperty(_STALE, []) or []
-            self._stale = {int(number) for number in stale if str(number).lstrip("-").isdigit()}
+            self._marks = {int(number) for number in stale if str(number).lstrip("-").isdigit()}
         for signal, slot in self._signals():
             signal.connect(slot)
         self._told = set(self.selected())
@@ -114,22 +121,22 @@ class WindowWatch(QObject):
 
     def _read(self) -> None:
         unread, self._unread = self._unread, set()
-        moved, self._moved = self._moved, set()
         if self._layer is None or (unread is not None and not unread):
             return
-        before = self._rows
-        rows = {} if unread is None else {fid: row for fid, row in before.items() if fid not in unread}
+        rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
         fresh = window_layer.read_rows(self._layer, unread)
         fresh.sort(key=lambda row: (row.fid < 0, abs(row.fid)))  # of two with one number the older one keeps it
         taken = {row.window_id for row in rows.values()}
         self._last_number = max([self._last_number, *(row.window_id for row in fresh)])
         self._unnumbered = {fid for fid in self._unnumbered if fid in rows}
         for row in fresh:
-            if row.window_id == UNNUMBERED or row.window_id in taken:
+            is_copy = row.window_id in taken
+            if row.window_id == UNNUMBERED or is_copy:
                 row = self._numbered(row, taken)
             taken.add(row.window_id)
-            if row.fid in moved and row.verdict:
-                self._follow_move(row, before.get(row.fid))
+            if row.window_id not in self._measured:
+                is_trusted = bool(row.verdict) and not is_copy and row.window_id not in self._marks
+                self._measured[row.window_id] = {(_finding(row), (row.extent, None))} if is_trusted else set()
             rows[row.fid] = self._marked(row)
         self._rows = dict(sorted(rows.items(), key=lambda item: item[1].window_id))
         self._fids = {row.window_id: fid for fid, row in self._rows.items()}
@@ -144,43 +151,50 @@ class WindowWatch(QObject):
         self._unnumbered.add(row.fid)
         return replace(row, window_id=number)
 
-    # Stale windows
+    # Stale windows: those whose values were not found at this place and with these inputs
 
-    def mark_stale(self, numbers: Iterable[int]) -> None:
-        """These windows are to be inspected again."""
-        self._set_stale(self._stale.union(numbers))
+    @property
+    def state(self) -> int | None:
+        """The number of the inputs' state."""
+        return self._state
 
-    def mark_inspected(self, numbers: Iterable[int]) -> None:
-        """These windows are up to date."""
-        self._set_stale(self._stale.difference(numbers))
+    def set_state(self, state: int | None) -> None:
+        """The inputs are these now; while it is not known which they are, as before."""
+        if state is None or state == self._state:
+            return
+        if self._state is None:
+            self._first_state = state
+        self._state = state
+        before, self._rows = self._rows, {fid: self._marked(row) for fid, row in self._rows.items()}
+        if self._rows != before:
+            self._notifier.start()
+
+    def note_measured(self, places: Mapping[int, Place]) -> None:
+        """The values of these windows, by number, were found there."""
+        self._read()
+        for number, place in places.items():
+            if number in self._fids:
+                row = self._rows[self._fids[number]]
+                self._measured[number].add((_finding(row), place))
+                self._rows[row.fid] = self._marked(row)
+        self._notifier.start()
 
     def save_stale(self) -> None:
         """The marks are kept with the layer in the project."""
         if self._layer is not None:
             self._read()
-            self._layer.setCustomProperty(_STALE, [str(number) for number in sorted(self._stale)])
-
-    def _set_stale(self, numbers: set[int]) -> None:
-        if numbers != self._stale:
-            self._stale = numbers
-            self._origins.clear()
-            self._rows = {fid: self._marked(row) for fid, row in self._rows.items()}
-            self._notifier.start()
+            unseen = self._marks.difference(self._measured)
+            stale = unseen.union(row.window_id for row in self._rows.values() if row.stale)
+            self._layer.setCustomProperty(_STALE, [str(number) for number in sorted(stale)])
 
     def _marked(self, row: WindowRow) -> WindowRow:
-        stale = bool(row.verdict) and row.window_id in self._stale
+        stale = bool(row.verdict) and not self._is_up_to_date(row)
         return row if row.stale == stale else replace(row, stale=stale)
 
-    def _follow_move(self, row: WindowRow, before: WindowRow | None) -> None:
-        """A window that was moved is stale, until it is moved back."""
-        number = row.window_id
-        if number not in self._stale:
-            if before is None or before.extent != row.extent:
-                self._stale.add(number)
-            if before is not None:
-                self._origins[number] = before.extent
-        elif self._origins.get(number) == row.extent:
-            self._stale.discard(number)
+    def _is_up_to_date(self, row: WindowRow) -> bool:
+        known, finding = self._measured[row.window_id], _finding(row)
+        is_first = self._state == self._first_state and (finding, (row.extent, None)) in known
+        return is_first or (finding, (row.extent, self._state)) in known
 
     # Selection
 
@@ -205,12 +219,13 @@ class WindowWatch(QObject):
             (layer.featureAdded, self._feature_changed),
             (layer.featureDeleted, self._feature_deleted),
             (layer.attributeValueChanged, self._feature_changed),
-            (layer.geometryChanged, self._geometry_changed),
+            (layer.geometryChanged, self._feature_changed),
             (layer.updatedFields, self._all_changed),
             (layer.subsetStringChanged, self._all_changed),
             (layer.afterCommitChanges, self._all_changed),
             (layer.afterRollBack, self._all_changed),
             (layer.dataChanged, self._all_changed),
+            (layer.dataSourceChanged, self.replaced),
             (layer.selectionChanged, self._selection_changed),
         ]
 
@@ -227,10 +242,6 @@ class WindowWatch(QObject):
             self._unread.discard(fid)
         self._notifier.start()
 
-    def _geometry_changed(self, fid: int, *_: object) -> None:
-        self._moved.add(fid)
-        self._feature_changed(fid)
-
     def _all_changed(self, *_: object) -> None:
         self._unread = None
         self._notifier.start()
@@ -245,3 +256,9 @@ class WindowWatch(QObject):
         if selected != self._told:  # saving gives features other ids, and undo takes them away
             self._told = selected
             self.selectionChanged.emit()
+
+
+def _finding(row: WindowRow) -> object:
+    """What was found in a window, as far as every format keeps it."""
+    ratios = [f"{ratio:.9g}" for ratio in (*row.ratios, row.background_ratio) if ratio is not None]
+    return row.verdict, row.reason[:_SHORTEST_TEXT], row.sources, tuple(ratios)

@@ -49,12 +49,12 @@ class WindowsPanel(QWidget):
         self._is_following = False
         self._windows = WindowsModel(self)
         self._shown = WindowsFilter(self._windows, self)
+        self._search = QgsFilterLineEdit(self)  # before the table, for Tab
+        self._verdicts = QComboBox(self)
+        self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self._shown, self)
         self.table.setToolTip(tr("Double click zooms to a window; Del removes the selected ones."))
         self.table.setAccessibleName(tr("Windows"))
-        self._search = QgsFilterLineEdit(self)
-        self._verdicts = QComboBox(self)
-        self._count = QLabel(self)
         self._set_up_filter()
         self._menu = self._make_menu()
         self._lay_out()
@@ -150,12 +150,14 @@ class WindowsPanel(QWidget):
         shown, count = self._shown.rowCount(), self._windows.rowCount()
         self._count.setVisible(self._shown.is_on and count > 0)
         self._count.setText(tr("{shown} of {count}").format(shown=shown, count=count))
-        self.table.hint = (
+        hint = (
             tr("No window matches the filter.")
             if count
             else tr("Draw a window on the map, or place windows along the seamlines.")
         )
-        self.table.viewport().update()
+        if hint != self.table.hint:
+            self.table.hint = hint
+            self.table.viewport().update()
 
     # What the operator asks for
 
@@ -222,8 +224,6 @@ class WindowsPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addLayout(line)
         layout.addWidget(self.table, 1)
-        self.setTabOrder(self._search, self._verdicts)
-        self.setTabOrder(self._verdicts, self.table)
         self.setFocusProxy(self.table)
 
     def _make_menu(self) -> QMenu:

@@ -1,11 +1,14 @@
 """The view of the windows' table: widths from the font and the room there is, keys, a hint when it is empty."""
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QEvent, QItemSelection, QSize, Qt, pyqtSignal
+from collections.abc import Sequence
+
+from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPalette, QResizeEvent
-from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QTableView, QWidget
+from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
 
 from ..adapters.text import tr
+from .theme import ReadableItems, readable_palette
 from .verdicts import VERDICTS, observer_word, verdict_word
 from .windows_filter import WindowsFilter
 from .windows_model import Column, Kind, WindowsModel
@@ -27,6 +30,7 @@ class WindowsTable(QTableView):
         self._windows = windows
         self._shown = shown
         self.setModel(shown)
+        self.setItemDelegate(ReadableItems(self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -44,6 +48,7 @@ class WindowsTable(QTableView):
         header.setHighlightSections(False)
         header.setTextElideMode(Qt.TextElideMode.ElideRight)
         header.setMinimumSectionSize(1)
+        header.sortIndicatorChanged.connect(self._sorted)
         shown.modelReset.connect(self._show_sorting)
         self.fit()
 
@@ -118,11 +123,17 @@ class WindowsTable(QTableView):
         else:
             self.zoomRequested.emit()
 
+    def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
+        """Paint the rows that changed, and no others as Qt 5 does."""
+        top = self.rowViewportPosition(first.row())
+        bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
+        self.viewport().update(0, top, self.viewport().width(), bottom - top)
+
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.hint and self._shown.rowCount() == 0:
             painter = QPainter(self.viewport())
-            painter.setPen(self.palette().color(QPalette.ColorRole.PlaceholderText))
+            painter.setPen(readable_palette(self).color(QPalette.ColorRole.PlaceholderText))
             margin = self.fontMetrics().height()
             room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
             painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
@@ -134,9 +145,7 @@ class WindowsTable(QTableView):
     def _widths(self, column: Column, metrics: QFontMetrics, short: bool) -> Widths:
         style, em = self.style(), metrics.horizontalAdvance("m")
         margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self) + 1) + em // 2
-        heading = 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin, None, self)
-        arrow = 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize, None, self)  # Fusion's hint is too small
-        title = metrics.horizontalAdvance(column.title(short)) + heading + em // 2
+        title = self._heading_width(column.title(short), column == self._windows.sorted_by)
         chip = self.iconSize().width() + em // 2
 
         def width(*texts: str) -> int:
@@ -154,9 +163,27 @@ class WindowsTable(QTableView):
         else:
             natural = width({Kind.ID: "000", Kind.SOURCES: "00"}.get(column.kind, "0.00"))
             least, airy = natural, natural + em
-        if column.kind is Kind.ID:
-            title += arrow  # the table is sorted by it at first
-        return max(least, title), max(natural, title), max(airy, title + arrow) + em
+        return max(least, title), max(natural, title), max(airy, title) + em
+
+    def _heading_width(self, title: str, is_sorted: bool) -> int:
+        """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
+        header = self.horizontalHeader()
+        option = QStyleOptionHeader()
+        option.initFrom(header)
+        option.orientation = Qt.Orientation.Horizontal
+        option.text = title
+        if is_sorted:
+            option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
+        style, metrics = header.style(), header.fontMetrics()
+        least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
+        needed = metrics.horizontalAdvance(title + "n") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        if is_sorted:
+            needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
+        return max(int(least), int(needed))  # the style's own word is too little in Fusion
+
+    def _sorted(self, *_: object) -> None:
+        """The arrow needs room in its column."""
+        self.fit()
 
     def _show_sorting(self) -> None:
         """After the columns changed the arrow may stand on another one."""

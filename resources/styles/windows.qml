@@ -1,6 +1,6 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
 <qgis version="3.22.16-Białowieża" styleCategories="Symbology|Labeling|MapTips" labelsEnabled="1">
-  <renderer-v2 symbollevels="0" type="categorizedSymbol" forceraster="0" referencescale="-1" enableorderby="0" attr="verdict">
+  <renderer-v2 symbollevels="0" type="categorizedSymbol" forceraster="0" referencescale="-1" enableorderby="1" attr="verdict">
     <categories>
       <category symbol="0" label="significant loss" render="true" value="significant"/>
       <category symbol="1" label="reduced" render="true" value="reduced"/>
@@ -707,10 +707,13 @@
     </symbols>
     <rotation/>
     <sizescale/>
+    <orderby>
+      <orderByClause asc="1" nullsFirst="0">is_selected()</orderByClause>
+    </orderby>
   </renderer-v2>
   <labeling type="simple">
     <settings calloutType="simple">
-      <text-style fontItalic="0" fontLetterSpacing="0" isExpression="1" useSubstitutions="0" multilineHeight="1" fontStrikeout="0" textOrientation="horizontal" fontWeight="50" fontSizeUnit="Point" fontWordSpacing="0" textColor="32,32,32,255" fontSizeMapUnitScale="3x:0,0,0,0,0,0" namedStyle="" legendString="Aa" capitalization="0" blendMode="0" fieldName="&quot;window_id&quot; || coalesce('\n' || format_number(&quot;ratio_1&quot;, 2), '')" textOpacity="1" fontUnderline="0" fontFamily="DejaVu LGC Sans" fontSize="8.5" allowHtml="0" fontKerning="1" previewBkgrdColor="255,255,255,255">
+      <text-style fontItalic="0" fontLetterSpacing="0" isExpression="1" useSubstitutions="0" multilineHeight="1" fontStrikeout="0" textOrientation="horizontal" fontWeight="50" fontSizeUnit="Point" fontWordSpacing="0" textColor="32,32,32,255" fontSizeMapUnitScale="3x:0,0,0,0,0,0" namedStyle="" legendString="Aa" capitalization="0" blendMode="0" fieldName="&quot;window_id&quot; || coalesce(' · ' || format_number(&quot;ratio_1&quot;, 2), '')" textOpacity="1" fontUnderline="0" fontFamily="DejaVu LGC Sans" fontSize="8.5" allowHtml="0" fontKerning="1" previewBkgrdColor="255,255,255,255">
         <families/>
         <text-buffer bufferSizeUnits="MM" bufferColor="255,255,255,255" bufferNoFill="1" bufferSize="0.90000000000000002" bufferBlendMode="0" bufferDraw="1" bufferSizeMapUnitScale="3x:0,0,0,0,0,0" bufferJoinStyle="128" bufferOpacity="1"/>
         <text-mask maskOpacity="1" maskEnabled="0" maskSize="1.5" maskedSymbolLayers="" maskJoinStyle="128" maskSizeUnits="MM" maskSizeMapUnitScale="3x:0,0,0,0,0,0" maskType="0"/>
@@ -769,12 +772,28 @@
         <substitutions/>
       </text-style>
       <text-format useMaxLineLengthForAutoWrap="1" placeDirectionSymbol="0" decimals="3" wrapChar="" addDirectionSymbol="0" reverseDirectionSymbol="0" plussign="0" leftDirectionSymbol="&lt;" formatNumbers="0" rightDirectionSymbol=">" multilineAlign="3" autoWrapLength="0"/>
-      <placement rotationAngle="0" repeatDistanceMapUnitScale="3x:0,0,0,0,0,0" overrunDistance="0" layerType="UnknownGeometry" yOffset="0" centroidWhole="0" distUnits="MM" centroidInside="0" quadOffset="4" polygonPlacementFlags="2" geometryGenerator="" maxCurvedCharAngleOut="-25" xOffset="0" lineAnchorPercent="0.5" placementFlags="10" rotationUnit="AngleDegrees" lineAnchorClipping="0" distMapUnitScale="3x:0,0,0,0,0,0" repeatDistance="0" labelOffsetMapUnitScale="3x:0,0,0,0,0,0" preserveRotation="1" maxCurvedCharAngleIn="25" geometryGeneratorType="PointGeometry" repeatDistanceUnits="MM" lineAnchorType="0" offsetType="0" fitInPolygonOnly="0" placement="1" priority="5" overrunDistanceUnit="MM" predefinedPositionOrder="TR,TL,BR,BL,R,L,TSR,BSR" overrunDistanceMapUnitScale="3x:0,0,0,0,0,0" offsetUnits="MM" geometryGeneratorEnabled="0" dist="0"/>
-      <rendering scaleMin="0" drawLabels="1" fontLimitPixelSize="0" zIndex="0" scaleVisibility="0" scaleMax="0" limitNumLabels="0" fontMinPixelSize="0" upsidedownLabels="0" obstacleType="1" maxNumLabels="2000" minFeatureSize="0" fontMaxPixelSize="10000" obstacle="1" mergeLines="0" displayAll="1" unplacedVisibility="0" labelPerPart="0" obstacleFactor="1"/>
+      <placement rotationAngle="0" repeatDistanceMapUnitScale="3x:0,0,0,0,0,0" overrunDistance="0" layerType="UnknownGeometry" yOffset="1.5" centroidWhole="0" distUnits="MM" centroidInside="0" quadOffset="8" polygonPlacementFlags="2" geometryGenerator="with_variable('seen', intersection($geometry, transform(@map_extent, @map_crs, @layer_crs)), make_point(x_min(@seen), y_max(@seen)))" maxCurvedCharAngleOut="-25" xOffset="1.5" lineAnchorPercent="0.5" placementFlags="10" rotationUnit="AngleDegrees" lineAnchorClipping="0" distMapUnitScale="3x:0,0,0,0,0,0" repeatDistance="0" labelOffsetMapUnitScale="3x:0,0,0,0,0,0" preserveRotation="1" maxCurvedCharAngleIn="25" geometryGeneratorType="PointGeometry" repeatDistanceUnits="MM" lineAnchorType="0" offsetType="0" fitInPolygonOnly="0" placement="1" priority="5" overrunDistanceUnit="MM" predefinedPositionOrder="TR,TL,BR,BL,R,L,TSR,BSR" overrunDistanceMapUnitScale="3x:0,0,0,0,0,0" offsetUnits="MM" geometryGeneratorEnabled="1" dist="0"/>
+      <rendering scaleMin="0" drawLabels="1" fontLimitPixelSize="0" zIndex="0" scaleVisibility="0" scaleMax="0" limitNumLabels="0" fontMinPixelSize="0" upsidedownLabels="0" obstacleType="1" maxNumLabels="2000" minFeatureSize="0" fontMaxPixelSize="10000" obstacle="0" mergeLines="0" displayAll="0" unplacedVisibility="0" labelPerPart="0" obstacleFactor="1"/>
       <dd_properties>
         <Option type="Map">
           <Option name="name" value="" type="QString"/>
-          <Option name="properties"/>
+          <Option name="properties" type="Map">
+            <Option name="AlwaysShow" type="Map">
+              <Option name="active" value="true" type="bool"/>
+              <Option name="expression" value="is_selected()" type="QString"/>
+              <Option name="type" value="3" type="int"/>
+            </Option>
+            <Option name="Bold" type="Map">
+              <Option name="active" value="true" type="bool"/>
+              <Option name="expression" value="is_selected()" type="QString"/>
+              <Option name="type" value="3" type="int"/>
+            </Option>
+            <Option name="Priority" type="Map">
+              <Option name="active" value="true" type="bool"/>
+              <Option name="expression" value="if(is_selected(), 10, 5)" type="QString"/>
+              <Option name="type" value="3" type="int"/>
+            </Option>
+          </Option>
           <Option name="type" value="collection" type="QString"/>
         </Option>
       </dd_properties>

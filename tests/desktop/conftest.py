@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -49,3 +50,11 @@ def check(run: Run) -> None:
     assert run.raised == []
     assert "Traceback" not in run.output, run.output[-4000:]
     assert run.code == 0, f"exit code {run.code}\n{run.output[-4000:]}"
+
+
+def say(what: str, seconds: float, report: dict[str, Any]) -> None:
+    """What was measured."""
+    print(f"\n{what}: {seconds:.0f} s")  # noqa: T201
+    for name, value in report.items():
+        if name != "screenshots":
+            print(f"    {name}: {value:.3f}" if isinstance(value, float) else f"    {name}: {value}")  # noqa: T201

@@ -7,10 +7,11 @@ from typing import Any
 import pytest
 
 from demo.desktop import play
-from tests.desktop.conftest import SCENARIOS, check
+from tests.desktop.conftest import SCENARIOS, check, say
 
 SIDE_M = 100.0  # 1024 px of the whole block
 SMALL_SIDE_M = 25.0  # 256 px of the small one
+READABLE = 3.0  # contrast of words, by WCAG 2.1 what large ones need; themes of QGIS's own hardly give more
 
 
 def test_operators_walk(
@@ -43,24 +44,6 @@ def test_operators_walk(
     say("operator's walk", run.seconds, {})
 
 
-def test_hundred_windows(data_folder: Path, whole_block: Path | None, tmp_path: Path, screenshots: Path) -> None:
-    """Eight real sources; the event loop never stalls."""
-    brighton = data_folder / "seams" / "brighton"
-    if not brighton.is_dir():
-        pytest.skip(f"no real data at {brighton}")
-    parameters = {
-        "brighton": str(brighton), "block": str(whole_block or ""), "screenshots": str(screenshots)
-    }  # fmt: skip
-    run = play(SCENARIOS / "brighton.py", tmp_path, parameters)
-    say("Brighton", run.seconds, run.report)
-    check(run)
-    report = run.report
-    assert report["sources"] == 8
-    assert report["placed"] > 80
-    assert report["windows"] == report["inspected"] == report["results"] == 100
-    assert report["gap_ms"] < 500  # a shared machine of two cores; the goal is 50 ms, and the figure is printed
-
-
 def test_dangers(small_block: Path, tmp_path: Path) -> None:
     """Enable and disable, close, remove and quit while a task is at work."""
     run = play(SCENARIOS / "dangers.py", tmp_path, {"block": str(small_block), "side_m": SMALL_SIDE_M})
@@ -80,18 +63,17 @@ def test_dangers(small_block: Path, tmp_path: Path) -> None:
     ],
 )
 def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: Path, screenshots: Path) -> None:
-    """Right of the map and below it; nothing is cut off."""
+    """Right of the map and below it: nothing is cut off, all can be read, and the keyboard gets everywhere."""
     parameters = {"block": str(small_block), "side_m": SMALL_SIDE_M, "screenshots": str(screenshots), "name": name}
     run = play(SCENARIOS / "looks.py", tmp_path, parameters, **options)
     say(f"looks, {name}", run.seconds, run.report)
     check(run)
     assert run.report["right_size"][0] <= 440
-    assert run.report["right_cut"] == run.report["below_cut"] == run.report["inputs_cut"] == []
-
-
-def say(what: str, seconds: float, report: dict[str, Any]) -> None:
-    """What was measured."""
-    print(f"\n{what}: {seconds:.0f} s")  # noqa: T201
-    for name, value in report.items():
-        if name != "screenshots":
-            print(f"    {name}: {value:.3f}" if isinstance(value, float) else f"    {name}: {value}")  # noqa: T201
+    assert run.report["inputs_cut"] == []
+    for place in ("right", "right_images", "below", "below_images"):
+        for defect in ("cut", "headings_cut", "no_tooltip", "steps_up", "no_focus_mark"):
+            assert run.report[f"{place}_{defect}"] == [], f"{defect}, {place}"
+        contrasts = run.report[f"{place}_contrasts"]
+        what = {words.split()[0] for words in contrasts}
+        assert what >= {"heading", "label", "button", *(("title", "badge") if "images" in place else ("legend",))}
+        assert {words: ratio for words, ratio in contrasts.items() if ratio < READABLE} == {}, place

@@ -4,13 +4,15 @@ from __future__ import annotations
 import importlib
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProject
 
-from tests.qgis.scenes import Scene, make_scene
-
 importlib.invalidate_caches()  # QGIS looked for plugins before the package's link was there
+
+from tests.qgis.scenes import Scene, make_scene  # noqa: E402
+from tests.qgis.session_desk import Desk, wait_for_tasks  # noqa: E402
 
 _raised: list[BaseException] = []
 
@@ -40,6 +42,17 @@ def provider(qgis_app: QgsApplication) -> Iterator[QgsProcessingProvider]:
     plugin.initProcessing()
     yield QgsApplication.processingRegistry().providerById("seaminspector")
     plugin.unload()
+
+
+@pytest.fixture
+def desk(scene: Scene, project: QgsProject, tmp_path: Path) -> Iterator[Desk]:
+    """A session on the scene, without windows."""
+    made = Desk(scene, tmp_path)
+    made.set(made.inputs())
+    yield made
+    made.session.close()
+    wait_for_tasks()
+    project.clear()
 
 
 @pytest.fixture

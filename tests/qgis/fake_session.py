@@ -4,6 +4,8 @@ from __future__ import annotations
 from qgis.core import QgsProject, QgsRasterLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.adapters.inputs import Inputs
+from seam_inspector.plugin.core import messages
+from seam_inspector.plugin.core.messages import Message
 from seam_inspector.plugin.core.windows import Grid, PixelWindow
 
 from tests.qgis.scenes import ORIGIN, PIXEL
@@ -35,6 +37,9 @@ class FakeSession(QObject):
 
     def mosaic_grid(self) -> Grid | None:
         return self.grid if self.mosaic_layer() is not None else None
+
+    def problem(self) -> Message | None:
+        return None if self.mosaic_grid() is not None else messages.NO_MOSAIC()
 
     def source_count_over(self, window: PixelWindow) -> int:
         return self.source_count

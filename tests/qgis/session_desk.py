@@ -9,6 +9,7 @@ from typing import Any
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QEvent, QEventLoop
 from seam_inspector.plugin.adapters.inputs import Inputs
+from seam_inspector.plugin.core import messages
 from seam_inspector.plugin.core.windows import PixelWindow
 from seam_inspector.plugin.gui.session import Session
 
@@ -82,8 +83,17 @@ class Desk:
     def use(self, windows: QgsVectorLayer) -> QgsVectorLayer:
         """Make a layer the window layer."""
         self.project.addMapLayer(windows)
-        self.session.set_inputs(self.inputs(windows=windows.id()))
+        self.set(self.inputs(windows=windows.id()))
         return windows
+
+    def set(self, inputs: Inputs) -> None:
+        """Set the inputs and wait until the mosaic is open."""
+        self.session.set_inputs(inputs)
+        self.wait_for_opening()
+
+    def wait_for_opening(self) -> None:
+        """Until the mosaic is open, or can't be opened."""
+        wait_until(lambda: self.session.problem() != messages.MOSAIC_OPENING(), "for the mosaic")
 
     def add(self, window: PixelWindow = BLURRED_WINDOW) -> int:
         """A window that is inspected, its result written."""

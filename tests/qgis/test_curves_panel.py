@@ -2,9 +2,12 @@
 from __future__ import annotations
 
 import csv
+import gc
 import os
 import subprocess
 import sys
+import threading
+import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -20,7 +23,11 @@ from seam_inspector.plugin.core.contrast import Judgement, Ratios, Verdict, judg
 from seam_inspector.plugin.core.inspection import ClipResult, WindowResult
 from seam_inspector.plugin.core.wavelets import Curve
 from seam_inspector.plugin.core.windows import PixelWindow
+from seam_inspector.plugin.gui.curves_chart import CurvesChart
 from seam_inspector.plugin.gui.curves_panel import CurvesPanel
+from seam_inspector.plugin.gui.theme import contrast
+
+from demo.gaps import Gaps
 
 BANDS = ("luminance", "red", "green", "blue")
 
@@ -71,6 +78,9 @@ class FakeSession(QObject):
     def result(self, fid: int) -> WindowResult | None:
         return self.results.get(fid)
 
+    def is_pending(self, fid: int) -> bool:
+        return self.is_busy
+
     def row(self, fid: int) -> Row | None:
         return self.rows_by_fid.get(fid)
 
@@ -110,6 +120,14 @@ def settle(times: int = 4) -> None:
     """Let timers, drawings and paintings happen."""
     for _ in range(times):
         QApplication.processEvents()
+    end = time.monotonic() + 10
+    while not all(chart.is_drawn for chart in charts_in_sight()):
+        QApplication.processEvents()
+        assert time.monotonic() < end, "the chart is not drawn"
+
+
+def charts_in_sight() -> list[CurvesChart]:
+    return [widget for widget in QApplication.allWidgets() if isinstance(widget, CurvesChart) and widget.isVisible()]
 
 
 def wait_for_timer(panel: CurvesPanel) -> None:
@@ -126,6 +144,7 @@ def session(qgis_app: object) -> FakeSession:
 @pytest.fixture
 def panel(session: FakeSession) -> Iterator[CurvesPanel]:
     made = CurvesPanel(session)
+    made._loader.join()
     made.resize(420, 300)
     made.show()
     settle()
@@ -141,16 +160,27 @@ def text_of(panel: CurvesPanel) -> str:
 
 def labels(panel: CurvesPanel) -> list[str]:
     """The curves that are drawn."""
-    return [a.get_label() for a in panel._chart._artists if not a.get_label().startswith("_")]
+    return [a.get_label() for a in panel._chart.painter.artists if not a.get_label().startswith("_")]
 
 
 def point_at(panel: CurvesPanel, point: tuple[int, int]) -> None:
     chart = panel._chart
-    x, y = (value / chart.device_pixel_ratio for value in chart.place_of(point))
+    x, y = chart.place_of(point)
     none = Qt.MouseButton.NoButton
-    where = QPointF(x + 1, chart.height() - y + 1)
+    where = QPointF(x + 1, y + 1)
     event = QMouseEvent(QEvent.Type.MouseMove, where, none, none, Qt.KeyboardModifier.NoModifier)
     QApplication.sendEvent(chart, event)
+    settle()
+
+
+def ink(panel: CurvesPanel, row: int) -> float:
+    """How much the name of a legend's entry stands out."""
+    legend = panel._legend
+    box = legend.visualItemRect(legend.item(row)).adjusted(legend.iconSize().width() + 4, 0, 0, 0)
+    image = legend.viewport().grab(box).toImage()
+    back = image.pixelColor(image.width() - 1, 0)
+    colours = {image.pixel(x, y) for x in range(image.width()) for y in range(image.height())}
+    return max(contrast(QColor(colour), back) for colour in colours)
 
 
 def select_one(session: FakeSession, result: WindowResult | None = None) -> None:
@@ -199,8 +229,9 @@ def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: Fake
 def test_without_matplotlib_it_says_how_to_get_it(
     session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.delitem(sys.modules, "seam_inspector.plugin.gui.curves_chart", raising=False)
-    monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_qtagg", None)
+    for name in ("curves_chart", "chart_painter"):
+        monkeypatch.delitem(sys.modules, f"seam_inspector.plugin.gui.{name}", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_agg", None)
     select_one(session)
     assert "python3-matplotlib" in text_of(panel)
     monkeypatch.undo()
@@ -230,11 +261,11 @@ def test_one_window_shows_mosaic_sources_and_limit(session: FakeSession, panel: 
         "ortho_2024_flight_0412_0032.tif",
         "mosaic.tif",
     ]
-    lines = {artist.get_label(): artist for artist in panel._chart._artists}
+    lines = {artist.get_label(): artist for artist in panel._chart.painter.artists}
     assert list(lines["mosaic.tif"].get_ydata()) == pytest.approx([0.016, 0.0452, 0.086, 0.8528])
     assert lines["mosaic.tif"].get_linewidth() > 2 * lines["ortho_2024_flight_0412_0031.tif"].get_linewidth()
     assert lines["significant loss below"].get_ydata()[0] == pytest.approx(0.5 * 0.039)
-    ticks = [label.get_text().strip() for label in panel._chart._axes.get_xticklabels()]
+    ticks = [label.get_text().strip() for label in panel._chart.painter.axes.get_xticklabels()]
     assert ticks == ["1", "2", "3", "background"]
     assert panel._status.text() == "Window 12"
 
@@ -244,22 +275,22 @@ def test_the_limit_follows_the_inputs(session: FakeSession, panel: CurvesPanel) 
     session.inputs.max_ratio = 0.8
     session.inputsChanged.emit()
     settle()
-    limit = next(a for a in panel._chart._artists if a.get_label() == "significant loss below")
+    limit = next(a for a in panel._chart.painter.artists if a.get_label() == "significant loss below")
     assert limit.get_ydata()[0] == pytest.approx(0.8 * 0.039)
 
 
 def test_values_under_the_mouse_without_drawing_the_chart_again(session: FakeSession, panel: CurvesPanel) -> None:
     panel.resize(900, 300)
     select_one(session)
-    drawn = panel._chart.frames_drawn, panel._chart.curves_drawn
+    drawn = panel._chart.painter.frames_drawn, panel._chart.painter.curves_drawn
     point_at(panel, (0, 0))
     assert panel._status.text() == "mosaic.tif, level 1: 0.0160 (41 % of the least sharp source)"
     point_at(panel, (1, 0))
     assert panel._status.text() == "ortho_2024_flight_0412_0031.tif, level 1: 0.0390 (mosaic: 41 % of it)"
     point_at(panel, (0, 3))
     assert panel._status.text().startswith("mosaic.tif, background: 0.853 (")
-    assert (panel._chart.frames_drawn, panel._chart.curves_drawn) == drawn
-    panel._chart._on_mouse_left(None)
+    assert (panel._chart.painter.frames_drawn, panel._chart.painter.curves_drawn) == drawn
+    QApplication.sendEvent(panel._chart, QEvent(QEvent.Type.Leave))
     assert panel._status.text() == "Window 12"
 
 
@@ -279,9 +310,8 @@ def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: C
     settle()
     assert name not in labels(panel)
     assert panel._chart.place_of((1, 0)) is None
-    grey = panel.palette().color(QPalette.ColorGroup.Disabled, QPalette.ColorRole.Text)
-    assert panel._legend.item(1).foreground().color() == grey
-    limit = next(a for a in panel._chart._artists if a.get_label() == "significant loss below")
+    assert ink(panel, 1) < 0.8 * ink(panel, 2)
+    limit = next(a for a in panel._chart.painter.artists if a.get_label() == "significant loss below")
     assert limit.get_ydata()[0] == pytest.approx(0.5 * 0.039)  # what is hidden still counts
 
     session.add(2, make_result(13, level_1=0.02))
@@ -315,11 +345,11 @@ def test_the_limit_in_the_legend_cannot_be_hidden(session: FakeSession, panel: C
 def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, panel: CurvesPanel) -> None:
     whole = make_result(sources=3)
     select_one(session, whole)
-    colour = next(a.get_color() for a in panel._chart._artists if a.get_label().endswith("0033.tif"))
+    colour = next(a.get_color() for a in panel._chart.painter.artists if a.get_label().endswith("0033.tif"))
     session.add(2, replace(whole, window_id=13, clips=(whole.clips[0], whole.clips[3])))
     session.select([2])
     settle()
-    assert next(a.get_color() for a in panel._chart._artists if a.get_label().endswith("0033.tif")) == colour
+    assert next(a.get_color() for a in panel._chart.painter.artists if a.get_label().endswith("0033.tif")) == colour
 
 
 def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, panel: CurvesPanel) -> None:
@@ -343,11 +373,11 @@ def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, 
 
 def test_linear_or_logarithmic(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
-    assert panel._chart._axes.get_yscale() == "log"
+    assert panel._chart.painter.axes.get_yscale() == "log"
     panel._logarithmic.setChecked(False)
     settle()
-    assert panel._chart._axes.get_yscale() == "linear"
-    assert panel._chart._axes.get_ylim()[0] == 0
+    assert panel._chart.painter.axes.get_yscale() == "linear"
+    assert panel._chart.painter.axes.get_ylim()[0] == 0
 
 
 def test_several_windows_show_mean_and_range(session: FakeSession, panel: CurvesPanel) -> None:
@@ -392,7 +422,7 @@ def test_constant_clips_and_sources_without_detail_are_drawn_as_far_as_they_go(
 def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
     settle(8)
-    chart = panel._chart
+    chart = panel._chart.painter
     drawn = chart.frames_drawn, chart.curves_drawn
     session.windowsChanged.emit()
     session.inputsChanged.emit()
@@ -409,10 +439,10 @@ def test_out_of_sight_nothing_is_drawn(session: FakeSession, panel: CurvesPanel)
     select_one(session)
     settle(8)
     panel.hide()
-    drawn = panel._chart.curves_drawn
+    drawn = panel._chart.painter.curves_drawn
     session.add(1, make_result(level_1=0.03))
     settle()
-    assert panel._chart.curves_drawn == drawn
+    assert panel._chart.painter.curves_drawn == drawn
     panel.show()
     settle()
     assert panel._chart.chart.curves[0].detail[0] == 0.03
@@ -430,15 +460,53 @@ def test_it_can_be_deleted_while_the_session_goes_on(session: FakeSession) -> No
     settle()
 
 
+def test_its_thread_ends_with_it(session: FakeSession) -> None:
+    panel = CurvesPanel(session)
+    panel._loader.join()
+    panel.show()
+    select_one(session)
+    threads = [thread for thread in threading.enumerate() if thread.name.startswith("seam-inspector-chart")]
+    assert threads
+    panel.close()
+    panel.deleteLater()
+    del panel
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    for thread in threads:
+        thread.join(5)
+    assert not any(thread.is_alive() for thread in threads)
+
+
+def test_the_curve_under_the_mouse_stands_out(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    plain = panel._chart.grab().toImage()
+    point_at(panel, (1, 0))
+    assert panel._chart.grab().toImage() != plain
+    QApplication.sendEvent(panel._chart, QEvent(QEvent.Type.Leave))
+    settle()
+    assert panel._chart.grab().toImage() == plain
+
+
+def test_the_interface_goes_on_while_a_chart_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
+    session.add(1, make_result())
+    session.select([1])
+    with Gaps() as gaps:
+        end = time.monotonic() + 10
+        while not (panel._chart and panel._chart.is_drawn) and time.monotonic() < end:
+            QApplication.processEvents()
+    assert panel._chart.is_drawn
+    assert gaps.longest_work_s <= 0.05
+
+
 def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
-    assert panel._chart._artists[2].get_color() == PAPER.sources[0]
+    assert panel._chart.painter.artists[2].get_color() == PAPER.sources[0]
     dark = QPalette(panel.palette())
     dark.setColor(QPalette.ColorRole.Base, QColor("#232629"))
     dark.setColor(QPalette.ColorRole.Text, QColor("#eff0f1"))
     panel.setPalette(dark)
     settle(8)
-    assert panel._chart._artists[2].get_color() == DARK.sources[0]
+    assert panel._chart.painter.artists[2].get_color() == DARK.sources[0]
     image = panel._chart.grab().toImage()
     assert image.pixelColor(1, 1).name() == "#232629"
 
@@ -448,11 +516,29 @@ def test_at_any_size_the_axes_are_inside(session: FakeSession, panel: CurvesPane
     for width, height in ((420, 240), (300, 200), (1600, 240), (420, 900)):
         panel.resize(width, height)
         settle()
-        box = panel._chart._axes.get_window_extent()
+        box = panel._chart.painter.axes.get_window_extent()
         assert box.width > 60
         assert box.height > 40
-        last = panel._chart._axes.get_xticklabels()[-1].get_window_extent()
-        assert last.x1 <= panel._chart.width() * panel._chart.device_pixel_ratio
+        last = panel._chart.painter.axes.get_xticklabels()[-1].get_window_extent()
+        assert last.x1 <= panel._chart.width() * panel._chart.devicePixelRatioF()
+
+
+@pytest.mark.parametrize(("width", "beside"), [(420, False), (1000, True)])
+def test_the_legend_is_below_the_chart_where_it_is_narrow(
+    session: FakeSession, panel: CurvesPanel, width: int, beside: bool
+) -> None:
+    font = panel.font()
+    font.setPixelSize(12)
+    panel.setFont(font)
+    panel.resize(width, 400)
+    select_one(session, make_result(sources=5))
+    chart, legend = panel._chart.geometry(), panel._legend.geometry()
+    assert (legend.left() > chart.right()) == beside
+    assert (legend.top() > chart.bottom()) != beside
+    assert chart.width() * chart.height() > 0.6 * panel._pages.width() * panel._pages.height()
+    columns = {panel._legend.visualItemRect(panel._legend.item(row)).left() for row in range(panel._legend.count())}
+    assert (len(columns) == 1) == beside
+    assert panel._legend.verticalScrollBar().maximum() == 0
 
 
 # export

@@ -55,7 +55,7 @@ def test_ids_and_names_of_layers(scene: Scene, project: QgsProject, expected: li
 
 
 def test_a_single_path_is_a_list_of_one(scene: Scene) -> None:
-    assert set(inspect(scene, SOURCES=str(scene.west)).column("source", "PAIRS")) == {"west.tif"}
+    assert set(inspect(scene, SOURCES=str(scene.west)).column("source", "PAIRS")) == {"west.tif", "composite"}
 
 
 def test_each_source_takes_part_once(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
@@ -116,7 +116,7 @@ def test_sources_in_other_systems_and_pixel_sizes_are_resampled(scene: Scene, tm
     assert not outcome.log.warnings
     pairs = {row["source"]: row for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
     resampled = {source: row["resampled"] for source, row in pairs.items()}
-    assert resampled == {**{Path(path).name: 1 for path in paths}, "west.tif": 0}
+    assert resampled == {**{Path(path).name: 1 for path in paths}, "west.tif": 0, "composite": 1}
     for source, row in pairs.items():
         # All but the turned one show the same ground at the same place; that is turned by 0.4 px at the corners.
         assert row["similarity"] > 0.97, source
@@ -131,7 +131,7 @@ def test_pixels_that_differ_by_less_than_a_hundredth_are_taken_as_they_are(scene
     ]
     outcome = inspect(scene, WINDOWS=windows(SHARP), SOURCES=paths)
     resampled = {row["source"]: row["resampled"] for row in outcome.rows("PAIRS")}
-    assert resampled == {"near.tif": 0, "far.tif": 1}
+    assert resampled == {"near.tif": 0, "far.tif": 1, "composite": 1}
 
 
 # --- the index -------------------------------------------------------------------------------------------------
@@ -209,7 +209,7 @@ def test_rows_of_an_index_without_location_or_outline_are_passed_over(scene: Sce
     index = layer(
         "Polygon", [footprint, None, footprint], location=("string", [None, str(scene.west), str(scene.east)])
     )
-    assert set(inspect(scene, SOURCES=None, SOURCE_INDEX=index).column("source", "PAIRS")) == {"east.tif"}
+    assert set(inspect(scene, SOURCES=None, SOURCE_INDEX=index).column("source", "PAIRS")) == {"east.tif", "composite"}
 
 
 @pytest.mark.parametrize(

@@ -37,8 +37,8 @@ def inspect(scene: Scene, *boxes: tuple[float, ...], log: Log | None = None, **p
     return outcome
 
 
-def ratios(levels: int) -> list[tuple[str, str]]:
-    return [(f"ratio_{level}", REAL) for level in range(1, levels + 1)]
+def by_level(name: str, levels: int) -> list[tuple[str, str]]:
+    return [(f"{name}_{level}", REAL) for level in range(1, levels + 1)]
 
 
 def layout(outcome: Run, name: str) -> list[tuple[str, str]]:
@@ -52,16 +52,19 @@ def test_parameters() -> None:
     job = algorithm("inspectwindows")
     definitions = {one.name(): one for one in job.parameterDefinitions()}
     assert list(definitions) == (
-        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS MAX_RATIO SCHEDULER OUTPUT CURVES PAIRS".split()
-    )
+        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO SCHEDULER OUTPUT CURVES PAIRS"
+    ).split()
     flags = QgsProcessingParameterDefinition.Flag
     optional = {name for name, one in definitions.items() if one.flags() & flags.FlagOptional}
     advanced = {name for name, one in definitions.items() if one.flags() & flags.FlagAdvanced}
-    assert optional == {"SOURCES", "SOURCE_INDEX", "SCHEDULER", "CURVES", "PAIRS"}
-    assert advanced == {"MAX_RATIO", "SCHEDULER"}
-    defaults = {name: definitions[name].defaultValue() for name in ("WAVELET", "LEVELS", "MAX_RATIO")}
-    assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "MAX_RATIO": 0.5}
+    # Mandatory, REFERENCE would make every model invalid that was drawn before there was such a choice.
+    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "SCHEDULER", "CURVES", "PAIRS"}
+    assert advanced == {"CELLS", "MAX_RATIO", "SCHEDULER"}
+    defaults = {name: definitions[name].defaultValue() for name in ("WAVELET", "LEVELS", "REFERENCE", "MAX_RATIO")}
+    assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "REFERENCE": "sources", "MAX_RATIO": 0.5}
     assert definitions["WAVELET"].usesStaticStrings()
+    assert definitions["REFERENCE"].usesStaticStrings()
+    assert definitions["REFERENCE"].options() == ["sources", "composite"]
     assert {"haar", "db4", "sym8", "coif3", "dmey"} <= set(definitions["WAVELET"].options())
     for definition in definitions.values():
         assert len(definition.help()) > 20
@@ -78,9 +81,13 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("verdict", TEXT),
         ("reason", TEXT),
         ("sources", INTEGER),
-        *ratios(levels),
+        *by_level("ratio", levels),
         ("background_ratio", REAL),
         ("observer", TEXT),
+        *by_level("composite_ratio", levels),
+        *by_level("expected_ratio", levels),
+        ("unclear_share", REAL),
+        ("cause", TEXT),
     ]
     assert layout(outcome, "CURVES") == [
         ("window_id", INTEGER),
@@ -96,11 +103,20 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("window_id", INTEGER),
         ("source", TEXT),
         ("band", TEXT),
-        *ratios(levels),
+        *by_level("ratio", levels),
         ("similarity", REAL),
         ("offset_x", REAL),
         ("offset_y", REAL),
         ("resampled", INTEGER),
+        ("gain", REAL),
+        ("bias", REAL),
+        ("gamma", REAL),
+        *by_level("contrast", levels),
+        *by_level("sharpness", levels),
+        ("clipped", REAL),
+        ("colour_shift", REAL),
+        ("shift_x", REAL),
+        ("shift_y", REAL),
     ]
     assert outcome.layer("OUTPUT").wkbType() == QgsWkbTypes.Type.Polygon
     assert not outcome.layer("CURVES").isSpatial()
@@ -125,10 +141,11 @@ def test_rows_of_curves_and_pairs(scene: Scene) -> None:
     bands = ["luminance", "red", "green", "blue"]
     components = [("detail", 1), ("detail", 2), ("detail", 3), ("background", 3)]
     rasters = [("mosaic.tif", "mosaic"), ("west.tif", "source"), ("east.tif", "source")]
+    rasters.append(("composite", "composite"))
     rows = [(row["raster"], row["role"], row["band"], row["component"], row["level"]) for row in outcome.rows("CURVES")]
     assert rows == [(*raster, band, *component) for raster in rasters for band in bands for component in components]
     pairs = [(row["source"], row["band"]) for row in outcome.rows("PAIRS")]
-    assert pairs == [(source, band) for source in ("west.tif", "east.tif") for band in bands]
+    assert pairs == [(source, band) for source in ("west.tif", "east.tif", "composite") for band in bands]
 
 
 @pytest.mark.parametrize(
@@ -145,7 +162,7 @@ def test_names_of_bands(tmp_path: Path, bands: int, names: list[str]) -> None:
     paths = [write_raster(tmp_path / name, image, options=plain) for name in ("mosaic.tif", "source.tif")]
     outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=paths[0], SOURCES=paths[1:])
     assert list(dict.fromkeys(outcome.column("band", "CURVES"))) == names
-    assert outcome.column("band", "PAIRS") == names
+    assert outcome.column("band", "PAIRS") == 2 * names  # the source's and the composite's
     assert outcome.column("verdict") == ["preserved"]  # they are the same
 
 
@@ -214,7 +231,8 @@ def test_offset_is_that_of_the_pixel_grids(scene: Scene, tmp_path: Path) -> None
     )
     outcome = inspect(scene, (64, 64, 128, 128), SOURCES=[str(shifted)])
     for row in outcome.rows("PAIRS"):
-        assert (row["offset_x"], row["offset_y"]) == pytest.approx((-moved_by[0], -moved_by[1]), abs=1e-4)
+        off = (-moved_by[0], -moved_by[1]) if row["source"] == "shifted.tif" else (0, 0)  # the composite has our pixels
+        assert (row["offset_x"], row["offset_y"]) == pytest.approx(off, abs=1e-4)
         assert row["resampled"] == 0
     shares = luminance_shares(shifted, (64, 64, 128, 128))
     curve = [row for row in outcome.rows("CURVES") if row["role"] == "source" and row["band"] == "luminance"]
@@ -234,7 +252,8 @@ def test_a_geographic_mosaic_is_measured_on_its_own_pixels(scene: Scene, tmp_pat
         "inspectwindows", WINDOWS=layer("Polygon", [box], 4326), MOSAIC=mosaic, SOURCES=[source, str(scene.east)]
     )
     assert outcome.layer().crs().authid() == "EPSG:4326"
-    assert {(row["source"], row["resampled"]) for row in outcome.rows("PAIRS")} == {("west.tif", 0)}
+    resampled = {(row["source"], row["resampled"]) for row in outcome.rows("PAIRS")}
+    assert resampled == {("west.tif", 0), ("composite", 0)}
     expected = luminance_shares(mosaic, BLURRED)[0] / luminance_shares(source, BLURRED)[0]
     assert outcome.column("ratio_1") == pytest.approx([expected], rel=1e-4)
 

@@ -4,23 +4,21 @@ from __future__ import annotations
 import gc
 import importlib
 import sys
-import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
-from qgis.core import Qgis, QgsApplication, QgsProject
+from qgis.core import QgsApplication, QgsProject
 from qgis.gui import QgisInterface, QgsDockWidget
-from qgis.PyQt.QtCore import QTimer
 from qgis.PyQt.QtWidgets import QAction, QDockWidget
-from seam_inspector.plugin.adapters import packages
 from seam_inspector.plugin.adapters.inputs import Inputs
 from seam_inspector.plugin.gui.session import Session
 
-from tests.core.synthetic import orthoimage, write_raster
+from demo.gaps import Gaps
+from tests.large import BOXES as LARGE_BOXES
+from tests.large import make_large_rasters
 from tests.qgis.scenes import Scene, outline, windows
 from tests.qgis.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
@@ -223,7 +221,7 @@ def use_in(session: Session, scene: Scene, folder: Path) -> Desk:
     desk.session.close()
     desk.session = session
     desk.listen(session)
-    session.set_inputs(desk.inputs())
+    desk.set(desk.inputs())
     return desk
 
 
@@ -251,84 +249,18 @@ def test_the_dock_inspects(plugin: Any, scene: Scene, tmp_path: Path) -> None:
     assert desk.messages == []
 
 
-@pytest.mark.parametrize("module", ["pywt", "matplotlib"])
-def test_a_missing_package_is_named_once(
-    plugin: Any, qgis_iface: QgisInterface, monkeypatch: pytest.MonkeyPatch, module: str
-) -> None:
-    find = packages.find_spec
-    monkeypatch.setattr(packages, "find_spec", lambda name: None if name == module else find(name))
-    told: list[tuple[str, Any]] = []
-    monkeypatch.setattr(
-        qgis_iface.messageBar(), "pushMessage", lambda _title, text, level, _time: told.append((text, level))
-    )
-    action_of(plugin).trigger()
-    assert plugin._dock is None
-    assert not action_of(plugin).isChecked()
-    ((text, level),) = told
-    assert level == Qgis.MessageLevel.Warning
-    name = {"pywt": "PyWavelets", "matplotlib": "matplotlib"}[module]
-    assert name in text
-    assert f"python3-{module}" in text
-    assert "OSGeo4W" in text
-
-
-def test_qgis_starts_without_what_the_desk_needs(repository: Path) -> None:
-    import subprocess
-
-    code = (
-        f"import sys; sys.path.insert(0, {str(repository / 'build' / 'plugins')!r});"
-        "import seam_inspector; from seam_inspector.plugin import plugin;"
-        "print([name for name in ('matplotlib', 'pywt', 'seam_inspector.plugin.gui.dock') if name in sys.modules])"
-    )
-    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert out.stdout.strip() == "[]"
-
-
 # The interface's thread
-
-
-class Gaps:
-    """The event loop's longest gap, by a timer that should fire every 2 ms."""
-
-    def __init__(self) -> None:
-        self.gaps: list[float] = []
-        self._last = time.perf_counter()
-        self._timer = QTimer()
-        self._timer.setInterval(2)
-        self._timer.timeout.connect(self._tick)
-
-    def __enter__(self) -> Gaps:
-        self._last = time.perf_counter()
-        self._timer.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._timer.stop()
-
-    def _tick(self) -> None:
-        now = time.perf_counter()
-        self.gaps.append(now - self._last)
-        self._last = now
 
 
 @pytest.fixture(scope="module")
 def large(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     """Rasters of 4096 x 4096 px."""
-    folder = tmp_path_factory.mktemp("large")
-    tile = orthoimage((1024, 1024))
-    paths = []
-    for number, name in enumerate(("mosaic", "west", "east")):
-        noise = np.random.default_rng(number).integers(-3, 4, tile.shape)
-        pixels = np.tile(np.clip(tile + noise, 1, 255).astype(np.uint8), (1, 4, 4))
-        paths.append(folder / f"{name}.tif")
-        write_raster(paths[-1], pixels, nodata=0, options=("TILED=YES",))
-    return Scene(*paths)
+    return Scene(*make_large_rasters(tmp_path_factory.mktemp("large")))
 
 
 def test_the_map_does_not_stall_while_windows_are_inspected(large: Scene, project: QgsProject, tmp_path: Path) -> None:
     desk = Desk(large, tmp_path)
-    boxes = [(430 * column, 330 * row, 1024, 1024) for row in range(7) for column in range(8)][:50]
-    desk.use(windows(*boxes))
+    desk.use(windows(*LARGE_BOXES))
     desk.session.windows()
     wait_for_tasks()
     with Gaps() as measured:
@@ -336,6 +268,6 @@ def test_the_map_does_not_stall_while_windows_are_inspected(large: Scene, projec
         desk.wait()
     desk.session.close()
     assert all(row.verdict for row in desk.session.windows())
-    longest = sorted(measured.gaps)[-5:]
-    sys.stdout.write(f"event loop, longest gaps: {[round(1e3 * gap) for gap in longest]} ms\n")
-    assert longest[-1] < 0.25  # 50 ms on a machine of its own
+    sys.stdout.write(f"longest gap {1e3 * measured.longest_s:.0f} ms, at work {1e3 * measured.longest_work_s:.0f} ms\n")
+    assert measured.longest_work_s <= 0.05
+    assert measured.longest_s <= 1.0  # by the clock, which on a shared machine runs for others too

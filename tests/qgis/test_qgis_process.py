@@ -65,7 +65,8 @@ def test_list_and_help(qgis_process: Process) -> None:
     for name in ("seaminspector:placewindows", "seaminspector:inspectwindows", "seaminspector:inspect_mosaic"):
         assert name in said.stdout
     described = qgis_process("help", "seaminspector:inspectwindows").stdout
-    for name in "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS MAX_RATIO SCHEDULER OUTPUT CURVES PAIRS".split():
+    names = "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO SCHEDULER".split()
+    for name in (*names, "OUTPUT", "CURVES", "PAIRS"):
         assert f"\n{name}: " in described
     assert "SIGNIFICANT_COUNT" in described
 
@@ -90,7 +91,7 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
     assert results["SIGNIFICANT_COUNT"] == 1
     header, *rows = curves.read_text(encoding="utf-8").splitlines()
     assert header == "window_id,raster,role,band,component,level,relative_variance,variance"
-    assert len(rows) == 4 * 3 * 4 * 3  # windows, rasters, bands, components
+    assert len(rows) == 4 * 4 * 4 * 3  # windows, rasters with the composite, bands, components
 
 
 @pytest.mark.parametrize("by", ["id", "file"])
@@ -107,8 +108,8 @@ def test_the_model(
     )
     assert run.returncode == 0, run.stderr
     assert verdicts(inspected) == ["reduced"] * 3 + ["significant"]
-    assert QgsVectorLayer(str(curves), "curves", "ogr").featureCount() == 4 * 3 * 4 * 4
-    assert QgsVectorLayer(str(pairs), "pairs", "ogr").featureCount() == 4 * 2 * 4
+    assert QgsVectorLayer(str(curves), "curves", "ogr").featureCount() == 4 * 4 * 4 * 4
+    assert QgsVectorLayer(str(pairs), "pairs", "ogr").featureCount() == 4 * 3 * 4
 
 
 def test_bad_input_ends_with_a_sentence_and_a_failure(

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from qgis.core import (
+    NULL,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
     QgsFeature,
@@ -26,7 +27,15 @@ from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, UTM33, Scene, layer, outline, windows
 
 CRS = QgsCoordinateReferenceSystem(f"EPSG:{UTM33}")
-FIELDS = ["window_id", "verdict", "reason", "sources", "ratio_1", "ratio_2", "ratio_3", "background_ratio", "observer"]
+OLD_FIELDS = (
+    ["window_id", "verdict", "reason", "sources", "ratio_1", "ratio_2", "ratio_3", "background_ratio", "observer"]
+)
+"""Those of a layer that was made before causes were looked for."""
+FIELDS = [
+    *OLD_FIELDS,
+    *("composite_ratio_1", "composite_ratio_2", "composite_ratio_3"),
+    *("expected_ratio_1", "expected_ratio_2", "expected_ratio_3", "unclear_share", "cause"),
+]
 RATIOS = (0.123456789012, 0.9, None)
 
 
@@ -121,6 +130,30 @@ def test_fields_are_one_step_of_undo(project: QgsProject) -> None:
     drawn.undoStack().undo()
     drawn.undoStack().undo()
     assert drawn.fields().names() == []
+
+
+def test_a_layer_from_before_causes_is_read_as_it_is_and_completed(project: QgsProject) -> None:
+    values = [7, "reduced", None, 2, 0.8, 0.9, 0.95, 1.0, "visible"]
+    kinds = ["integer", "string", "string", "integer", *["double"] * 4, "string"]
+    old = windows(SHARP, **{name: (kind, [value]) for name, kind, value in zip(OLD_FIELDS, kinds, values)})
+    (before,) = window_layer.read_rows(old)
+    assert (before.window_id, before.verdict, before.sources) == (7, "reduced", 2)
+    assert (before.ratios, before.background_ratio, before.observer) == ((0.8, 0.9, 0.95), 1.0, "visible")
+    window_layer.complete_fields(old, 3)
+    assert old.fields().names() == FIELDS
+    assert window_layer.read_rows(old) == [before]
+    window_layer.write_results(old, {before.fid: result(7)})
+    (after,) = window_layer.read_rows(old)
+    assert (after.ratios[:2], after.observer) == (RATIOS[:2], "visible")
+
+
+def test_ratios_of_more_levels_go_when_fewer_are_written(project: QgsProject) -> None:
+    stale = {f"{kind}ratio_{level}": ("double", [0.5]) for kind in ("", "composite_", "expected_") for level in (1, 4)}
+    drawn = windows(SHARP, window_id=("integer", [1]), ratio_x=("double", [0.25]), **stale)  # type: ignore[arg-type]
+    window_layer.write_results(drawn, {1: result(1)})
+    (feature,) = drawn.getFeatures()
+    assert [feature[name] for name in stale if name.endswith("_4")] == [NULL] * 3
+    assert feature["ratio_x"] == 0.25  # not one of ours
 
 
 def test_rows_of_a_layer_without_our_fields(project: QgsProject) -> None:

@@ -13,11 +13,13 @@ class WindowsSession(QObject):
 
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
+    progressChanged = pyqtSignal(int, int)
 
     def __init__(self, rows: list[WindowRow] | None = None) -> None:
         super().__init__()
         self.rows = list(rows or [])
         self.chosen: list[int] = []
+        self.pending: set[int] = set()
         self.calls: list[tuple[Any, ...]] = []
         """What the widgets asked for, in order."""
 
@@ -35,6 +37,9 @@ class WindowsSession(QObject):
 
     def row(self, fid: int) -> WindowRow | None:
         return next((row for row in self.rows if row.fid == fid), None)
+
+    def is_pending(self, fid: int) -> bool:
+        return fid in self.pending
 
     def selected(self) -> list[int]:
         return sorted(self.chosen)

@@ -6,9 +6,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
-from qgis.utils import iface
 
 from demo.desk import Desk
 
@@ -23,7 +21,10 @@ def play(desk: Desk) -> None:
     judge(desk)
     desk.screenshot(shots / "desk.png")
     show_images(desk, shots / "desk_images.png")
-    save_and_reopen(desk)
+    desk.save_and_reopen()
+    desk.session.select([desk.session.windows()[0].fid])
+    desk.show_tab(0)
+    desk.wait_for_map()
     desk.screenshot(shots / "desk_reopened.png")
 
 
@@ -89,27 +90,6 @@ def show_images(desk: Desk, path: Path) -> None:
     desk.report["pictures"] = [picture.raster for picture in desk.session.pictures(fid)]
     desk.report["map_units_per_pixel"] = desk.canvas.mapUnitsPerPixel()
     desk.screenshot(path)
-
-
-def save_and_reopen(desk: Desk) -> None:
-    """Edits and project are saved; the project opened again has inputs, windows and judgement."""
-    before = [(row.window_id, row.verdict, row.ratios, row.observer) for row in desk.session.windows()]
-    inputs = desk.session.inputs
-    assert iface.vectorLayerTools().saveEdits(desk.session.window_layer())
-    path = desk.folder / "project.qgz"
-    assert desk.project.write(str(path))
-    desk.new_project()
-    assert desk.session.windows() == []
-    assert not desk.session.inputs.mosaic
-    assert QgsProject.instance().read(str(path))
-    desk.wait(lambda: len(desk.session.windows()) == len(before), 20, "windows back")
-    after = [(row.window_id, row.verdict, row.ratios, row.observer) for row in desk.session.windows()]
-    assert after == before
-    assert desk.session.inputs == inputs
-    assert not any(row.stale for row in desk.session.windows())
-    desk.session.select([desk.session.windows()[0].fid])
-    desk.show_tab(0)
-    desk.wait_for_map()
 
 
 def has_curve(desk: Desk, count: int) -> bool:

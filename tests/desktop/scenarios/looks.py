@@ -11,6 +11,7 @@ from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QLabel, QLineEdit, Q
 from qgis.utils import iface
 
 from demo.desk import Desk
+from tests.desktop import eyes
 
 
 def play(desk: Desk) -> None:
@@ -38,13 +39,32 @@ def play(desk: Desk) -> None:
         desk.show_tab(0)
         desk.wait_for_map()
         desk.report[f"{side}_size"] = [desk.dock.width(), desk.dock.height()]
-        desk.report[f"{side}_cut"] = cut_off(desk.dock)
+        look(desk, side)
         desk.screenshot(folder / f"{name}_{side}.png")
         desk.show_tab(1)
         fid = desk.session.selected()[0]
         desk.wait(lambda number=fid: desk.session.pictures(number) is not None, 30, "pictures")
         desk.wait_for_map()
         desk.screenshot(folder / f"{name}_{side}_images.png")
+        look(desk, f"{side}_images")
+    desk.show_tab(0)
+
+
+def look(desk: Desk, side: str) -> None:
+    """What is wrong, and how well words can be read, goes into the report."""
+    wait_for_chart(desk)
+    dock = desk.dock
+    desk.report[f"{side}_cut"] = cut_off(dock)
+    desk.report[f"{side}_headings_cut"] = eyes.cut_headings(dock.windows.table)
+    desk.report[f"{side}_contrasts"] = eyes.contrasts(dock)
+    desk.report[f"{side}_no_tooltip"] = eyes.without_tooltip(dock)
+    desk.report[f"{side}_steps_up"] = eyes.steps_up(dock) if "right" in side else []
+    desk.report[f"{side}_no_focus_mark"] = eyes.without_focus_mark(dock)
+
+
+def wait_for_chart(desk: Desk) -> None:
+    """Until the curves of the selected window are drawn."""
+    desk.wait(lambda: desk.curves_of(desk.session.selected()[0]), 30, "chart drawn")
 
 
 def empty(desk: Desk, path: Path) -> None:

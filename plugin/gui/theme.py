@@ -1,0 +1,61 @@
+"""Colours that can be read, for what draws itself, in whatever theme QGIS has."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import QModelIndex
+from qgis.PyQt.QtGui import QColor, QPalette
+from qgis.PyQt.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+
+_LEAST_CONTRAST = 3.0  # WCAG 2.1, success criteria 1.4.3 and 1.4.11: large text, and graphics that mean something
+
+
+def readable_palette(widget: QWidget) -> QPalette:
+    """The palette of a widget, or of the nearest one around it whose text can be read.
+
+    Themes such as Night Mapping colour QGIS's own kinds of widgets by style sheet, and leave dark text on nothing in
+    the palette of the others. Ask while painting: themes change, and a new widget has its theme only when it is shown.
+    """
+    around: QWidget | None = widget
+    while around is not None:
+        around.ensurePolished()
+        palette = around.palette()
+        text, back = palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base)
+        if back.alpha() == 255 and contrast(text, back) >= _LEAST_CONTRAST:
+            return palette
+        around = around.parentWidget()
+    return widget.palette()
+
+
+def readable_on(back: QColor, wanted: QColor) -> QColor:
+    """A colour for words on a background: the wanted one if it can be read there, else black or white."""
+    black, white = QColor(0, 0, 0), QColor(255, 255, 255)
+    if contrast(wanted, back) >= _LEAST_CONTRAST:
+        return wanted
+    return max(black, white, key=lambda colour: contrast(colour, back))
+
+
+class ReadableItems(QStyledItemDelegate):
+    """Draws items without what themes do to them under the mouse: Night Mapping writes them dark on grey there."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        super().initStyleOption(option, index)
+        option.state &= ~QStyle.StateFlag.State_MouseOver
+
+
+def contrast(one: QColor, other: QColor) -> float:
+    """Of two colours, 1 to 21, as WCAG 2.1 defines it."""
+    darker, lighter = sorted((_luminance(one), _luminance(other)))
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+def blended(one: QColor, other: QColor, share: float) -> QColor:
+    """So much of one colour in another."""
+    pairs = zip(one.getRgb()[:3], other.getRgb()[:3])
+    return QColor(*(round(share * a + (1 - share) * b) for a, b in pairs))
+
+
+def _luminance(colour: QColor) -> float:
+    """Relative luminance of sRGB, 0 to 1."""
+    red, green, blue = (
+        share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4 for share in colour.getRgbF()[:3]
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue

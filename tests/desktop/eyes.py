@@ -1,0 +1,190 @@
+"""What is wrong with the looks of a dock: nothing here knows how the dock was made."""
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from qgis.PyQt.QtCore import QPoint, QRect, Qt
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractScrollArea,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QPushButton,
+    QTabBar,
+    QTableView,
+    QWidget,
+)
+
+_CONTROLS = (QAbstractButton, QComboBox, QLineEdit, QAbstractSpinBox, QAbstractItemView)
+_WHOLES = (QComboBox, QLineEdit, QAbstractSpinBox, QAbstractItemView, QTabBar)  # their parts are their own affair
+_FRAMES = (  # of Qt and QGIS
+    "qt_dockwidget_floatbutton", "qt_dockwidget_closebutton", "qt_toolbar_ext_button", "collapseButton"
+)  # fmt: skip
+
+
+def contrasts(dock: QWidget) -> dict[str, float]:
+    """Of the words that the dock draws in ways of its own, against what they stand on, as WCAG 2.1 counts it."""
+    found = {}
+    for name, widget, box in _words(dock):
+        seen = box.translated(widget.mapTo(dock, QPoint()))  # alone, a widget has no background but its own
+        found[name] = round(_contrast(dock, seen), 1)
+    return found
+
+
+def _words(dock: QWidget) -> Iterator[tuple[str, QWidget, QRect]]:
+    for widget in dock.findChildren(QWidget):
+        kind = type(widget).__name__
+        if not widget.isVisible():
+            continue
+        if kind == "CurvesLegend":
+            yield from _legend_words(widget)
+        elif kind == "PictureView":
+            strip, name = QRect(0, 0, widget.width(), widget.image_rect().top()), widget.accessibleName()
+            badge = strip.adjusted(strip.height() // 2, 3, 0, -3)
+            badge.setWidth(2 * strip.height())
+            yield f"title {name}", widget, strip.adjusted(strip.width() // 3, 0, 0, 0)
+            yield f"badge {name}", widget, badge
+        elif (kind == "ClippedLabel" or isinstance(widget, QLabel)) and widget.text():
+            yield f"label {widget.text()}", widget, widget.rect()
+        elif isinstance(widget, QPushButton) and widget.isEnabled():
+            yield f"button {widget.text()}", widget, widget.rect().adjusted(widget.width() // 3, 5, -5, -5)
+        elif isinstance(widget, QTableView):
+            yield from _headings(widget)
+
+
+def _legend_words(legend: QListWidget) -> Iterator[tuple[str, QWidget, QRect]]:
+    for row in range(legend.count()):
+        item = legend.item(row)
+        box = legend.visualItemRect(item).adjusted(legend.iconSize().width() + 6, 0, 0, 0)
+        yield f"legend {item.text()}", legend.viewport(), box
+
+
+def _headings(table: QTableView) -> Iterator[tuple[str, QWidget, QRect]]:
+    header = table.horizontalHeader()
+    for column in range(header.count()):
+        if not table.isColumnHidden(column):
+            left, width = header.sectionViewportPosition(column), header.sectionSize(column)
+            title = table.model().headerData(column, Qt.Orientation.Horizontal)
+            yield f"heading {title}", header.viewport(), QRect(left + 1, 1, width - 4, header.height() - 4)
+
+
+def _contrast(widget: QWidget, box: QRect) -> float:
+    """The strongest one in a part of a widget with the colour that most of it has."""
+    image = widget.grab(box).toImage()
+    pixels = Counter(image.pixel(x, y) for x in range(image.width()) for y in range(image.height()))
+    back = _luminance(QColor(pixels.most_common(1)[0][0]))
+    shades = [_luminance(QColor(pixel)) for pixel in pixels]
+    return max((max(back, shade) + 0.05) / (min(back, shade) + 0.05) for shade in shades)
+
+
+def _luminance(colour: QColor) -> float:
+    linear = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour.getRgbF()[:3])
+    return sum(weight * share for weight, share in zip((0.2126, 0.7152, 0.0722), linear))
+
+
+def cut_headings(table: QTableView) -> list[str]:
+    """Headings that look otherwise where there is more room for them."""
+    header, model = table.horizontalHeader(), table.model()
+    shown = [column for column in range(header.count()) if not table.isColumnHidden(column)]
+    sizes = {column: header.sectionSize(column) for column in shown}
+    narrow = {column: _inked_columns(header, column) for column in shown}
+    found = []
+    for column in shown:
+        for other in shown:
+            table.setColumnHidden(other, other != column)
+        header.resizeSection(column, 2 * sizes[column])
+        if abs(_inked_columns(header, column) - narrow[column]) > 2:
+            found.append(str(model.headerData(column, Qt.Orientation.Horizontal)))
+    for column in shown:
+        table.setColumnHidden(column, False)
+        header.resizeSection(column, sizes[column])
+    return found
+
+
+def _inked_columns(header: QHeaderView, column: int) -> int:
+    """Columns of pixels in which something is written; the background may change from row to row."""
+    left, width = header.sectionViewportPosition(column), header.sectionSize(column)
+    image = header.viewport().grab(QRect(left + 2, 2, width - 5, header.height() - 5)).toImage()
+    inked = set()
+    for y in range(image.height()):
+        row = [image.pixel(x, y) for x in range(image.width())]
+        back = Counter(row).most_common(1)[0][0]
+        inked |= {x for x, pixel in enumerate(row) if abs(QColor(pixel).lightness() - QColor(back).lightness()) > 40}
+    return len(inked)
+
+
+def without_tooltip(dock: QWidget) -> list[str]:
+    """Controls that don't say what they are for, in sight or not."""
+    found = [name_of(widget) for widget in dock.findChildren(QWidget) if _is_control(widget) and not widget.toolTip()]
+    for bar in dock.findChildren(QTabBar):
+        found += [f"tab {bar.tabText(tab)}" for tab in range(bar.count()) if not bar.tabToolTip(tab)]
+    return found
+
+
+def _is_control(widget: QWidget) -> bool:
+    if not isinstance(widget, _CONTROLS) or widget.objectName() in _FRAMES:
+        return False
+    around = widget.parentWidget()
+    while around is not None:
+        if isinstance(around, _WHOLES):
+            return False
+        around = around.parentWidget()
+    return not widget.isWindow()
+
+
+def tab_stops(dock: QWidget) -> list[QWidget]:
+    """What Tab leads to, in its order, from the one furthest up."""
+    stops, widget = [], dock.nextInFocusChain()
+    while widget is not dock:
+        takes = bool(widget.focusPolicy() & Qt.FocusPolicy.TabFocus) and widget.focusProxy() is None
+        if takes and widget.isVisible() and widget.isEnabled() and dock.isAncestorOf(widget):
+            stops.append(widget)
+        widget = widget.nextInFocusChain()
+    first = min(range(len(stops)), key=lambda stop: _top(dock, stops[stop]))
+    return stops[first:] + stops[:first]
+
+
+def steps_up(dock: QWidget) -> list[str]:
+    """Where Tab goes up, or to the left in a row."""
+    found, stops = [], tab_stops(dock)
+    for before, after in zip(stops, stops[1:]):
+        down = _top(dock, after) - _top(dock, before)
+        across = after.mapTo(dock, QPoint()).x() - before.mapTo(dock, QPoint()).x()
+        is_same_row = abs(down) < min(before.height(), after.height()) / 2
+        if (across < 0) if is_same_row else (down < 0):
+            found.append(f"{name_of(before)} > {name_of(after)}")
+    return found
+
+
+def _top(dock: QWidget, widget: QWidget) -> int:
+    return widget.mapTo(dock, QPoint()).y()
+
+
+def without_focus_mark(dock: QWidget) -> list[str]:
+    """What Tab leads to and looks with the focus as without."""
+    found, before = [], QApplication.focusWidget()
+    for stop in tab_stops(dock):
+        stop.clearFocus()
+        QApplication.processEvents()
+        without = stop.grab().toImage()
+        stop.setFocus(Qt.FocusReason.TabFocusReason)
+        QApplication.processEvents()
+        if stop.hasFocus() and stop.grab().toImage() == without:
+            found.append(name_of(stop))
+    if before is not None:
+        before.setFocus()
+    return found
+
+
+def name_of(widget: QWidget) -> str:
+    """For a list of what is wrong."""
+    text = getattr(widget, "text", str)() if not isinstance(widget, QAbstractScrollArea) else ""
+    return f"{type(widget).__name__} {widget.objectName() or text or widget.accessibleName()}".strip()

@@ -1,0 +1,128 @@
+"""Without a package that it needs the plugin loads, says what to do, and works as soon as the package is there."""
+from __future__ import annotations
+
+import importlib
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis.core import Qgis, QgsProject
+from qgis.gui import QgisInterface
+from seam_inspector.plugin.adapters import packages
+
+from tests.qgis.runs import assert_sentence
+
+Told = list[tuple[str, Any]]
+NAMES = {"pywt": "PyWavelets", "matplotlib": "matplotlib"}
+
+
+@pytest.fixture
+def start(qgis_iface: QgisInterface, project: QgsProject) -> Iterator[Callable[[], Any]]:
+    """Loads the plugin, as QGIS does when it starts."""
+    loaded: list[Any] = []
+
+    def load() -> Any:
+        for plugin in loaded:
+            plugin.unload()
+        loaded[:] = [importlib.import_module("seam_inspector").classFactory(qgis_iface)]
+        loaded[0].initGui()
+        return loaded[0]
+
+    yield load
+    for plugin in loaded:
+        plugin.unload()
+
+
+@pytest.fixture
+def told(qgis_iface: QgisInterface, monkeypatch: pytest.MonkeyPatch) -> Told:
+    """What stands in the message bar, with its level."""
+    messages: Told = []
+    monkeypatch.setattr(
+        qgis_iface.messageBar(), "pushMessage", lambda _title, text, level, _time: messages.append((text, level))
+    )
+    return messages
+
+
+@pytest.mark.parametrize("module", NAMES)
+def test_a_missing_package_is_named_once_and_used_after_a_restart(
+    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch, module: str
+) -> None:
+    find = packages.find_spec
+    with monkeypatch.context() as patch:
+        patch.setattr(packages, "find_spec", lambda name: None if name == module else find(name))
+        plugin = start()
+        assert told == []  # it is time enough when somebody wants to use it
+        plugin._action.trigger()
+        assert plugin._dock is None
+        assert not plugin._action.isChecked()
+    ((text, level),) = told
+    assert level == Qgis.MessageLevel.Warning
+    assert NAMES[module] in text
+    assert_sentence(text, "then restart QGIS")
+    told.clear()
+    plugin = start()
+    plugin._action.trigger()
+    assert plugin._dock is not None
+    assert plugin._dock.session.windows() == []
+    assert told == []
+
+
+@pytest.mark.parametrize(
+    ("platform", "has_apt", "words"),
+    [
+        ("linux", True, "'sudo apt install python3-pywt'"),
+        ("linux", False, "'python -m pip install PyWavelets' with the Python that QGIS uses.*requirements.txt"),
+        ("win32", False, "'python -m pip install PyWavelets' in the OSGeo4W shell"),
+        ("darwin", False, "requirements.txt"),
+    ],
+)
+def test_how_to_get_it_depends_on_the_system(
+    monkeypatch: pytest.MonkeyPatch, platform: str, has_apt: bool, words: str
+) -> None:
+    monkeypatch.setattr(packages, "find_spec", lambda name: None if name == "pywt" else object())
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setattr(shutil, "which", lambda _program: "/usr/bin/apt" if has_apt else None)
+    assert_sentence(packages.missing_packages_sentence(), words)
+
+
+@pytest.mark.skipif(shutil.which("apt") is None, reason="another system gives other advice")
+def test_all_that_is_missing_is_in_one_message(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(packages, "find_spec", lambda _name: None)
+    words = "numpy, PyWavelets, matplotlib.*apt install python3-numpy python3-pywt python3-matplotlib"
+    assert_sentence(packages.missing_packages_sentence(desk=True), words)
+
+
+def test_a_package_that_cant_be_loaded_is_named(repository: Path, tmp_path: Path) -> None:
+    """In a process of its own, since ours has loaded it."""
+    (tmp_path / "pywt").mkdir()
+    (tmp_path / "pywt" / "__init__.py").write_text("raise ImportError('its library is missing', name='pywt._dwt')")
+    code = """
+from unittest.mock import MagicMock
+from qgis.core import QgsApplication
+from qgis.PyQt.QtWidgets import QAction
+application = QgsApplication([], True)
+application.initQgis()
+import seam_inspector
+iface = MagicMock()
+iface.mainWindow.return_value = None
+plugin = seam_inspector.classFactory(iface)
+plugin.initGui()
+plugin._action.trigger()
+(_, text, _, _), _ = iface.messageBar().pushMessage.call_args
+print(plugin._dock, plugin._action.isChecked(), text, sep="|")
+plugin.unload()
+"""
+    environment = {**os.environ, "QGIS_CUSTOM_CONFIG_PATH": str(tmp_path)}
+    environment["PYTHONPATH"] = os.pathsep.join((str(tmp_path), str(repository / "build" / "plugins")))
+    finished = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, env=environment, timeout=60, check=False
+    )
+    assert "Traceback" not in finished.stderr, finished.stderr
+    dock, is_checked, text = finished.stdout.strip().split("|")
+    assert (dock, is_checked) == ("None", "False")
+    assert_sentence(text, "PyWavelets can't be loaded .its library is missing.")
