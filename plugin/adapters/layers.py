@@ -31,6 +31,7 @@ from ..core.sources import Source
 from ..core.windows import Extent
 
 LOCATION_FIELD = "location"  # as gdaltindex writes it
+CELL_FIELD = "source"
 
 
 def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
@@ -148,7 +149,7 @@ def seam_cells(rows: Iterable[QgsFeature], transform: QgsCoordinateTransform) ->
     """Polygons that say in their field ``source`` which orthoimage the mosaic was cut from."""
     cells = []
     for feature in rows:
-        name, geometry = feature["source"], QgsGeometry(feature.geometry())
+        name, geometry = feature[CELL_FIELD], QgsGeometry(feature.geometry())
         if _is_text(name) and not geometry.isEmpty():
             outline = _transformed(geometry, transform)
             cells.append(Cell(str(name), bytes(outline.asWkb()), extent(outline)))
