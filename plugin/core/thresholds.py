@@ -52,3 +52,10 @@ MIN_SHARE = 1e-20  # of the variance: smaller ones are rounding of float64, and 
 MAX_SIGNIFICANT_RATIO = 0.5  # Pyka 2010, section 5: detail at level 1 at least halved in the visible cases
 LUMINANCE_WEIGHTS = (0.299, 0.587, 0.114)  # red, green, blue; ITU-R BT.601, Pyka 2009
 MAX_REASONS = 3  # sources named in the reason of a window; more would not be read
+
+# Judging the judge
+MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %
+RESAMPLES = 2000  # of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends
+PERCENTILES_95 = (2.5, 97.5)
+NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %
+WANTED_AREA_ERROR = 0.05  # half of the 95 % interval of an area under the ROC curve that is known well enough
