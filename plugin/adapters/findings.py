@@ -4,13 +4,16 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ..core import messages
 from ..core.errors import SettingsError
-from ..core.findings import Finding, FoundPair
+from ..core.findings import Finding, FoundCurve, FoundPair, judged_band
 from .layers import outline_extent
+
+_BACKGROUND = 0
 
 
 def read_findings(
@@ -55,6 +58,52 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
             pair = FoundPair(source, band, number(row, "ratio_1", names), number(row, "contrast_1", names))
             found.setdefault(window_id, []).append(pair)
     return found
+
+
+def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[FoundCurve]]:
+    """The curves of CURVES in the judged band by window, in the table's order.
+
+    Rows of one curve stand together; of two sources with the same name the second starts where a component of the
+    first comes again. Raises SettingsError for a table that is none of curves.
+    """
+    for name in ("window_id", "raster", "role", "band", "component", "level", "relative_variance"):
+        if name not in names:
+            raise SettingsError(messages.CURVES_WITHOUT_FIELD(field=name))
+    windows: dict[int, dict[str, list[_Components]]] = {}
+    for row in rows:
+        window_id, level = whole(row, "window_id", names), whole(row, "level", names)
+        if window_id is None or level is None:
+            continue
+        raster, role, band = (text(row, name, names) for name in ("raster", "role", "band"))
+        place = level if text(row, "component", names) == "detail" else _BACKGROUND
+        curves = windows.setdefault(window_id, {}).setdefault(band, [])
+        own = [one for one in curves if (one.raster, one.role) == (raster, role)]
+        if not own or place in own[-1].shares:
+            own.append(_Components(raster, role, {}))
+            curves.append(own[-1])
+        share = number(row, "relative_variance", names)
+        own[-1].shares[place] = math.nan if share is None else share
+    return {
+        window_id: [curve for found in bands[judged_band(bands)] if (curve := found.curve()) is not None]
+        for window_id, bands in windows.items()
+    }
+
+
+class _Components(NamedTuple):
+    """The components of one curve as they come."""
+
+    raster: str
+    role: str
+    shares: dict[int, float]
+    """By level; the background as _BACKGROUND."""
+
+    def curve(self) -> FoundCurve | None:
+        """None while levels are missing."""
+        levels = [level for level in self.shares if level != _BACKGROUND]
+        if _BACKGROUND not in self.shares or sorted(levels) != list(range(1, len(levels) + 1)) or not levels:
+            return None
+        detail = tuple(self.shares[level] for level in sorted(levels))
+        return FoundCurve(self.raster, self.role, detail, self.shares[_BACKGROUND])
 
 
 def _levels(names: Sequence[str], kind: str) -> list[str]:

@@ -179,6 +179,9 @@ WINDOWS_WITHOUT_FIELD = Message(
 PAIRS_WITHOUT_FIELD = Message(
     "The table of pairs has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
 )
+CURVES_WITHOUT_FIELD = Message(
+    "The table of curves has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
+)
 PAIRS_WITHOUT_CONTRAST = Message(
     "The table of pairs has no field 'contrast_1', so the absolute contrast is not judged; inspect the windows anew to "
     "have it."
@@ -207,3 +210,10 @@ VERDICTS_UNKNOWN = Message(
     "Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows."
 )
 VERDICTS_WITHOUT_VALUE = Message("{measure}: left out because nothing was measured there: {count} judged windows.")
+# the report
+CLIP_NOT_SHOWN = Message("Window {window}: {why}")
+DETAILS_LIMITED = Message(
+    "{count} windows are flagged and the report shows curves and clips of the {most} with the lowest ratios; the "
+    "others stand in the table. Report a part of the windows to see them."
+)
+NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")

@@ -17,7 +17,6 @@ from qgis.core import (
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterNumber,
     QgsProcessingParameterString,
     QgsWkbTypes,
 )
@@ -25,17 +24,16 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
-from ..core import messages, thresholds
-from ..core.errors import RasterError, SettingsError, WindowError
+from ..core import messages
+from ..core.errors import SettingsError, WindowError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
+from .sources import GivenSources
 
 if TYPE_CHECKING:
     from ..core.inspection import Block, Settings, WindowRequest
-    from ..core.messages import Message
-    from ..core.rasters import RasterRef
 
-WINDOWS, MAX_RATIO, SCHEDULER = "WINDOWS", "MAX_RATIO", "SCHEDULER"
+WINDOWS, SCHEDULER = "WINDOWS", "SCHEDULER"
 OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
 
@@ -70,16 +68,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
         self.addDescribed(
-            QgsProcessingParameterNumber(
-                MAX_RATIO,
-                tr("Largest ratio of a significant loss"),
-                QgsProcessingParameterNumber.Type.Double,
-                thresholds.MAX_SIGNIFICANT_RATIO,
-                minValue=0,
-                maxValue=1,
-            ),
-            tr("A window is significant when its ratio at level 1 is this or less."),
-            advanced=True,
+            *common.max_ratio(tr("A window is significant when its ratio at level 1 is this or less.")), advanced=True
         )
         self.addDescribed(
             QgsProcessingParameterString(SCHEDULER, tr("Dask scheduler"), optional=True),
@@ -112,17 +101,8 @@ class InspectWindows(SeamInspectorAlgorithm):
             raise SettingsError(messages.NO_SOURCES_GIVEN())
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ..adapters.layers import raster_ref
-
         self._mosaic = self.describe_mosaic(parameters, context)
-        self._sources: list[RasterRef] = []
-        self._left_out: list[Message] = []
-        for value in common.raster_values(parameters, common.SOURCES, context):
-            try:
-                self._sources.append(raster_ref(value, context))
-            except RasterError as error:
-                self._left_out.append(error.message)
-        self._index_path = common.index_path(self, parameters, common.SOURCE_INDEX, context)
+        self._given = GivenSources(self, parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -137,7 +117,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         windows = self.source(parameters, WINDOWS, context)
         if windows.featureCount() == 0:
             raise SettingsError(messages.NO_WINDOWS())
-        block = self._block(parameters, context, feedback)
+        block = self._given.block(self._mosaic, feedback)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
         drawn = _DrawnWindows(windows, block, crs, settings, context, feedback)
 
@@ -188,28 +168,8 @@ class InspectWindows(SeamInspectorAlgorithm):
         return Settings(
             self.parameterAsString(parameters, common.WAVELET, context),
             self.parameterAsInt(parameters, common.LEVELS, context),
-            self.parameterAsDouble(parameters, MAX_RATIO, context),
+            self.parameterAsDouble(parameters, common.MAX_RATIO, context),
         )
-
-    def _block(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> Block:
-        from ..adapters import layers
-        from ..core.inspection import make_block
-
-        indexed = []
-        if parameters.get(common.SOURCE_INDEX):
-            index = self.source(parameters, common.SOURCE_INDEX, context)
-            crs = layers.mosaic_crs(self._mosaic)
-            transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
-            names = index.fields().names()
-            indexed = layers.indexed_sources(layers.features(index), names, self._index_path, transform)
-        for notice in self._left_out:
-            feedback.pushWarning(sentence(notice))
-        block, notices = make_block(self._mosaic, self._sources, indexed)
-        for notice in notices:
-            feedback.pushWarning(sentence(notice))
-        return block
 
 
 class _DrawnWindows:

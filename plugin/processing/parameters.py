@@ -27,11 +27,12 @@ SOURCES = "SOURCES"
 SOURCE_INDEX = "SOURCE_INDEX"
 LEVELS = "LEVELS"
 WAVELET = "WAVELET"
+MAX_RATIO = "MAX_RATIO"
 
 
-def mosaic() -> Described:
+def mosaic(optional: bool = False) -> Described:
     return (
-        QgsProcessingParameterRasterLayer(MOSAIC, tr("Mosaic")),
+        QgsProcessingParameterRasterLayer(MOSAIC, tr("Mosaic"), optional=optional),
         tr("The orthophoto mosaic under inspection: north-up, with a coordinate reference system."),
     )
 
@@ -84,6 +85,20 @@ def wavelet() -> Described:
             usesStaticStrings=True,
         ),
         tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."),
+    )
+
+
+def max_ratio(description: str) -> Described:
+    return (
+        QgsProcessingParameterNumber(
+            MAX_RATIO,
+            tr("Largest ratio of a significant loss"),
+            QgsProcessingParameterNumber.Type.Double,
+            thresholds.MAX_SIGNIFICANT_RATIO,
+            minValue=0,
+            maxValue=1,
+        ),
+        description,
     )
 
 

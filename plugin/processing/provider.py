@@ -8,8 +8,9 @@ from ..adapters.resources import icon_path, model_paths
 from .calibratethreshold import CalibrateThreshold
 from .inspectwindows import InspectWindows
 from .placewindows import PlaceWindows
+from .report import Report
 
-ALGORITHMS = (PlaceWindows, InspectWindows, CalibrateThreshold)
+ALGORITHMS = (PlaceWindows, InspectWindows, CalibrateThreshold, Report)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):

@@ -27,7 +27,8 @@ from qgis.PyQt.QtCore import QSize
 from tests.qgis.runs import Log, Run, algorithm, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, pixel_box, windows
 
-IDS = {f"seaminspector:{name}" for name in ("placewindows", "inspectwindows", "calibratethreshold", "inspect_mosaic")}
+NAMES = ("placewindows", "inspectwindows", "calibratethreshold", "report", "inspect_mosaic")
+IDS = {f"seaminspector:{name}" for name in NAMES}
 VERDICTS = ["significant", "reduced", "preserved", "not_comparable"]
 SEAM = ((200, 0), (300, 256))
 
@@ -56,15 +57,7 @@ def test_every_algorithm_says_what_it_does(provider: QgsProcessingProvider) -> N
         assert one.create().id() == one.id()
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "placewindows",
-        "inspectwindows",
-        "calibratethreshold",
-        "inspect_mosaic",
-    ],
-)
+@pytest.mark.parametrize("name", NAMES)
 def test_every_parameter_has_help(provider: QgsProcessingProvider, name: str) -> None:
     definitions = provider.algorithm(name).parameterDefinitions()
     assert [definition.name() for definition in definitions if not definition.help()] == []
