@@ -41,7 +41,7 @@ def _draw_roc(axes: Axes, words: Axes, found: Sequence[Calibration], style: Char
     axes.set_ylabel(tr("visible losses flagged (sensitivity)"))
     axes.grid(True, color=style.grid, linewidth=0.8)
     lines = axes.plot([0, 1], [0, 1], color=style.text, linewidth=0.8, linestyle=":", label=tr("a guess"))
-    for one, colour, width in zip(found, style.sources, _WIDTHS):
+    for one, colour, width in zip(found, style.sources, _WIDTHS[-len(found) :]):
         if one.area is None:
             continue
         x = [0.0, *(1 - step.specificity for step in one.steps)]

@@ -9,14 +9,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..core.findings import COMPOSITE, FoundCurve
-from .charts import PAPER, draw_frame, draw_lines, share_range, source_look
+from .charts import PAPER, draw_frame, draw_lines, level_labels, share_range, source_look
 from .curves import ChartCurve
 from .figures import svg_text
 from .text import tr
 
 _WIDTH, _HEIGHT = 320 / 96, 260 / 96  # inches: as wide as a clip
-_PLACE = (0.17, 0.155, 0.81, 0.825)  # of the axes in the picture: left, bottom, width, height
+_PLACE = (0.19, 0.16, 0.75, 0.82)  # of the axes in the picture: left, bottom, width, height
 _LETTERS = 8.0  # points
+_LEVELS_IN_A_ROW = 5  # with more there is no room beside them for the word below the background
 
 
 class CurveDrawer:
@@ -50,9 +51,13 @@ class CurveDrawer:
         if levels not in self._axes:
             axes = Figure(figsize=(_WIDTH, _HEIGHT)).add_axes(_PLACE)
             draw_frame(axes, levels, PAPER, logarithmic=True)
+            if levels > _LEVELS_IN_A_ROW:
+                axes.set_xticks(range(levels + 1), level_labels(levels, in_two_rows=True))
+                axes.set_xlabel("")
             axes.tick_params(labelsize=_LETTERS)
             axes.xaxis.label.set_size(_LETTERS)
             axes.yaxis.label.set_size(_LETTERS)
+            axes.yaxis.set_label_coords(-0.2, 0.5)  # the same whatever the numbers are, so that it is never cut off
             self._axes[levels] = axes
         axes = self._axes[levels]
         axes.set_ylim(low, high)

@@ -1,6 +1,7 @@
 """The flagged windows of a report: what was found, the curves, and the clips at 2x."""
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import repeat
 
@@ -126,8 +127,10 @@ def anchor(window_id: int) -> str:
 def _place_words(clips: WindowParts) -> str:
     assert clips.extent is not None
     xmin, ymin, xmax, ymax = clips.extent
-    words = tr("Clips at 2x, {side} px a side around x {x:.2f}, y {y:.2f}.").format(
-        side=clips.pictures[0].columns, x=(xmin + xmax) / 2, y=(ymin + ymax) / 2
+    side = clips.pictures[0].columns
+    digits = max(0, 1 - math.floor(math.log10((xmax - xmin) / side)))  # to a tenth of a pixel
+    words = tr("Clips at 2x, {side} px a side around x {x}, y {y}.").format(
+        side=side, x=f"{(xmin + xmax) / 2:.{digits}f}", y=f"{(ymin + ymax) / 2:.{digits}f}"
     )
     if clips.left_out:
         words += " " + tr("Sources that are not shown: {count}.").format(count=clips.left_out)

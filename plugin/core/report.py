@@ -48,7 +48,8 @@ th.group { text-align: center; }
 .chip { display: inline-block; width: .8em; height: .8em; border-radius: .15em; margin-right: .35em;
   print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 ul.legend { list-style: none; padding: 0; margin: .2rem 0; color: #57606a; font-size: .88em; overflow-wrap: anywhere; }
-ul.legend.inline li { display: inline-block; margin-right: 1.2em; }
+ul.legend li { display: flex; } ul.legend .chip { flex: none; margin-top: .35em; }
+ul.legend.inline li { display: inline-flex; margin-right: 1.2em; }
 div.column { max-width: 320px; }
 .together { break-inside: avoid; }
 @page { size: A4; margin: 15mm; }
