@@ -108,6 +108,17 @@ def extent(geometry: QgsGeometry) -> Extent:
     return box_extent(geometry.boundingBox())
 
 
+def outline_extent(feature: QgsFeature, transform: QgsCoordinateTransform | None = None) -> Extent | None:
+    """The bounding box of a feature, transformed where a transform is given; None when it has no outline.
+
+    Raises WindowError when it can't be transformed.
+    """
+    geometry = QgsGeometry(feature.geometry())
+    if geometry.isNull() or geometry.isEmpty():
+        return None
+    return extent(geometry if transform is None else _transformed(geometry, transform))
+
+
 def rectangle(bounds: Extent) -> QgsGeometry:
     """The polygon of an extent."""
     return QgsGeometry.fromRect(QgsRectangle(*bounds))

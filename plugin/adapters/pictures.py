@@ -4,7 +4,7 @@ What is measured is never touched: pictures are made from clips of their own.
 """
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Callable
@@ -61,6 +61,20 @@ def make_pictures(request: WindowRequest, cancelled: Callable[[], bool] = lambda
             Picture(name, is_mosaic, pixels, clip.offset_x, clip.offset_y, clip.resampled, tuple(_reduced(pixels)))
         )
     return [] if cancelled() else pictures
+
+
+def stretched(clips: Sequence[Clip]) -> list[np.ndarray]:
+    """(rows, columns, 3) uint8 of each clip, all stretched in common."""
+    stretches = _stretches(clips)
+    return [_picture(clip, stretches) for clip in clips]
+
+
+def bytes_picture(bands: np.ndarray, in_colour: bool, valid: np.ndarray) -> np.ndarray:
+    """(rows, columns, 3) uint8 of bands (bands, rows, columns), stretched by its valid pixels; white elsewhere."""
+    shown = bands[: 3 if in_colour else 1]
+    low, high = np.percentile(shown[:, valid], (DARKEST, BRIGHTEST)) if valid.any() else (0.0, 1.0)
+    pixels = np.moveaxis(_bytes(shown, low, high if high > low else low + 1), 0, 2)
+    return np.where(valid[..., np.newaxis], pixels, np.uint8(255)).repeat(3 // len(shown), axis=2)
 
 
 def _clips(request: WindowRequest, cancelled: Callable[[], bool]) -> Iterator[tuple[Clip, bool]]:

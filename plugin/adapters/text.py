@@ -1,6 +1,8 @@
 """Words for the user: translations of our own texts and of the core's messages."""
 from __future__ import annotations
 
+import os
+
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
@@ -11,6 +13,12 @@ from .resources import translations_path
 def tr(text: str) -> str:
     """The text in the user's language."""
     return QCoreApplication.translate("@default", text)
+
+
+def language() -> str:
+    """The language that texts come in: the interface's where they are translated into it, else English."""
+    wanted = QgsApplication.locale()[:2]
+    return wanted if os.path.exists(os.path.join(translations_path(), f"seam_inspector_{wanted}.qm")) else "en"
 
 
 def sentence(message: Message) -> str:

@@ -186,3 +186,48 @@ ONE_SOURCE_COMPARABLE = Message("Only one source can be compared here: {why}")
 # files
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")
+# judging the judge
+WINDOWS_WITHOUT_FIELD = Message(
+    "The window layer has no field '{field}'; choose a layer of inspected windows, as 'Inspect windows' leaves it."
+)
+PAIRS_WITHOUT_FIELD = Message(
+    "The table of pairs has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
+)
+CURVES_WITHOUT_FIELD = Message(
+    "The table of curves has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
+)
+PAIRS_WITHOUT_CONTRAST = Message(
+    "The table of pairs has no field 'contrast_1', so the absolute contrast is not judged; inspect the windows anew to "
+    "have it."
+)
+TOO_FEW_VERDICTS = Message(
+    "{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, "
+    "so judge more windows."
+)
+NO_BETTER_THAN_CHANCE = Message(
+    "{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and "
+    "{high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold."
+)
+VERDICTS_FULLY_APART = Message(
+    "{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; "
+    "the interval is the score interval."
+)
+NO_THRESHOLD = Message(
+    "{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another "
+    "measure."
+)
+THRESHOLD_TOO_HIGH = Message(
+    "{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the "
+    "best below it is given."
+)
+VERDICTS_UNKNOWN = Message(
+    "Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows."
+)
+VERDICTS_WITHOUT_VALUE = Message("{measure}: left out because nothing was measured there: {count} judged windows.")
+# the report
+CLIP_NOT_SHOWN = Message("Window {window}: {why}")
+DETAILS_LIMITED = Message(
+    "{count} windows are flagged and the report shows curves and clips of the {most} with the lowest ratios; the "
+    "others stand in the table. Report a part of the windows to see them."
+)
+NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")

@@ -139,6 +139,36 @@ def validity_check(mosaic: Mosaic) -> Callable[[PixelWindow], bool]:
     return is_valid
 
 
+def read_overview(mosaic: Mosaic, extent: Extent, longest_px: int) -> tuple[np.ndarray, np.ndarray, Extent] | None:
+    """A small picture of a part of the mosaic: (bands, rows, columns), which pixels are valid, and where it lies.
+
+    None where the part lies outside, or where the file has no overviews and too many pixels would be decoded.
+    Raises RasterError when the mosaic can't be read.
+    """
+    dataset = _open(mosaic.ref)
+    grid = mosaic.grid
+    left, right = ((x - grid.left) / grid.pixel_width for x in (extent[0], extent[2]))
+    top, bottom = ((grid.top - y) / grid.pixel_height for y in (extent[3], extent[1]))
+    left, right = max(math.floor(left), 0), min(math.ceil(right), grid.columns)
+    top, bottom = max(math.floor(top), 0), min(math.ceil(bottom), grid.rows)
+    if right <= left or bottom <= top:
+        return None
+    window = PixelWindow(left, top, right - left, bottom - top)
+    reduction = max(1.0, max(window.width, window.height) / longest_px)
+    first = dataset.GetRasterBand(1)
+    widths = [first.GetOverview(i).XSize for i in range(first.GetOverviewCount())]
+    factors = [1.0, *(grid.columns / width for width in widths)]
+    used = max(factor for factor in factors if factor <= reduction * 1.01)  # what GDAL takes for this reduction
+    if window.width * window.height / used**2 > thresholds.MAX_OVERVIEW_PIXELS:
+        return None
+    inside = (window.column, window.row, window.width, window.height)
+    size = {"buf_xsize": max(1, round(window.width / reduction)), "buf_ysize": max(1, round(window.height / reduction))}
+    data = _gdal(lambda: dataset.ReadAsArray(*inside, **size), mosaic.ref)
+    bands, invalid = _split(dataset, data.reshape(dataset.RasterCount, *tuple(size.values())[::-1]), inside, mosaic.ref)
+    valid = np.ones(bands.shape[1:], bool) if invalid is None else ~invalid
+    return bands, valid, grid.window_extent(window)
+
+
 def _clip_as_it_is(dataset: gdal.Dataset, raster: Raster, grid: Grid, extent: Extent, window: PixelWindow) -> Clip:
     xmin, ymin, xmax, ymax = extent
     column = ((xmin + xmax) / 2 - grid.left) / grid.pixel_width - window.width / 2

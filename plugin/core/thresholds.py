@@ -76,3 +76,20 @@ MAX_NARROWED_GAIN = 0.9  # a tenth of the contrast
 MIN_MISREGISTRATION_PX = 0.4  # half a pixel less what a shift measured in a small part is off by
 MAX_BLURRED_SHARPNESS = 0.93  # a hard cut has 0.99 to 1.01, a Gaussian blur of 0.5 px 0.7
 MIN_MIXED_SHARE = 0.005  # of the pixels: a hard cut has 0.0001, a feather of 7 px some 0.02
+
+# Judging the judge
+MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %
+RESAMPLES = 2000  # of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends
+PERCENTILES_95 = (2.5, 97.5)
+NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %
+WANTED_AREA_ERROR = 0.05  # half of the 95 % interval of an area under the ROC curve that is known well enough
+
+# The report
+REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4
+MIN_REPORT_CLIP_PX = 64  # smaller ones show too little
+REPORT_CLIPS_BYTES = 14_000_000  # of all JPEG clips together: with charts and base64 a report stays below 30 MB
+MAX_REPORT_SOURCES = 2  # shown of a window, the least sharp ones; with chart and mosaic they fill a page
+MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
+MAX_SEARCHED_SIDE_PX = 512  # of a window, around its centre (on the seam), where the part that lost most is looked for
+MAX_OVERVIEW_PIXELS = 64_000_000  # that may have to be decoded for the sketch's background: about a second
+OVERVIEW_SIDE_PX = 900  # of the sketch's background, 170 mm wide

@@ -15,7 +15,6 @@ from qgis.core import (
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterNumber,
     QgsProcessingParameterString,
     QgsWkbTypes,
 )
@@ -23,18 +22,19 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
-from ..core import messages, thresholds
+from ..core import messages
 from ..core.errors import SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
 from .drawn_windows import DrawnWindows
+from .sources import given_block
 
 if TYPE_CHECKING:
     from ..core.cells import Cell
     from ..core.inspection import Block, Settings, WindowRequest
 
 WINDOWS, CELLS, REFERENCE = "WINDOWS", "CELLS", "REFERENCE"
-MAX_RATIO, SCHEDULER = "MAX_RATIO", "SCHEDULER"
+SCHEDULER = "SCHEDULER"
 OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
 
@@ -88,16 +88,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             advanced=True,
         )
         self.addDescribed(
-            QgsProcessingParameterNumber(
-                MAX_RATIO,
-                tr("Largest ratio of a significant loss"),
-                QgsProcessingParameterNumber.Type.Double,
-                thresholds.MAX_SIGNIFICANT_RATIO,
-                minValue=0,
-                maxValue=1,
-            ),
-            tr("A window is significant when its ratio at level 1 is this or less."),
-            advanced=True,
+            *common.max_ratio(tr("A window is significant when its ratio at level 1 is this or less.")), advanced=True
         )
         self.addDescribed(
             QgsProcessingParameterString(SCHEDULER, tr("Dask scheduler"), optional=True),
@@ -146,7 +137,8 @@ class InspectWindows(SeamInspectorAlgorithm):
         if windows.featureCount() == 0:
             raise SettingsError(messages.NO_WINDOWS())
         warnings = Warnings(feedback)
-        block = self._block(parameters, context, warnings)
+        cells = self._cells(parameters, context)
+        block = given_block(self, parameters, context, self._mosaic, self._given, warnings, cells)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
         drawn = DrawnWindows(windows, crs, context)
 
@@ -193,23 +185,9 @@ class InspectWindows(SeamInspectorAlgorithm):
         return Settings(
             self.parameterAsString(parameters, common.WAVELET, context),
             self.parameterAsInt(parameters, common.LEVELS, context),
-            self.parameterAsDouble(parameters, MAX_RATIO, context),
+            self.parameterAsDouble(parameters, common.MAX_RATIO, context),
             self.parameterAsString(parameters, REFERENCE, context),
         )
-
-    def _block(self, parameters: dict[str, Any], context: QgsProcessingContext, warnings: Warnings) -> Block:
-        from ..adapters.layers import mosaic_crs
-        from ..core.inspection import make_block
-
-        indexed = []
-        if parameters.get(common.SOURCE_INDEX):
-            index = self.source(parameters, common.SOURCE_INDEX, context)
-            crs = mosaic_crs(self._mosaic)
-            indexed = common.indexed_sources(index, self._given.index_path, crs, context)
-        warnings.say(self._given.left_out)
-        block, notices = make_block(self._mosaic, self._given.refs, indexed, self._cells(parameters, context))
-        warnings.say(notices)
-        return block
 
     def _cells(self, parameters: dict[str, Any], context: QgsProcessingContext) -> list[Cell]:
         from ..adapters import layers

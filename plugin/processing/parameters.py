@@ -37,6 +37,7 @@ SOURCES = "SOURCES"
 SOURCE_INDEX = "SOURCE_INDEX"
 LEVELS = "LEVELS"
 WAVELET = "WAVELET"
+MAX_RATIO = "MAX_RATIO"
 
 
 @dataclass(frozen=True)
@@ -51,9 +52,9 @@ class GivenSources:
     """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
 
 
-def mosaic() -> Described:
+def mosaic(optional: bool = False) -> Described:
     return (
-        QgsProcessingParameterRasterLayer(MOSAIC, tr("Mosaic")),
+        QgsProcessingParameterRasterLayer(MOSAIC, tr("Mosaic"), optional=optional),
         tr("The orthophoto mosaic under inspection: north-up, with a coordinate reference system."),
     )
 
@@ -106,6 +107,20 @@ def wavelet() -> Described:
             usesStaticStrings=True,
         ),
         tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."),
+    )
+
+
+def max_ratio(description: str) -> Described:
+    return (
+        QgsProcessingParameterNumber(
+            MAX_RATIO,
+            tr("Largest ratio of a significant loss"),
+            QgsProcessingParameterNumber.Type.Double,
+            thresholds.MAX_SIGNIFICANT_RATIO,
+            minValue=0,
+            maxValue=1,
+        ),
+        description,
     )
 
 

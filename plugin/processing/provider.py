@@ -5,11 +5,13 @@ from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.resources import icon_path, model_paths
+from .calibratethreshold import CalibrateThreshold
 from .inspectwindows import InspectWindows
 from .placewindows import PlaceWindows
 from .predictloss import PredictLoss
+from .report import Report
 
-ALGORITHMS = (PlaceWindows, InspectWindows, PredictLoss)
+ALGORITHMS = (PlaceWindows, InspectWindows, PredictLoss, CalibrateThreshold, Report)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):

@@ -1,62 +1,38 @@
 """Reports open anywhere and take any name."""
 from __future__ import annotations
 
-from html.parser import HTMLParser
-
 import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.core import report
 from seam_inspector.plugin.core.errors import SettingsError
 
-
-class _Outline(HTMLParser):
-    """Tags that were opened, addresses that would be fetched, and text."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.open: list[str] = []
-        self.addresses: list[str] = []
-        self.words = ""
-
-    def handle_starttag(self, tag: str, attributes: list) -> None:
-        if tag not in ("meta", "img"):
-            self.open.append(tag)
-        self.addresses += [value for name, value in attributes if name in ("src", "href")]
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self.open.pop() == tag
-
-    def handle_data(self, data: str) -> None:
-        self.words += data
-
-
-def _outline(page: str) -> _Outline:
-    outline = _Outline()
-    outline.feed(page)
-    assert outline.open == []
-    return outline
+from tests.pages import outline
 
 
 def test_words_of_users_never_become_markup() -> None:
     evil = '<script>alert("1")</script> & Söhne'
     parts = [
         report.heading(evil),
+        report.heading(evil, 3, evil),
+        report.grouped_table([[(evil, 1, 1), (evil, 1, 1)]], [([evil], [[report.lines(evil)]])], 2),
+        report.legend([("#fff", evil)]),
+        report.table(["a"], [(report.link(evil, evil),), (report.chip(evil, evil),)]),
         report.paragraph(evil, "small"),
         report.table([evil, "n"], [(evil, 1), (None, 2)]),
         report.drawing("<svg xmlns='http://www.w3.org/2000/svg'/>", evil),
     ]
     page = report.page(evil, parts)
-    outline = _outline(page)
+    read = outline(page)
     assert "<script" not in page
-    assert outline.words.count(evil) == 7  # title, its heading, and each part: once, the table in both rows
+    assert read.words.count(evil) == 15  # title, its heading, and each part: once, the tables in all cells
 
 
 def test_a_page_needs_no_network() -> None:
     pixels = np.zeros((4, 6, 3), np.uint8)
-    outline = _outline(report.page("Report", [report.picture(pixels, "clip", 2), report.drawing("<svg/>")]))
-    assert len(outline.addresses) == 2
-    assert all(address.startswith("data:image/") for address in outline.addresses)
+    read = outline(report.page("Report", [report.picture(pixels, "clip", 2), report.drawing("<svg/>")]))
+    assert len(read.addresses) == 2
+    assert all(address.startswith("data:image/") for address in read.addresses)
 
 
 def test_numbers_stand_to_the_right() -> None:
@@ -78,3 +54,33 @@ def test_a_report_that_can_not_be_written_is_told(tmp_path) -> None:
     assert (tmp_path / "report.html").read_text() == "<html></html>"
     with pytest.raises(SettingsError, match="can't be written"):
         report.save_page("", tmp_path / "none" / "report.html")
+
+
+def test_a_page_is_written_part_by_part_and_only_when_it_is_whole(tmp_path) -> None:
+    path = tmp_path / "report.html"
+    report.write_page(path, "Report", (report.paragraph(str(number)) for number in range(3)))
+    assert path.read_text(encoding="utf-8") == report.page("Report", [report.paragraph(str(i)) for i in range(3)])
+
+    def failing():
+        yield report.paragraph("new")
+        assert (tmp_path / "report.html.part").exists()
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        report.write_page(path, "Report", failing())
+    assert ">2<" in path.read_text(encoding="utf-8")  # the older one
+    assert [one.name for one in tmp_path.iterdir()] == ["report.html"]
+    with pytest.raises(SettingsError, match="can't be written"):
+        report.write_page(tmp_path / "none" / "report.html", "", [])
+
+
+def test_headings_of_numbers_stand_above_them() -> None:
+    headings = [[("name", 1, 2), ("share", 2, 1), ("n", 1, 2)], [("1", 1, 1), ("2", 1, 1)]]
+    html = report.grouped_table(headings, [(["a"], [[0.1, 0.2, 3], [0.4, 0.5, 6]])], 1)
+    first, second, *_ = html.split("</tr>")
+    assert '<th rowspan="2">name</th>' in first
+    assert '<th class="group" colspan="2">share</th>' in first
+    assert '<th class="number" rowspan="2">n</th>' in first
+    assert second.count('class="number"') == 2
+    assert '<td rowspan="2">a</td>' in html
+    assert html.count('<td class="number">') == 6

@@ -94,6 +94,33 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
     assert len(rows) == 4 * 4 * 4 * 3  # windows, rasters with the composite, bands, components
 
 
+def test_report_and_calibrate(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:
+    inspected, curves, page, chart = (tmp_path / name for name in ("in.gpkg", "curves.csv", "page.html", "roc.pdf"))
+    sources = [f"--SOURCES={path}" for path in scene.sources]
+    place = ("--side=6.4", "--spacing=6.4", f"--inspect:windows={inspected}", f"--inspect:curves={curves}")
+    run = qgis_process(
+        "run", "seaminspector:inspect_mosaic", f"--seamlines={seamlines}", f"--mosaic={scene.mosaic}",
+        *(f"--sources={path}" for path in scene.sources), *place,
+    )
+    assert run.returncode == 0, run.stderr
+    run = qgis_process(
+        "run", "seaminspector:report", f"--WINDOWS={inspected}", f"--CURVES={curves}", f"--MOSAIC={scene.mosaic}",
+        *sources, f"--OUTPUT={page}",
+    )
+    assert run.returncode == 0, run.stderr
+    assert page.read_text(encoding="utf-8").count("<img") >= 4  # curves and three clips of one flagged window
+    run = qgis_process(
+        "run", "--json", "seaminspector:calibratethreshold", f"--WINDOWS={inspected}", f"--CHART={chart}",
+        f"--OUTPUT={tmp_path / 'calibration.csv'}",
+    )
+    assert run.returncode == 0, run.stderr
+    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
+    assert (results["VISIBLE_COUNT"], results["INVISIBLE_COUNT"]) == (0, 0)
+    assert "MAX_RATIO" not in results
+    assert chart.read_bytes().startswith(b"%PDF")
+    assert "0 visible and 0 invisible verdicts" in (tmp_path / "calibration.csv").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("by", ["id", "file"])
 def test_the_model(
     qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path, repository: Path, by: str

@@ -1,0 +1,64 @@
+"""A report of 300 windows, all of them flagged: how long it takes, how large it is, how much memory it needs."""
+from __future__ import annotations
+
+import tempfile
+import time
+from concurrent.futures import ProcessPoolExecutor
+from itertools import cycle, islice
+from multiprocessing import get_context
+from pathlib import Path
+
+from seam_inspector.plugin.core.findings import Finding, FoundCurve
+from seam_inspector.plugin.core.inspection import Block, inspect_window
+
+from .ground import Ground
+from .timing import Goal, print_table
+from .windows import peak_memory
+
+WINDOWS = 300
+MOST_SECONDS = 60.0
+MOST_MEGABYTES = 30.0
+
+
+def report_cost(ground: Ground, tile_format: str, count: int) -> tuple[float, float, float, float]:
+    """Seconds, processor seconds, MB of the file and growth of the peak memory in MB; for a process of its own."""
+    from seam_inspector.plugin.adapters.window_report import ReportRequest, write_report
+
+    requests = ground.requests(tile_format)
+    block = Block(requests[0].mosaic, requests[0].sources)
+    findings, curves = [], {}
+    measured = [inspect_window(request) for request in requests]
+    for number, result in enumerate(islice(cycle(measured), count), 1):
+        assert result.window is not None
+        extent = block.mosaic.grid.window_extent(result.window)
+        findings.append(Finding(number, "significant", ratios=result.judgement.ratios.detail, extent=extent))
+        shares = [(clip.raster, clip.role, clip.curves["luminance"]) for clip in result.clips]
+        curves[number] = [FoundCurve(name, role, curve.detail, curve.background) for name, role, curve in shares]
+    request = ReportRequest(tuple(findings), curves, block=block, wkt=block.mosaic.wkt)
+    before = peak_memory()
+    with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
+        path = Path(folder) / "report.html"
+        started, cpu = time.perf_counter(), time.process_time()
+        assert write_report(path, request) == []
+        seconds = time.perf_counter() - started, time.process_time() - cpu
+        return (*seconds, path.stat().st_size / 1e6, peak_memory() - before)
+
+
+def run_report(ground: Ground, quick: bool) -> list[Goal]:
+    """Print what a report of many windows costs."""
+    count = WINDOWS // 6 if quick else WINDOWS
+    rows, goals = [], []
+    for tile_format in ("DEFLATE", "JPEG 90"):
+        with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as executor:
+            seconds, cpu, size, memory = executor.submit(report_cost, ground, tile_format, count).result()
+        rows.append([tile_format, f"{seconds:.1f} s", f"{cpu:.1f} s", f"{size:.1f} MB", f"{memory:.0f} MB"])
+        if not quick:
+            text = f"report of {count} windows, {tile_format}"
+            goals.append(Goal(f"{text}: seconds", MOST_SECONDS, seconds, at_least=False))
+            goals.append(Goal(f"{text}: MB", MOST_MEGABYTES, size, at_least=False))
+    print_table(
+        f"A report of {count} flagged windows of 1024 px with two sources each, curves and clips of all",
+        ["tiles of 256 px", "time", "processor", "file", "memory above the start"],
+        rows,
+    )
+    return goals
