@@ -5,10 +5,11 @@ from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.resources import icon_path, model_paths
+from .checknoise import CheckNoise
 from .inspectwindows import InspectWindows
 from .placewindows import PlaceWindows
 
-ALGORITHMS = (PlaceWindows, InspectWindows)
+ALGORITHMS = (PlaceWindows, InspectWindows, CheckNoise)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):
