@@ -49,10 +49,10 @@ def draw_noise(
 def draw_rule(axes: Axes, detail: Sequence[float], style: ChartStyle = PAPER) -> list[Artist]:
     """The rising rule of a curve: where each level has to stay out of for the noise to be low."""
     drawn: list[Artist] = []
-    for level, (finer, coarser) in enumerate(zip(detail, detail[1:]), 2):
+    for level, finer in enumerate(detail[:-1], 2):
         reach = [level - 0.22, level + 0.22]
         drawn.append(axes.fill_between(reach, finer, finer * 1e-9, color=style.limit, alpha=0.13, linewidth=0))
-        label = tr("noise where a level is below the one before") if level == 2 else None
+        label = tr("a curve that meets the red: noise") if level == 2 else None
         drawn += axes.plot(reach, [finer, finer], color=style.limit, linewidth=1.6 * style.scale, label=label)
     return drawn
 
@@ -113,7 +113,7 @@ def noise_figure(results: Sequence[ClipNoise]) -> Figure | None:
     groups = _judged(results)
     if not groups:
         return None
-    figure = new_figure(10, 4.6)
+    figure = new_figure(10, 5.2)
     left, right = figure.subplots(1, 2)
     levels = len(next(iter(groups.values()))[0])
     noise_frame(left, levels, [curve for curves in groups.values() for curve in curves])
@@ -123,7 +123,7 @@ def noise_figure(results: Sequence[ClipNoise]) -> Figure | None:
         )
         draw_group(left, curves, group, words.format(group=group, count=len(curves)))
     left.set_title(tr("All windows, judged band"), fontsize="medium")
-    left.legend(fontsize="small", frameon=False, loc="best")
+    _legend(left, 1)
     shown = example(results)
     first = shown[0]
     clips = [result.bands for result in shown]
@@ -138,8 +138,15 @@ def noise_figure(results: Sequence[ClipNoise]) -> Figure | None:
     names = " / ".join(result.part.member.image.ref.name for result in shown)
     right.set_title(tr("Window {window}: {names}").format(window=first.window_id, names=names), fontsize="medium",
                     wrap=True)
-    right.legend(fontsize="x-small" if len(shown) > 1 else "small", frameon=False, loc="best")
+    _legend(right, 2)
     return figure
+
+
+def _legend(axes: Axes, columns: int) -> None:
+    """Below the chart, where it hides nothing."""
+    axes.legend(
+        fontsize="small", frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncol=columns, handlelength=3
+    )
 
 
 def example(results: Sequence[ClipNoise]) -> list[ClipNoise]:

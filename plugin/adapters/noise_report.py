@@ -91,25 +91,23 @@ def _windows(results: Sequence[ClipNoise], levels: int) -> Html:
     rows = []
     for result in results:
         judged, window = _judged(result), result.part.window
-        place = f"{window.column}, {window.row}: {window.width} x {window.height}"
-        head = [result.window_id, result.part.member.image.ref.name, result.part.member.group, place]
+        place = f"{window.column}, {window.row}: {window.width} x {window.height}".replace(" ", "\u00a0")
+        cells = [result.window_id, result.part.member.image.ref.name, result.part.member.group, place]
         if judged is None or judged.sigma is None:
+            cells += [""] * (levels + 2)
             reason = result.reason or (judged.note if judged else None)
-            rows.append([*head, *[""] * (2 * levels + 1), tr(WORDS[_verdict(result)]),
-                         sentence(reason) if reason else ""])
-            continue
-        rows.append([
-            *head,
-            *(f"{share:.4f}" for share in judged.curve.detail),
-            *("" if kurtosis is None else f"{kurtosis:.1f}" for kurtosis in judged.kurtosis),
-            f"{judged.sigma:.2f}",
-            tr(WORDS[judged.verdict]),
-            sentence(judged.note) if judged.note else "",
-        ])
-    headings = [tr("window"), tr("raster"), tr("group"), tr("column, row: size")]
+        else:
+            cells += [f"{share:.4f}" for share in judged.curve.detail]
+            known = ("-" if kurtosis is None else f"{kurtosis:.1f}" for kurtosis in judged.kurtosis)
+            cells += ["\u00a0\u00a0".join(known), f"{judged.sigma:.2f}"]
+            reason = judged.note
+        rows.append([*cells, tr(WORDS[_verdict(result)]), sentence(reason) if reason else ""])
+    headings = [tr("window"), tr("raster"), tr("group"), tr("column, row: size (px)")]
     headings += [tr("detail {level}").format(level=level) for level in range(1, levels + 1)]
-    headings += [tr("kurtosis {level}").format(level=level) for level in range(1, levels + 1)]
-    return report.table([*headings, tr("sigma (DN)"), tr("noise"), tr("note")], rows)
+    headings += [tr("kurtosis by level"), tr("sigma (DN)"), tr("noise"), tr("note")]
+    empty = [i for i in (2, len(headings) - 1) if len({row[i] for row in rows}) <= 1 and (i == 2 or not rows[0][i])]
+    shown = [i for i in range(len(headings)) if i not in empty or not rows]
+    return report.table([headings[i] for i in shown], [[row[i] for i in shown] for row in rows])
 
 
 def _method(wavelet: str, levels: int) -> list[str]:

@@ -36,16 +36,16 @@ def noise_features(result: ClipNoise, levels: int) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image in a window; one without a band where nothing could be measured."""
     fields = noise_fields(levels)
     image, window = result.part.member.image, result.part.window
-    head = [image.ref.name, result.part.member.group, result.window_id]
+    head: list[object] = [image.ref.name, result.part.member.group, result.window_id]
     tail = [window.column, window.row, window.width, window.height, image.ground_sample_distance]
-    nothing = [None] * levels
+    nothing: list[object] = [None] * levels
     if not result.bands:
         reason = sentence(result.reason) if result.reason else None
         unknown = [*nothing, None, *nothing, None, NoiseVerdict.NOT_MEASURABLE.value, reason]
         yield feature(fields, [*head, None, *unknown, *tail])
     for band, noise in result.bands.items():
         known = noise.curve.variance > 0
-        shares = [*noise.curve.detail, noise.curve.background] if known else [*nothing, None]
+        shares: list[object] = [*noise.curve.detail, noise.curve.background] if known else [*nothing, None]
         note = sentence(noise.note) if noise.note else None
         row = [*head, band, *shares, *noise.kurtosis, noise.sigma, noise.verdict.value, note, *tail]
         yield feature(fields, row)

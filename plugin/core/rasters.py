@@ -353,11 +353,11 @@ def _image(dataset: gdal.Dataset, ref: RasterRef) -> Image:
     band, roles = dataset.GetRasterBand(1), band_roles(dataset)
     kind = "uint8" if roles.palette is not None else np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
     bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
-    wkt, grid, distance = "", Grid(0.0, 0.0, 1.0, 1.0, columns, rows), None
-    if dataset.GetGeoTransform(can_return_null=True) is not None:
-        raster = _describe(dataset, ref)
-        wkt, grid, distance = raster.wkt, raster.grid, raster.ground_sample_distance
-    return Image(ref, wkt, grid, columns, rows, distance, roles.names, str(kind), int(bits) if bits else None)
+    what = (roles.names, str(kind), int(bits) if bits else None)
+    if dataset.GetGeoTransform(can_return_null=True) is None:
+        return Image(ref, "", Grid(0.0, 0.0, 1.0, 1.0, columns, rows), columns, rows, None, *what)
+    raster = _describe(dataset, ref)
+    return Image(ref, raster.wkt, raster.grid, columns, rows, raster.ground_sample_distance, *what)
 
 
 def _describe(dataset: gdal.Dataset, ref: RasterRef) -> Raster:

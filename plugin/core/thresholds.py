@@ -61,7 +61,7 @@ GAUSSIAN_QUARTILE = 0.6745  # median of the absolute value of a standard normal 
 MAX_NOISE_PLACES = 10  # places along an image's side that are looked at: 100 reduced reads at most
 NOISE_SHRINK = 8  # every 8th pixel shows where an image is saturated or invalid
 SATURATION_STEP = 0.005  # windows whose saturated shares differ by less are alike and are chosen by their spread
-MAX_MASKED_SHARE = 0.05  # filled alike in both groups: a hole of 5 % moved shares of textures by 0.5 %, 5 % of single pixels by 4 %
+MAX_MASKED_SHARE = 0.05  # filled alike in both groups; a hole of 5 % moves a share by 0.5 % of itself, scattered pixels by 4 %
 MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no part there
 
 # Values and areas of an image
@@ -94,6 +94,6 @@ DEFAULT_RULES = {
         {"check": "contrast", "least": 0.10, "most": 0.20, "source": f"{_JRC}: contrast"},
         {"check": "signal_to_noise", "least": 5, "source": f"{_JRC}: noise"},
         {"check": "colour_balance", "most": 0.02, "source": f"{_JRC}: colour balance"},
-        {"check": "seam_step", "source": _FRENCH_ORDER},  # the order leaves the limit to the contract
+        {"check": "seam_step", "source": _FRENCH_ORDER},  # which leaves the limit to the contract
     ],
 }

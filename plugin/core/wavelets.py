@@ -219,10 +219,10 @@ def _exact_products(bands: np.ndarray, filters: _Filters, levels: int, pairs: Se
     coarse = np.stack([_centred(band) for band in bands])
     totals = _sums_of_products(coarse, wanted)
     components = []
-    for coarse, details in _levels(coarse, filters, levels):
+    for coarsest, details in _levels(coarse, filters, levels):
         components.append(sum(_sums_of_products(detail, wanted) for detail in details))
-    components.append(_sums_of_products(coarse, wanted))
-    return _products(np.array(components), totals, coarse)
+    components.append(_sums_of_products(coarsest, wanted))
+    return _products(np.array(components), totals, coarsest)
 
 
 def _levels(

@@ -46,7 +46,7 @@ class CheckNoise(RasterListAlgorithm):
         self.addRasters(
             SECOND_GROUP,
             tr("Second group"),
-            tr("Images of another camera, film or process, to be compared with the first ones. Pixel sizes may differ."),
+            tr("Images of another camera, film or process, to be compared with the first. Pixel sizes may differ."),
             optional=True,
         )
         self.addWindows(

@@ -6,10 +6,11 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.resources import icon_path, model_paths
 from .checknoise import CheckNoise
+from .checkradiometry import CheckRadiometry
 from .inspectwindows import InspectWindows
 from .placewindows import PlaceWindows
 
-ALGORITHMS = (PlaceWindows, InspectWindows, CheckNoise)
+ALGORITHMS = (PlaceWindows, InspectWindows, CheckNoise, CheckRadiometry)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):

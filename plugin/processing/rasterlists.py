@@ -34,7 +34,7 @@ RASTERS, WINDOWS, REPORT = "RASTERS", "WINDOWS", "REPORT"
 class RasterListAlgorithm(SeamInspectorAlgorithm):
     """An algorithm that measures single images, each for itself, on windows or as a whole."""
 
-    RASTER_LISTS = (RASTERS,)
+    RASTER_LISTS: tuple[str, ...] = (RASTERS,)
 
     def canExecute(self) -> tuple[bool, str]:
         missing = missing_packages_sentence(desk=True)  # with charts and reports

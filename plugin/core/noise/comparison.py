@@ -19,7 +19,6 @@ from .choice import choose_windows
 from .filling import filled
 from .measurement import BandNoise, measure_noise
 
-
 _Clip = tuple[np.ndarray, np.ndarray]
 """(bands, rows, columns) and where they are invalid, (rows, columns)."""
 
@@ -190,7 +189,8 @@ def measure_requests(
     The pixels are read here, one request after the other, so that a raster stays open from window to window: a
     JPEG file is decoded from its top again for each new opening.
     """
-    waiting, opened = iter(requests), {}
+    waiting = iter(requests)
+    opened: dict[RasterRef, Pixels] = {}
     while (batch := list(islice(waiting, ahead))) and not cancelled():
         futures = []
         for request in batch:
@@ -348,7 +348,8 @@ def _overlap(a: Image, b: Image) -> bool:
 
 def _window_on(image: Image, window: PixelWindow, other: Image, levels: int) -> PixelWindow | None:
     """The pixels of another image that show a window; None when it does not show all of it."""
-    assert image.grid is not None and other.grid is not None
+    assert image.grid is not None
+    assert other.grid is not None
     extent = _extent_on_image(image.grid.window_extent(window), image.wkt, other)
     if extent is None or _shown_share(other.grid, extent) < 1 - thresholds.MAX_INVALID_SHARE:
         return None
@@ -378,7 +379,8 @@ def _joined_masks(parts: Sequence[Part], masks: Sequence[np.ndarray]) -> list[np
 def _seen_from(part: Part, other: Part, invalid: np.ndarray) -> np.ndarray:
     """Which pixels of a part lie, if only with an edge, on invalid pixels of another part."""
     own_grid, grid = part.member.image.grid, other.member.image.grid
-    assert own_grid is not None and grid is not None
+    assert own_grid is not None
+    assert grid is not None
     extent = own_grid.window_extent(part.window)
     there = _extent_on_image(extent, part.member.image.wkt, other.member.image)
     assert there is not None  # the window came over the same way

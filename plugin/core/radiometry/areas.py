@@ -34,7 +34,8 @@ def sample_areas(bands: np.ndarray, invalid: np.ndarray | None, step: int) -> Ar
     """The areas of (bands, rows, columns) whose upper left corners lie ``step`` px apart, without invalid pixels."""
     side = thresholds.AREA_PX
     if min(bands.shape[1:]) < side:
-        return Areas(*(np.empty((0, len(bands))) for _ in range(2)), np.empty((0, len(bands)), bool))
+        nothing = np.empty((0, len(bands)))
+        return Areas(nothing, nothing, nothing.astype(bool))
     seen = np.lib.stride_tricks.sliding_window_view(bands, (side, side), axis=(1, 2))[:, ::step, ::step]
     if invalid is not None:
         bad = np.lib.stride_tricks.sliding_window_view(invalid, (side, side))[::step, ::step].any(axis=(2, 3))

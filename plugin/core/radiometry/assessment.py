@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Callable
 
-
 from .. import messages, thresholds
 from ..errors import RasterError
 from ..messages import Message

@@ -106,13 +106,8 @@ def _rule(content: Any, place: Message, name: str) -> Rule:
         raise SettingsError(
             messages.RULES_CHECK_UNKNOWN(place=place, name=name, check=check, known=", ".join(CHECKS))
         )
-    limits = {}
-    for key in ("least", "most"):
-        limit = content.get(key)
-        if limit is not None and not (_is_number(limit) and limit >= 0):
-            raise SettingsError(messages.RULES_LIMIT_BAD(place=place, name=name, key=key))
-        limits[key] = None if limit is None else float(limit)
-    if None not in limits.values() and limits["least"] > limits["most"]:
+    least, most = (_limit(content, key, place, name) for key in ("least", "most"))
+    if least is not None and most is not None and least > most:
         raise SettingsError(messages.RULES_LIMITS_CROSSED(place=place, name=name))
     values = content.get("values", _DEFAULT_VALUES)
     if "values" in content and check not in _CLIPPING:
@@ -122,7 +117,16 @@ def _rule(content: Any, place: Message, name: str) -> Rule:
     source = content.get("source")
     if not isinstance(source, str) or not source.strip():
         raise SettingsError(messages.RULES_SOURCE_MISSING(place=place, name=name))
-    return Rule(check, limits["least"], limits["most"], source, values)
+    return Rule(check, least, most, source, values)
+
+
+def _limit(content: dict[str, Any], key: str, place: Message, name: str) -> float | None:
+    limit = content.get(key)
+    if limit is None:
+        return None
+    if not (_is_number(limit) and limit >= 0):
+        raise SettingsError(messages.RULES_LIMIT_BAD(place=place, name=name, key=key))
+    return float(limit)
 
 
 def _range(content: Any, name: str) -> ValueRange | None:

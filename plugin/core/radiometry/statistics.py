@@ -80,7 +80,8 @@ class Statistics:
 
 def can_count(image: Image, given: ValueRange | None) -> bool:
     """Whether the values can be counted: those of 8 and 16 bit always, others over a given range."""
-    return np.dtype(image.data_type).itemsize <= 2 and np.dtype(image.data_type).kind in "iu" or given is not None
+    dtype = np.dtype(image.data_type)
+    return given is not None or (dtype.itemsize <= 2 and dtype.kind in "iu")
 
 
 def stream(
