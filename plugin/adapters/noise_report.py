@@ -26,7 +26,7 @@ WORDS = {
 def noise_page(results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int) -> str:
     """The whole report."""
     parts: list[Html] = [report.paragraph(_overview(results))]
-    parts += [report.paragraph(sentence(notice), "warning") for notice in notices]
+    parts += [report.paragraph(words, "warning") for words in dict.fromkeys(map(sentence, notices))]
     figure = noise_figure(results)
     if figure is not None:
         parts.append(report.together([report.drawing(svg_text(figure), _caption())]))
@@ -91,22 +91,24 @@ def _windows(results: Sequence[ClipNoise], levels: int) -> Html:
     rows = []
     for result in results:
         judged, window = _judged(result), result.part.window
-        place = f"{window.column}, {window.row}: {window.width} x {window.height}".replace(" ", "\u00a0")
-        cells = [result.window_id, result.part.member.image.ref.name, result.part.member.group, place]
+        head = [result.window_id, result.part.member.image.ref.name, result.part.member.group]
         if judged is None or judged.sigma is None:
-            cells += [""] * (levels + 2)
+            figures = [""] * (levels + 2)
             reason = result.reason or (judged.note if judged else None)
         else:
-            cells += [f"{share:.4f}" for share in judged.curve.detail]
             known = ("-" if kurtosis is None else f"{kurtosis:.1f}" for kurtosis in judged.kurtosis)
-            cells += ["\u00a0\u00a0".join(known), f"{judged.sigma:.2f}"]
+            figures = [f"{judged.sigma:.2f}", *(f"{share:.4f}" for share in judged.curve.detail)]
+            figures.append("\u00a0\u00a0".join(known))
             reason = judged.note
-        rows.append([*cells, tr(WORDS[_verdict(result)]), sentence(reason) if reason else ""])
-    headings = [tr("window"), tr("raster"), tr("group"), tr("column, row: size (px)")]
+        place = f"{window.column},\u00a0{window.row}"
+        rows.append([*head, tr(WORDS[_verdict(result)]), *figures, place, sentence(reason) if reason else ""])
+    headings = [tr("window"), tr("raster"), tr("group"), tr("noise"), tr("sigma (DN)")]
     headings += [tr("detail {level}").format(level=level) for level in range(1, levels + 1)]
-    headings += [tr("kurtosis by level"), tr("sigma (DN)"), tr("noise"), tr("note")]
-    empty = [i for i in (2, len(headings) - 1) if len({row[i] for row in rows}) <= 1 and (i == 2 or not rows[0][i])]
-    shown = [i for i in range(len(headings)) if i not in empty or not rows]
+    headings += [tr("kurtosis by level"), tr("column, row"), tr("note")]
+    group, note = 2, len(headings) - 1
+    left_out = {group} if len({row[group] for row in rows}) < 2 else set()
+    left_out |= set() if any(row[note] for row in rows) else {note}
+    shown = [i for i in range(len(headings)) if i not in left_out]
     return report.table([headings[i] for i in shown], [[row[i] for i in shown] for row in rows])
 
 

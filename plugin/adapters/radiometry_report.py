@@ -32,7 +32,7 @@ def radiometry_page(results: Sequence[Assessment], notices: Iterable[Message], r
     """The whole report."""
     parts: list[Html] = [report.paragraph(tr("Rules: {name}.").format(name=rules.name))]
     parts.append(_overview(results))
-    parts += [report.paragraph(sentence(notice), "warning") for notice in notices]
+    parts += [report.paragraph(words, "warning") for words in dict.fromkeys(map(sentence, notices))]
     parts += _balance(results)
     for result in results:
         parts += _image(result)

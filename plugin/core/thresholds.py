@@ -61,7 +61,7 @@ GAUSSIAN_QUARTILE = 0.6745  # median of the absolute value of a standard normal 
 MAX_NOISE_PLACES = 10  # places along an image's side that are looked at: 100 reduced reads at most
 NOISE_SHRINK = 8  # every 8th pixel shows where an image is saturated or invalid
 SATURATION_STEP = 0.005  # windows whose saturated shares differ by less are alike and are chosen by their spread
-MAX_MASKED_SHARE = 0.05  # filled alike in both groups; a hole of 5 % moves a share by 0.5 % of itself, scattered pixels by 4 %
+MAX_MASKED_SHARE = 0.05  # filled alike in both groups; a hole of 5 % moves a share by 0.5 % of itself
 MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no part there
 
 # Values and areas of an image

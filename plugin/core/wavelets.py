@@ -219,10 +219,11 @@ def _exact_products(bands: np.ndarray, filters: _Filters, levels: int, pairs: Se
     coarse = np.stack([_centred(band) for band in bands])
     totals = _sums_of_products(coarse, wanted)
     components = []
-    for coarsest, details in _levels(coarse, filters, levels):
+    for level in _levels(coarse, filters, levels):
+        coarse, details = level
         components.append(sum(_sums_of_products(detail, wanted) for detail in details))
-    components.append(_sums_of_products(coarsest, wanted))
-    return _products(np.array(components), totals, coarsest)
+    components.append(_sums_of_products(coarse, wanted))
+    return _products(np.array(components), totals, coarse)
 
 
 def _levels(

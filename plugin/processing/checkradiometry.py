@@ -132,11 +132,12 @@ class CheckRadiometry(RasterListAlgorithm):
             raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[-1:])))
         findings = [finding for result in results for finding in result.findings]
         states = [finding.passed for finding in findings]
-        page = radiometry_report.radiometry_page(results, dict.fromkeys(notices), rules)
         outputs = {
             OUTPUT: output_id,
             REPORT: self.save(
-                feedback, self.file_path(parameters, REPORT, context), lambda path: report.save_page(page, path)
+                feedback,
+                self.file_path(parameters, REPORT, context),
+                lambda path: report.save_page(radiometry_report.radiometry_page(results, notices, rules), path),
             ),
             PASSED_COUNT: states.count(True),
             FAILED_COUNT: states.count(False),

@@ -32,12 +32,17 @@ class _Place:
 
 
 def choose_windows(
-    pixels: Pixels, image: Image, levels: int, allowed: Allowed = lambda window: True
+    pixels: Pixels,
+    image: Image,
+    levels: int,
+    region: PixelWindow | None = None,
+    allowed: Allowed = lambda window: True,
 ) -> list[PixelWindow]:
     """Up to 25 square windows of 1024 px that do not overlap, those with the least saturation first.
 
-    Looks at up to 10 x 10 places by every 8th pixel, so the time does not grow with the raster. Places with an
-    invalid pixel among those are left out, and so are those that are not ``allowed``. Saturated is a pixel with the
+    ``region``: the part of the image in which they lie; all of it when left out. Looks at up to 10 x 10 places by
+    every 8th pixel, so the time does not grow with the raster. Places with an invalid pixel among those are
+    left out, and so are those that are not ``allowed``. Saturated is a pixel with the
     lowest or highest value of the available range in any band; where the range is not known (float), none is.
     Among places whose saturated shares differ by less than half a per cent, the one farthest from all chosen
     before is next, the first one being nearest to the middle; places side by side come before those between them.
@@ -46,25 +51,26 @@ def choose_windows(
 
     Raises RasterError when the raster can't be read.
     """
-    side = min(thresholds.NOISE_WINDOW_PX, 2 ** int(math.log2(min(image.columns, image.rows))))
+    region = region or image.whole
+    side = min(thresholds.NOISE_WINDOW_PX, 2 ** int(math.log2(min(region.width, region.height))))
     while side >= max(thresholds.MIN_SIDE_PX, 2**levels):
         places = [
             place
-            for window, apart in _lattice(image, side)
+            for window, apart in _lattice(region, side)
             if allowed(window) and (place := _look(pixels, window, apart)) is not None
         ]
         if places:
-            return _spread(places, _saturated_shares(image, places), image)
+            return _spread(places, _saturated_shares(image, places), _centre(region))
         side //= 2
     return []
 
 
-def _lattice(image: Image, side: int) -> Iterator[tuple[PixelWindow, bool]]:
+def _lattice(region: PixelWindow, side: int) -> Iterator[tuple[PixelWindow, bool]]:
     """Places half a side apart or farther, away from the edges, and whether they belong to those without overlap."""
-    lefts, tops = (_starts(length, side) for length in (image.columns, image.rows))
+    lefts, tops = (_starts(length, side) for length in (region.width, region.height))
     for i, top in enumerate(tops):
         for j, left in enumerate(lefts):
-            yield PixelWindow(left, top, side, side), i % 2 == j % 2 == 0
+            yield PixelWindow(region.column + left, region.row + top, side, side), i % 2 == j % 2 == 0
 
 
 def _starts(length: int, side: int) -> list[int]:
@@ -95,13 +101,12 @@ def _saturated_shares(image: Image, places: list[_Place]) -> list[float]:
     ]
 
 
-def _spread(places: list[_Place], shares: list[float], image: Image) -> list[PixelWindow]:
+def _spread(places: list[_Place], shares: list[float], middle: tuple[float, float]) -> list[PixelWindow]:
     """Those to take, in the order in which they are chosen."""
     classes = [
         (int(share / thresholds.SATURATION_STEP), not place.apart) for share, place in zip(shares, places)
     ]
     chosen: list[PixelWindow] = []
-    middle = (image.columns / 2, image.rows / 2)
     left = list(range(len(places)))
     while left and len(chosen) < thresholds.NOISE_WINDOWS:
         best = min(classes[index] for index in left)

@@ -269,8 +269,11 @@ def _chosen(
 
     try:
         pixels = Pixels(one.image.ref)
-        windows = choose_windows(pixels, one.image, levels, lambda window: bool(shown(window))) if opened else []
-        found = [(Part(one, window), *shown(window)) for window in windows]
+        found: list[tuple[Part, ...]] = []
+        if opened:
+            region = _shared_region(one.image, [partner.image for partner in partners])
+            windows = choose_windows(pixels, one.image, levels, region, lambda window: bool(shown(window)))
+            found = [(Part(one, window), *shown(window)) for window in windows]
         if not found:
             found = [(Part(one, window),) for window in choose_windows(pixels, one.image, levels)]
         found.sort(key=lambda parts: (parts[0].window.row, parts[0].window.column))  # as a file is read best
@@ -344,6 +347,22 @@ def _overlap(a: Image, b: Image) -> bool:
         return False
     extent = _extent_on_image(b.grid.extent, b.wkt, a)
     return extent is not None and _shared(a.grid.extent, extent) is not None
+
+
+def _shared_region(image: Image, others: Sequence[Image]) -> PixelWindow:
+    """The pixels of an image around all that other images share with it, as far as their footprints tell."""
+    assert image.grid is not None
+    shared = []
+    for other in others:
+        assert other.grid is not None
+        extent = _extent_on_image(other.grid.extent, other.wkt, image)
+        box = None if extent is None else _shared(image.grid.extent, extent)
+        shared += [] if box is None else [box]
+    xmin, ymin = (min(box[i] for box in shared) for i in (0, 1))
+    xmax, ymax = (max(box[i] for box in shared) for i in (2, 3))
+    left, right = (round((x - image.grid.left) / image.grid.pixel_width) for x in (xmin, xmax))
+    top, bottom = (round((image.grid.top - y) / image.grid.pixel_height) for y in (ymax, ymin))
+    return PixelWindow(left, top, max(right - left, 1), max(bottom - top, 1))
 
 
 def _window_on(image: Image, window: PixelWindow, other: Image, levels: int) -> PixelWindow | None:
