@@ -28,6 +28,8 @@ SOURCE_INDEX = "SOURCE_INDEX"
 LEVELS = "LEVELS"
 WAVELET = "WAVELET"
 
+_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+
 
 def mosaic() -> Described:
     return (
@@ -109,3 +111,12 @@ def index_path(
 
     layer = algorithm.parameterAsVectorLayer(parameters, name, context)
     return layer_path(layer) if layer is not None else ""
+
+
+def whole_number(value: object) -> int | None:
+    """A window's number from a field of any type."""
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None

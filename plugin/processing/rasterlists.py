@@ -121,12 +121,14 @@ def _windows(source: QgsProcessingFeatureSource, feedback: QgsProcessingFeedback
 
     wkt = layers.system_wkt(source.sourceCrs())
     numbered = "window_id" in source.fields().names()
+    given = [common.whole_number(feature["window_id"]) if numbered else None for feature in layers.features(source)]
+    free = max((number for number in given if number is not None), default=0)
     taken: set[int] = set()
-    for count, feature in enumerate(layers.features(source), 1):
-        own = feature["window_id"] if numbered else None
-        number = own if isinstance(own, int) and own not in taken else count
-        while number in taken:
-            number += 1
+    for own, feature in zip(given, layers.features(source)):
+        number = own
+        if number is None or number in taken:
+            free += 1
+            number = free
         taken.add(number)
         try:
             outline = layers.window_geometry(feature, QgsCoordinateTransform())

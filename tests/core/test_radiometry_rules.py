@@ -10,7 +10,6 @@ import pytest
 from seam_inspector.plugin.core.errors import SettingsError
 from seam_inspector.plugin.core.radiometry.rules import CHECKS, Rule, RuleSet, default_rules, load_rules
 
-
 GOOD: dict[str, Any] = {"check": "contrast", "least": 0.1, "most": 0.2, "source": "contract 7"}
 
 

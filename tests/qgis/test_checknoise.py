@@ -7,10 +7,17 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from qgis.core import QgsProcessing, QgsProcessingModelAlgorithm, QgsProcessingModelChildAlgorithm
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingModelAlgorithm,
+    QgsProcessingModelChildAlgorithm,
+    QgsProcessingModelOutput,
+    QgsProcessingModelParameter,
+    QgsProcessingParameterMultipleLayers,
+    QgsProject,
+    QgsRasterLayer,
+)
 from qgis.core import QgsProcessingModelChildParameterSource as ChildSource
-from qgis.core import QgsProcessingModelOutput, QgsProcessingModelParameter, QgsProcessingParameterMultipleLayers
-from qgis.core import QgsProject, QgsRasterLayer
 
 from tests.core.synthetic import decompose, luminance, read_pixels, texture, write_raster
 from tests.qgis.runs import Log, algorithm, assert_refused, assert_sentence, run
@@ -150,7 +157,8 @@ def test_a_window_that_can_not_be_measured_has_a_row_with_its_reason(scene: Scen
     pixels[:, :128, :128] = 0
     pixels[:, 128:, :128] = 77
     path = write_raster(tmp_path / "holes.tif", pixels, nodata=0)
-    outcome = run("checknoise", RASTERS=[path], WINDOWS=windows((0, 0, 128, 128), (0, 128, 128, 128), (300, 64, 99, 99)))
+    drawn = windows((0, 0, 128, 128), (0, 128, 128, 128), (300, 64, 99, 99))
+    outcome = run("checknoise", RASTERS=[path], WINDOWS=drawn)
     first, *flat = outcome.rows()[:5]
     assert (first["noise"], first["band"], first["detail_1"]) == ("not measurable", None, None)
     assert "100.00% of the pixels of holes.tif are invalid" in first["reason"]

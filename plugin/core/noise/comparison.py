@@ -171,6 +171,20 @@ def pixel_size_notice(plan: Plan) -> Message | None:
     return None
 
 
+def measure_window(
+    ref: RasterRef,
+    window: PixelWindow,
+    wavelet: str = thresholds.DEFAULT_WAVELET,
+    levels: int = thresholds.DEFAULT_LEVELS,
+) -> ClipNoise:
+    """The noise of one raster in one window on its own pixel grid, both sides multiples of ``2 ** levels``.
+
+    Raises RasterError when the raster can't be opened; what can't be measured has its reason.
+    """
+    part = Part(GroupedImage(Pixels(ref).image(), 1), window)
+    return measure_request(NoiseRequest(1, (part,)), wavelet, levels)[0]
+
+
 def measure_request(request: NoiseRequest, wavelet: str, levels: int) -> list[ClipNoise]:
     """The noise of each image in a window; one that can't be measured has the reason. Never raises for bad data."""
     return _measured(request, _read(request, {}), wavelet, levels)

@@ -16,6 +16,10 @@ from .. import thresholds
 from ..value_ranges import ValueRange
 
 _HALF = thresholds.AREA_PX // 2
+_PIXELS = _HALF * _HALF
+"""Of a quadrant."""
+_QUADRANTS = np.kron(np.eye(2).repeat(_HALF, axis=0), np.eye(2).repeat(_HALF, axis=0))
+"""(pixels of an area in a row, 4): which of them belong to each quadrant; a matrix product is the fastest sum."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,18 +47,17 @@ def sample_areas(bands: np.ndarray, invalid: np.ndarray | None, step: int) -> Ar
     else:
         parts = seen.reshape(len(bands), -1, side, side)
     dtype = np.float32 if bands.dtype.kind in "iu" and bands.dtype.itemsize <= 2 else np.float64
-    parts = parts.astype(dtype)
+    areas = parts.astype(dtype).reshape(-1, side * side)
     # Less the first pixel, so that float32 keeps the small differences of large values.
-    origins = parts[:, :, 0, 0].astype(np.float64)
-    parts -= parts[:, :, :1, :1]
-    quadrants = parts.reshape(*parts.shape[:2], 2, _HALF, 2, _HALF)
-    pixels = _HALF * _HALF
-    sums = np.einsum("bnipjq->bnij", quadrants).astype(np.float64)
-    squares = np.einsum("bnipjq,bnipjq->bn", quadrants, quadrants).astype(np.float64)
-    within = np.maximum(squares - (sums**2).sum(axis=(2, 3)) / pixels, 0) / (4 * (pixels - 1))
-    between = (sums / pixels).var(axis=(2, 3), ddof=1) * pixels
-    means = origins + sums.sum(axis=(2, 3)) / (4 * pixels)
-    return Areas(means.T, np.sqrt(within).T, (between <= thresholds.MAX_QUADRANT_RATIO * within).T)
+    origins = areas[:, 0].copy()
+    areas -= origins[:, np.newaxis]
+    sums = (areas @ _QUADRANTS.astype(dtype)).astype(np.float64)
+    squares = np.einsum("ij,ij->i", areas, areas).astype(np.float64)
+    within = np.maximum(squares - (sums**2).sum(axis=1) / _PIXELS, 0) / (4 * (_PIXELS - 1))
+    between = (sums / _PIXELS).var(axis=1, ddof=1) * _PIXELS
+    means = origins + sums.sum(axis=1) / (4 * _PIXELS)
+    uniform = between <= thresholds.MAX_QUADRANT_RATIO * within
+    return Areas(*(figure.reshape(len(bands), -1).T for figure in (means, np.sqrt(within), uniform)))
 
 
 def joined(parts: Sequence[Areas]) -> Areas:

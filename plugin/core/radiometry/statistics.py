@@ -2,8 +2,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Callable
+from typing import Callable, Optional
 
 import numpy as np
 
@@ -15,6 +17,8 @@ from .areas import Areas, joined, sample_areas
 
 _BINS = 65536  # of 16 bit values one each; of values without steps of their own, over the range that was given
 _SHOWN_BINS = 256
+_Block = tuple[np.ndarray, Optional[np.ndarray]]
+"""(bands, rows, columns) and where they are invalid."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +95,8 @@ def stream(
     given: ValueRange | None = None,
     progress: Callable[[float], bool] = lambda share: True,
 ) -> Statistics:
-    """Histograms and areas of a window of a raster, read block by block, every block once.
+    """Histograms and areas of a window of a raster, read block by block, every block once and
+    one ahead.
 
     ``given`` is the range over which values other than 8 and 16 bit are counted; ``progress`` is told the share that
     is done after each block and ends the work by returning False.
@@ -102,8 +107,7 @@ def stream(
     areas: list[Areas] = []
     done = 0
     step = area_step(window)
-    for block in pixels.blocks(window, thresholds.MAX_BLOCK_PIXELS):
-        bands, invalid = pixels.read(block)
+    for block, (bands, invalid) in _read_ahead(pixels, pixels.blocks(window, thresholds.MAX_BLOCK_PIXELS)):
         own = np.stack([_counted(band, invalid, given) for band in bands])
         counts = own if counts is None else counts + own
         areas.append(sample_areas(bands, invalid, step))
@@ -114,6 +118,18 @@ def stream(
     values = _values(np.dtype(image.data_type), given)
     histograms = {name: Histogram(values, own) for name, own in zip(image.band_names, counts)}
     return Statistics(histograms, joined(areas), done == window.width * window.height)
+
+
+def _read_ahead(pixels: Pixels, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, _Block]]:
+    """Every block with its pixels; the next one is read in a thread of its own meanwhile."""
+    with ThreadPoolExecutor(1) as reader:
+        coming: tuple[PixelWindow, Future[_Block]] | None = None
+        for block in blocks:
+            ready, coming = coming, (block, reader.submit(pixels.read, block))
+            if ready is not None:
+                yield ready[0], ready[1].result()
+        if coming is not None:
+            yield coming[0], coming[1].result()
 
 
 def area_step(window: PixelWindow) -> int:
