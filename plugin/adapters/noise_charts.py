@@ -52,7 +52,7 @@ def draw_rule(axes: Axes, detail: Sequence[float], style: ChartStyle = PAPER) ->
     for level, finer in enumerate(detail[:-1], 2):
         reach = [level - 0.22, level + 0.22]
         drawn.append(axes.fill_between(reach, finer, finer * 1e-9, color=style.limit, alpha=0.13, linewidth=0))
-        label = tr("a curve that meets the red: noise") if level == 2 else None
+        label = tr("bold curve in the red: noise") if level == 2 else None
         drawn += axes.plot(reach, [finer, finer], color=style.limit, linewidth=1.6 * style.scale, label=label)
     return drawn
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from ..core.radiometry.assessment import Assessment, Finding
-from ..core.radiometry.rules import CLIPPED_HIGH, CLIPPED_LOW, CONTRAST, PEAK, SEAM_STEP
+from ..core.radiometry.assessment import Assessment
+from ..core.radiometry.rules import CLIPPED_HIGH, CLIPPED_LOW, PEAK, SEAM_CONTRAST, SEAM_STEP
 from .charts import PAPER
 from .figures import new_figure
 from .text import tr
@@ -49,8 +49,8 @@ def histogram_figure(result: Assessment) -> Figure | None:
 
 
 def balance_figure(results: Sequence[Assessment]) -> Figure | None:
-    """Contrast against the step at the seams, a point for each raster with seams: tonal unity is bought with contrast.
-    None with fewer than two."""
+    """Contrast beside the seams against the step at them, a point for each raster with seams: tonal unity is bought
+    with contrast. None with fewer than two."""
     points = [(result, *pair) for result in results if (pair := step_and_contrast(result)) is not None]
     if len(points) < 2:
         return None
@@ -60,13 +60,10 @@ def balance_figure(results: Sequence[Assessment]) -> Figure | None:
         label = result.image.ref.name if result.window_id is None else f"{result.image.ref.name} {result.window_id}"
         axes.plot([100 * step], [100 * contrast], "o", color=PAPER.sources[index % len(PAPER.sources)], markersize=8,
                   label=label)
-    rule = next(finding.rule for finding in points[0][0].findings if finding.rule.check == CONTRAST)
-    for limit in (rule.least, rule.most):
-        if limit is not None:
-            axes.axhline(100 * limit, color=PAPER.limit, linewidth=1, linestyle=":")
-    axes.set_xlim(0, 115 * max(step for _, step, _ in points))
+    axes.set_xlim(0, 115 * max(max(step for _, step, _ in points), 1e-3))
+    axes.set_ylim(0, 115 * max(max(contrast for _, _, contrast in points), 1e-3))
     axes.set_xlabel(tr("largest step at a seam (% of the largest value)"))
-    axes.set_ylabel(tr("contrast (% of the range)"))
+    axes.set_ylabel(tr("contrast beside the seams (% of the range)"))
     axes.grid(True, color=PAPER.grid)
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
@@ -75,12 +72,10 @@ def balance_figure(results: Sequence[Assessment]) -> Figure | None:
 
 
 def step_and_contrast(result: Assessment) -> tuple[float, float] | None:
-    """The largest step of any band and the mean contrast of the bands; None where one of them is not measured."""
-    steps, contrasts = (_values(result.findings, check) for check in (SEAM_STEP, CONTRAST))
-    if not steps or not contrasts:
-        return None
-    return max(steps), math.fsum(contrasts) / len(contrasts)
-
-
-def _values(findings: Sequence[Finding], check: str) -> list[float]:
-    return [finding.value for finding in findings if finding.rule.check == check and finding.value is not None]
+    """The largest step of any seam and band, and the mean of the bands' contrasts beside the seams; None where they
+    are not measured."""
+    steps, contrasts = (
+        [finding.value for finding in result.findings if finding.rule.check == check and finding.value is not None]
+        for check in (SEAM_STEP, SEAM_CONTRAST)
+    )
+    return (max(steps), math.fsum(contrasts) / len(contrasts)) if steps and contrasts else None

@@ -23,6 +23,7 @@ WORDS = {
     checks.SIGNAL_TO_NOISE: QT_TRANSLATE_NOOP("@default", "signal to noise"),
     checks.COLOUR_BALANCE: QT_TRANSLATE_NOOP("@default", "colour balance"),
     checks.SEAM_STEP: QT_TRANSLATE_NOOP("@default", "step at the seams"),
+    checks.SEAM_CONTRAST: QT_TRANSLATE_NOOP("@default", "contrast beside the seams"),
 }
 _PASSED = QT_TRANSLATE_NOOP("@default", "passed")
 _FAILED = QT_TRANSLATE_NOOP("@default", "failed")
@@ -71,7 +72,7 @@ def _balance(results: Sequence[Assessment]) -> list[Html]:
     )
     parts = [report.heading(tr("Tonal unity and contrast")), report.paragraph(words)]
     rows = [[title(result), f"{100 * step:.2f} %", f"{100 * contrast:.2f} %"] for result, (step, contrast) in pairs]
-    table = report.table([tr("image"), tr("largest step at a seam"), tr("mean contrast of the bands")], rows)
+    table = report.table([tr("image"), tr("largest step at a seam"), tr("contrast beside the seams")], rows)
     figure = balance_figure(results)
     drawing = [report.drawing(svg_text(figure))] if figure is not None else []
     return [*parts, report.row([table, *drawing])]
@@ -160,6 +161,7 @@ def _method() -> list[str]:
         ),
         tr(
             "Step at the seams: difference of the means {near} to {far} px on either side for every {station} px of "
-            "seam, their median along each seam, the largest of all seams as a share of the image's largest value."
+            "seam, their median along each seam, the largest of all seams as a share of the image's largest value. "
+            "Contrast beside the seams is the standard deviation of the same pixels, as a share of the range."
         ).format(near=thresholds.SEAM_NEAR_PX, far=far, station=thresholds.SEAM_STATION_PX),
     ]

@@ -68,11 +68,11 @@ MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no p
 BIT_DEPTHS = (8, 10, 11, 12, 14, 16)  # of cameras and scanners; the smallest that holds an image's largest value
 MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
 AREA_PX = 16  # side of an area that is looked at: 256 pixels give the standard deviation to 4 %
-MAX_AREAS = 4096  # looked at, spread over the raster: memory is flat and the time a small part of the read's
+MAX_AREAS = 8192  # looked at, spread over the raster: memory is flat and the time a small part of the read's
 MAX_QUADRANT_RATIO = 3.86  # variance between the four quadrants over that within: 99 % of F(3, 252), white noise
 MID_TONES = (0.25, 0.75)  # of the available range: the middle half
 UNIFORM_SHARE = 0.25  # the quarter of the uniform areas with the least noise: the others may be fine texture
-MIN_AREAS = 4  # 1024 pixels: fewer areas say nothing about an image
+MIN_AREAS = 8  # 2048 pixels: fewer areas say nothing about an image
 MAX_NEUTRAL_SPREAD = 0.10  # of the range, between the bands: five times the JRC limit, so that a cast is still seen
 MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of an image
 
@@ -85,6 +85,7 @@ MIN_SEAM_STATIONS = 4  # 64 px of seam
 # Rules of acceptance
 _JRC = "JRC, Orthoimage technical specifications for the purpose of LPIS"
 _FRENCH_ORDER = "Arrêté du 16 septembre 2003, section 8.4 (France)"
+_TRADED = "Pyka 2010: tonal unity at the seams is bought with contrast"
 DEFAULT_RULES = {
     "name": "JRC orthoimage specification for LPIS",
     "rules": [
@@ -95,5 +96,6 @@ DEFAULT_RULES = {
         {"check": "signal_to_noise", "least": 5, "source": f"{_JRC}: noise"},
         {"check": "colour_balance", "most": 0.02, "source": f"{_JRC}: colour balance"},
         {"check": "seam_step", "source": _FRENCH_ORDER},  # which leaves the limit to the contract
+        {"check": "seam_contrast", "source": _TRADED},  # a figure to stand beside the step; it has no limit of its own
     ],
 }

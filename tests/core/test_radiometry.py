@@ -194,8 +194,8 @@ def test_without_uniform_or_grey_areas_it_says_so(make_raster: MakeRaster) -> No
     bands = np.stack([np.rint(128 + 30 * texture((256, 256), 3.0, seed)) for seed in range(3)])
     said = reasons(checked(make_raster("a.tif", bands.clip(0, 255).astype(np.uint8))))
     assert set(said) == {"signal_to_noise", "colour_balance"}
-    assert said["signal_to_noise"].startswith("not measurable: fewer than 4 uniform mid-tone areas")
-    assert said["colour_balance"].startswith("not measurable: fewer than 4 uniform areas whose bands differ by less")
+    assert said["signal_to_noise"].startswith("not measurable: fewer than 8 uniform mid-tone areas")
+    assert said["colour_balance"].startswith("not measurable: fewer than 8 uniform areas whose bands differ by less")
 
 
 def test_a_flat_image_has_no_infinite_signal_to_noise(make_raster: MakeRaster) -> None:
@@ -269,6 +269,7 @@ def test_the_step_at_a_seam_is_what_was_put_there(make_raster: MakeRaster, step:
     assert figure(result, "seam_step") == pytest.approx(abs(step) / 200, abs=0.004)
     assert finding(result, "seam_step").passed is None  # the order sets no limit
     assert result.seams[0].stations == 18
+    assert figure(result, "seam_contrast") == pytest.approx(6 / 255, rel=0.05)
 
 
 def test_a_feather_of_two_pixels_and_an_object_on_the_seam_do_not_hide_it(make_raster: MakeRaster) -> None:
@@ -287,6 +288,7 @@ def test_the_worst_seam_counts_and_invalid_sides_do_not(make_raster: MakeRaster)
     pixels[:, 450:] = 0
     seams = [seam((x, 0), (x, 300), number=i) for i, x in enumerate((150, 300, 450, 5000), 1)]
     result = checked(make_raster("a.tif", pixels, nodata=0), seams=seams)
+    assert {one.contrasts for one in result.seams} == {(0.0,)}
     assert [(one.seam_id, one.steps) for one in result.seams] == [(1, (10.0,)), (2, (40.0,))]  # seams run down: left
     assert figure(result, "seam_step") == pytest.approx(40 / 150)
 

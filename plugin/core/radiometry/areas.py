@@ -69,27 +69,27 @@ def joined(parts: Sequence[Areas]) -> Areas:
     )
 
 
-def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> tuple[float | None, int]:
-    """Mean over standard deviation in a band's uniform mid-tone areas, and how many were used.
+def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | None:
+    """Mean over standard deviation in a band's uniform mid-tone areas.
 
     Of the uniform areas whose mean lies in the middle half of the range, the quarter with the least noise is taken
     (the others may be fine texture): mean of their means over the root mean square of their noise. None where there
-    are fewer than four such areas; infinite where they do not vary at all.
+    are fewer than eight such areas; infinite where they do not vary at all.
     """
     chosen = areas.uniform[:, band] & _is_mid_tone(areas.means[:, band], available)
     if np.count_nonzero(chosen) < thresholds.MIN_AREAS:
-        return None, int(np.count_nonzero(chosen))
+        return None
     means, noise = areas.means[chosen, band], areas.noise[chosen, band]
     best = np.argsort(noise, kind="stable")[: _quarter(len(noise))]
     deviation = float(np.sqrt(np.mean(noise[best] ** 2)))
-    return (float(means[best].mean()) / deviation if deviation > 0 else float("inf")), len(best)
+    return float(means[best].mean()) / deviation if deviation > 0 else float("inf")
 
 
-def colour_balance(areas: Areas, bands: Sequence[int], available: ValueRange) -> tuple[float | None, int]:
-    """Largest difference between the bands on neutral areas as a share of the range, and how many were used.
+def colour_balance(areas: Areas, bands: Sequence[int], available: ValueRange) -> float | None:
+    """Largest difference between the bands on neutral areas as a share of the range.
 
     Neutral are areas that are uniform in all the bands, of mid-tone, and whose bands differ by at most 10 % of the
-    range; of those the quarter with the least colour is taken. None where there are fewer than four.
+    range; of those the quarter with the least colour is taken. None where there are fewer than eight.
     """
     extent = available[1] - available[0]
     means = areas.means[:, list(bands)]
@@ -97,10 +97,10 @@ def colour_balance(areas: Areas, bands: Sequence[int], available: ValueRange) ->
     chosen = areas.uniform[:, list(bands)].all(axis=1) & _is_mid_tone(means, available).all(axis=1)
     chosen &= spread <= thresholds.MAX_NEUTRAL_SPREAD
     if np.count_nonzero(chosen) < thresholds.MIN_AREAS:
-        return None, int(np.count_nonzero(chosen))
+        return None
     means, spread = means[chosen], spread[chosen]
     best = np.argsort(spread, kind="stable")[: _quarter(len(spread))]
-    return float(np.ptp(means[best].mean(axis=0))) / extent, len(best)
+    return float(np.ptp(means[best].mean(axis=0))) / extent
 
 
 def _is_mid_tone(means: np.ndarray, available: ValueRange) -> np.ndarray:

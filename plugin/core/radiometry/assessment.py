@@ -70,7 +70,7 @@ def assess(
 
     Raises RasterError when the pixels can't be read.
     """
-    wanted = [rule for rule in rules.rules if rule.check != checks.SEAM_STEP or seams is not None]
+    wanted = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or seams is not None]
     if not can_count(image, rules.value_range):
         why = messages.NO_VALUE_RANGE(data_type=image.data_type)
         return Assessment(image, window_id, tuple(_not_measurable(image, wanted, why)), None, {}, (), ())
@@ -121,6 +121,12 @@ def contrast(histogram: Histogram, available: ValueRange) -> float:
     return histogram.deviation / (available[1] - available[0])
 
 
+def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -> float:
+    """Standard deviation beside the seams as a share of the range, root mean square over all stations."""
+    squares = math.fsum(step.stations * step.contrasts[band] ** 2 for step in steps)
+    return math.sqrt(squares / sum(step.stations for step in steps)) / (available[1] - available[0])
+
+
 def _findings(
     rule: Rule,
     image: Image,
@@ -130,54 +136,65 @@ def _findings(
     largest: float,
 ) -> Iterator[Finding]:
     if rule.check == checks.COLOUR_BALANCE:
-        yield _colour_finding(rule, image, statistics, available)
+        yield _finding(ALL_BANDS, rule, _colours(image, statistics, available))
         return
     for index, (name, histogram) in enumerate(statistics.histograms.items()):
-        if rule.check in (checks.CLIPPED_LOW, checks.CLIPPED_HIGH):
-            yield _finding(name, rule, clipped_share(histogram, rule, available))
-        elif rule.check == checks.PEAK:
-            yield _finding(name, rule, peak_deviation(histogram, available))
-        elif rule.check == checks.CONTRAST:
-            yield _finding(name, rule, contrast(histogram, available))
+        if rule.check in checks.AT_SEAMS:
+            figure = _at_seams(rule, index, available, steps, largest)
         elif rule.check == checks.SIGNAL_TO_NOISE:
-            ratio, _ = signal_to_noise(statistics.areas, index, available)
-            if ratio is None:
-                why = messages.NO_UNIFORM_AREA(least=thresholds.MIN_AREAS, side=thresholds.AREA_PX)
-                yield Finding(name, rule, None, None, messages.NOT_MEASURABLE(why=why))
-            elif math.isinf(ratio):
-                yield Finding(name, rule, None, None, messages.NOT_MEASURABLE(why=messages.NO_NOISE_AT_ALL()))
-            else:
-                yield _finding(name, rule, ratio)
-        elif not steps or largest <= 0:
-            length = thresholds.MIN_SEAM_STATIONS * thresholds.SEAM_STATION_PX
-            why = messages.NO_SEAM_HERE(pixels=length)
-            yield Finding(name, rule, None, None, messages.NOT_MEASURABLE(why=why))
+            figure = _signal(statistics, index, available)
         else:
-            yield _finding(name, rule, max(abs(step.steps[index]) for step in steps) / largest)
+            figure = _of_histogram(rule, histogram, available)
+        yield _finding(name, rule, figure)
 
 
-def _colour_finding(rule: Rule, image: Image, statistics: Statistics, available: ValueRange) -> Finding:
+def _of_histogram(rule: Rule, histogram: Histogram, available: ValueRange) -> float | Message:
+    if rule.check == checks.PEAK:
+        return peak_deviation(histogram, available)
+    if rule.check == checks.CONTRAST:
+        return contrast(histogram, available)
+    return clipped_share(histogram, rule, available)
+
+
+def _signal(statistics: Statistics, band: int, available: ValueRange) -> float | Message:
+    ratio = signal_to_noise(statistics.areas, band, available)
+    if ratio is None:
+        return messages.NO_UNIFORM_AREA(least=thresholds.MIN_AREAS, side=thresholds.AREA_PX)
+    return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else ratio
+
+
+def _colours(image: Image, statistics: Statistics, available: ValueRange) -> float | Message:
     if not image.has_luminance:
-        return Finding(ALL_BANDS, rule, None, None, messages.NOT_MEASURABLE(why=messages.NO_COLOURS()))
-    balance, _ = colour_balance(statistics.areas, range(3), available)
+        return messages.NO_COLOURS()
+    balance = colour_balance(statistics.areas, range(3), available)
     if balance is None:
-        most = thresholds.MAX_NEUTRAL_SPREAD
-        why = messages.NO_NEUTRAL_AREA(least=thresholds.MIN_AREAS, most=most)
-        return Finding(ALL_BANDS, rule, None, None, messages.NOT_MEASURABLE(why=why))
-    return _finding(ALL_BANDS, rule, balance)
+        return messages.NO_NEUTRAL_AREA(least=thresholds.MIN_AREAS, most=thresholds.MAX_NEUTRAL_SPREAD)
+    return balance
 
 
-def _finding(band: str, rule: Rule, value: float) -> Finding:
+def _at_seams(
+    rule: Rule, band: int, available: ValueRange, steps: Sequence[SeamStep], largest: float
+) -> float | Message:
+    if not steps or largest <= 0:
+        return messages.NO_SEAM_HERE(pixels=thresholds.MIN_SEAM_STATIONS * thresholds.SEAM_STATION_PX)
+    if rule.check == checks.SEAM_STEP:
+        return max(abs(step.steps[band]) for step in steps) / largest
+    return seam_contrast(steps, band, available)
+
+
+def _finding(band: str, rule: Rule, figure: float | Message) -> Finding:
+    """A figure against its rule, or why there is none."""
+    if isinstance(figure, Message):
+        return Finding(band, rule, None, None, messages.NOT_MEASURABLE(why=figure))
     if not rule.has_limit:
-        return Finding(band, rule, value, None, messages.NO_LIMIT())
-    return Finding(band, rule, value, rule.passes(value))
+        return Finding(band, rule, figure, None, messages.NO_LIMIT())
+    return Finding(band, rule, figure, rule.passes(figure))
 
 
 def _not_measurable(image: Image, rules: Sequence[Rule], why: Message) -> Iterator[Finding]:
-    reason = messages.NOT_MEASURABLE(why=why)
     for rule in rules:
         for band in (ALL_BANDS,) if rule.check == checks.COLOUR_BALANCE else image.band_names:
-            yield Finding(band, rule, None, None, reason)
+            yield _finding(band, rule, why)
 
 
 def _steps(

@@ -25,8 +25,11 @@ from ..messages import Message
 from ..value_ranges import ValueRange
 
 CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST = "clipped_low", "clipped_high", "peak", "contrast"
-SIGNAL_TO_NOISE, COLOUR_BALANCE, SEAM_STEP = "signal_to_noise", "colour_balance", "seam_step"
-CHECKS = (CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST, SIGNAL_TO_NOISE, COLOUR_BALANCE, SEAM_STEP)
+SIGNAL_TO_NOISE, COLOUR_BALANCE = "signal_to_noise", "colour_balance"
+SEAM_STEP, SEAM_CONTRAST = "seam_step", "seam_contrast"
+AT_SEAMS = (SEAM_STEP, SEAM_CONTRAST)
+"""Measured only where seamlines are given."""
+CHECKS = (CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST, SIGNAL_TO_NOISE, COLOUR_BALANCE, *AT_SEAMS)
 _CLIPPING = (CLIPPED_LOW, CLIPPED_HIGH)
 _RULE_KEYS, _FILE_KEYS = ("check", "least", "most", "values", "source"), ("name", "value_range", "rules")
 _DEFAULT_VALUES = 5

@@ -24,6 +24,8 @@ class SeamStep:
     """Pieces of 16 px along the seam that have valid pixels on both sides."""
     steps: tuple[float, ...]
     """Of each band, DN: the means to the left less those to the right, the median over the stations."""
+    contrasts: tuple[float, ...]
+    """Of each band, DN: the standard deviation on either side of a station, root mean square over the stations."""
 
 
 def seam_steps(pixels: Pixels, image: Image, window: PixelWindow, seams: Sequence[Seam]) -> list[SeamStep]:
@@ -38,10 +40,11 @@ def seam_steps(pixels: Pixels, image: Image, window: PixelWindow, seams: Sequenc
     """
     found = []
     for seam in seams:
-        differences = [part for run in _runs(seam, image) for part in _differences(pixels, window, *run)]
-        if len(differences) >= thresholds.MIN_SEAM_STATIONS:
-            steps = np.median(np.array(differences), axis=0)
-            found.append(SeamStep(seam.seam_id, len(differences), tuple(steps.tolist())))
+        stations = [part for run in _runs(seam, image) for part in _stations(pixels, window, *run)]
+        if len(stations) >= thresholds.MIN_SEAM_STATIONS:
+            differences, variances = (np.array(figures) for figures in zip(*stations))
+            steps, contrasts = np.median(differences, axis=0), np.sqrt(variances.mean(axis=0))
+            found.append(SeamStep(seam.seam_id, len(stations), tuple(steps.tolist()), tuple(contrasts.tolist())))
     return found
 
 
@@ -61,10 +64,11 @@ def _runs(seam: Seam, image: Image) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         yield points, normals
 
 
-def _differences(
+def _stations(
     pixels: Pixels, window: PixelWindow, points: np.ndarray, normals: np.ndarray
-) -> Iterator[np.ndarray]:
-    """(bands,) left mean less right mean of every station of a run that has valid pixels on both sides."""
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """For every station of a run that has valid pixels on both sides, each (bands,): the left mean less the right one,
+    and the mean of the variances of both sides."""
     reach = thresholds.SEAM_FAR_PX + 1
     first, last = (window.column, window.row), (window.column + window.width, window.row + window.height)
     left, top = np.maximum(np.floor(points.min(axis=0)) - reach, first).astype(int)
@@ -80,14 +84,16 @@ def _differences(
         inside = (columns >= left) & (columns < right) & (rows >= top) & (rows < bottom)
         columns, rows = np.where(inside, columns - left, 0), np.where(inside, rows - top, 0)
         valid = inside if invalid is None else inside & ~invalid[rows, columns]
-        sides.append((np.where(valid, bands[:, rows, columns], 0), valid))
+        sides.append((bands[:, rows, columns], valid))
     for start in range(0, len(points) - thresholds.SEAM_STATION_PX + 1, thresholds.SEAM_STATION_PX):
         station = slice(start, start + thresholds.SEAM_STATION_PX)
         counts = [np.count_nonzero(valid[station]) for _, valid in sides]
         if min(counts) * 2 >= thresholds.SEAM_STATION_PX * len(offsets):
-            means = [values[:, station].sum(axis=(1, 2), dtype=np.float64) / count
-                     for (values, _), count in zip(sides, counts)]
-            yield means[0] - means[1]
+            left_values, right_values = (
+                values[:, station][:, valid[station]].astype(np.float64) for values, valid in sides
+            )
+            difference = left_values.mean(axis=1) - right_values.mean(axis=1)
+            yield difference, (left_values.var(axis=1) + right_values.var(axis=1)) / 2
 
 
 def _on_grid(vertices: np.ndarray, grid: Grid) -> np.ndarray:

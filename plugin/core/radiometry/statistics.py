@@ -133,7 +133,7 @@ def _read_ahead(pixels: Pixels, blocks: Iterator[PixelWindow]) -> Iterator[tuple
 
 
 def area_step(window: PixelWindow) -> int:
-    """Distance between the areas that are looked at, px: side by side where that is no more than 4096."""
+    """Distance between the areas that are looked at, px: side by side where that is no more than 8192."""
     return max(thresholds.AREA_PX, math.ceil(math.sqrt(window.width * window.height / thresholds.MAX_AREAS)))
 
 
