@@ -17,7 +17,7 @@ from .text import sentence
 
 def window_fields(levels: int) -> QgsFields:
     """OUTPUT: one polygon per window, as measured."""
-    return _fields(
+    return table_fields(
         ("window_id", "integer"),
         ("verdict", "text"),
         ("reason", "text"),
@@ -34,7 +34,7 @@ def window_fields(levels: int) -> QgsFields:
 
 def curve_fields() -> QgsFields:
     """CURVES: one row per window, raster, band and component."""
-    return _fields(
+    return table_fields(
         ("window_id", "integer"),
         ("raster", "text"),
         ("role", "text"),
@@ -48,7 +48,7 @@ def curve_fields() -> QgsFields:
 
 def pair_fields(levels: int) -> QgsFields:
     """PAIRS: one row per window, source and band."""
-    return _fields(
+    return table_fields(
         ("window_id", "integer"),
         ("source", "text"),
         ("band", "text"),
@@ -71,7 +71,7 @@ def pair_fields(levels: int) -> QgsFields:
 
 def forecast_fields(levels: int) -> QgsFields:
     """OUTPUT of ``predictloss``: one polygon per window."""
-    return _fields(
+    return table_fields(
         ("window_id", "integer"),
         ("reason", "text"),
         ("sources", "integer"),
@@ -81,7 +81,7 @@ def forecast_fields(levels: int) -> QgsFields:
 
 def forecast_pair_fields(levels: int) -> QgsFields:
     """PAIRS of ``predictloss``: one row per window and pair of sources."""
-    return _fields(
+    return table_fields(
         ("window_id", "integer"),
         ("source", "text"),
         ("other", "text"),
@@ -96,7 +96,7 @@ def forecast_pair_fields(levels: int) -> QgsFields:
 
 def placed_fields() -> QgsFields:
     """The windows of ``placewindows``."""
-    return _fields(("window_id", "integer"), ("seam_id", "integer"), ("station", "real"))
+    return table_fields(("window_id", "integer"), ("seam_id", "integer"), ("station", "real"))
 
 
 def placed_feature(placed: PlacedWindow, geometry: QgsGeometry) -> QgsFeature:
@@ -211,7 +211,8 @@ def _level_fields(name: str, levels: int) -> list[tuple[str, str]]:
     return [(f"{name}_{level}", "real") for level in range(1, levels + 1)]
 
 
-def _fields(*columns: tuple[str, str]) -> QgsFields:
+def table_fields(*columns: tuple[str, str]) -> QgsFields:
+    """Fields of these names and kinds (``integer``, ``real`` or ``text``)."""
     fields = QgsFields()
     for name, kind in columns:
         fields.append(field(name, kind))

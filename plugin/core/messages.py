@@ -231,3 +231,65 @@ DETAILS_LIMITED = Message(
     "others stand in the table. Report a part of the windows to see them."
 )
 NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")
+
+# random noise
+NOTHING_MEASURED = Message("No window could be measured: {why}")
+NO_RASTERS = Message("No rasters are given; choose at least one.")
+NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")
+NOISE_LEVELS_TOO_FEW = Message("{levels} levels asked for; the noise rule compares levels, so use at least {least}.")
+NOISE_CONSTANT = Message("{name} has no variance in {band} here; move the window to where there is content.")
+NOISE_HUMP = Message(
+    "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, "
+    "compression) or a texture of that size; look at the window."
+)
+WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.")
+WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}")
+WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.")
+RASTER_WITHOUT_WINDOW = Message(
+    "{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster."
+)
+WINDOWS_SMALLER = Message("{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.")
+MASKED_TOO_MUCH = Message(
+    "{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the window."
+)
+GROUPS_APART = Message(
+    "The two groups show no common ground, so each raster has windows of its own and nothing is compared pairwise."
+)
+PIXEL_SIZES_DIFFER = Message(
+    "Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both groups."
+)
+# radiometric acceptance
+RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
+RULES_NOT_JSON = Message("The rules in {name} are no JSON (line {line}: {error}); mend the file.")
+RULES_NO_OBJECT = Message('{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.')
+RULES_KEY_UNKNOWN = Message("{place} in {name} has the unknown key '{key}'; known are {known}.")
+RULES_CHECK_UNKNOWN = Message("{place} in {name} names the unknown check '{check}'; known are {known}.")
+RULES_CHECK_TWICE = Message("{name} has two rules for '{check}'; leave one.")
+RULES_LIMIT_BAD = Message("{place} in {name}: '{key}' has to be a number of 0 or more.")
+RULES_LIMITS_CROSSED = Message("{place} in {name}: 'least' is larger than 'most'.")
+RULES_VALUES_BAD = Message("{place} in {name}: 'values' has to be a whole number of 1 or more.")
+RULES_VALUES_UNUSED = Message("{place} in {name}: 'values' belongs to clipped_low and clipped_high only.")
+RULES_SOURCE_MISSING = Message("{place} in {name} has no 'source'; say in words where the limit comes from.")
+RULES_RANGE_BAD = Message("'value_range' in {name} has to be two numbers, the smaller one first.")
+RULE_PLACE = Message("Rule {number}")
+RULES_PLACE = Message("The object")
+NOT_MEASURABLE = Message("not measurable: {why}")
+TOO_FEW_VALID_PIXELS = Message("{count} pixels are valid and at least {least} are needed; choose a larger part.")
+NO_VALUE_RANGE = Message(
+    "values of type {data_type} have no range of their own; give 'value_range' in the rules file."
+)
+NO_UNIFORM_AREA = Message(
+    "fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such areas."
+)
+NO_NOISE_AT_ALL = Message("the uniform areas do not vary at all; a photograph would, so check how the image was made.")
+NO_NEUTRAL_AREA = Message(
+    "fewer than {least} uniform areas whose bands differ by less than {most:.0%} of the range were found; draw windows "
+    "on grey surfaces."
+)
+NO_COLOURS = Message("it has no red, green and blue.")
+NO_SEAM_HERE = Message("no seam runs across valid pixels of it for {pixels} px or more.")
+NO_LIMIT = Message("The rules set no limit; give one in the rules file.")
+RANGE_ASSUMED = Message(
+    "{name}: the largest value is {largest}, so the range is taken as {low:g} to {high:g}; if it is another, give "
+    "'value_range' in the rules file."
+)

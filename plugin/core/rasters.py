@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Callable
 
 import numpy as np
-from osgeo import gdal
+from osgeo import gdal, gdal_array
 
 from . import messages, thresholds
 from .bands import BandRoles, band_roles
@@ -85,6 +86,38 @@ class Clip:
     """Whether the pixels had to be warped to the mosaic's grid."""
 
 
+@dataclass(frozen=True)
+class Image:
+    """A raster that is measured for itself, wherever it lies: a photograph or a scan needs no place on the map."""
+
+    ref: RasterRef
+    wkt: str
+    """Reference system; empty when neither the file nor its reference names one, or it has no place on the map."""
+    grid: Grid | None
+    """None when rotated, mirrored or south-up. Without a place on the map one unit is one pixel and (0, 0) the upper
+    left corner, as QGIS shows it."""
+    columns: int
+    rows: int
+    ground_sample_distance: float | None
+    """Metres on the ground per pixel, the shorter side; None when it has no place on the map."""
+    band_names: tuple[str, ...]
+    """As in ``Raster``."""
+    data_type: str
+    """numpy's name of the pixels' type as they are measured, such as ``uint8``."""
+    bits: int | None
+    """Bits a pixel where the file says it (NBITS), as 12 in 16."""
+
+    @property
+    def has_luminance(self) -> bool:
+        """Whether there are red, green and blue to mix."""
+        return self.band_names[:3] == ("red", "green", "blue")
+
+    @property
+    def whole(self) -> PixelWindow:
+        """All of its pixels."""
+        return PixelWindow(0, 0, self.columns, self.rows)
+
+
 def describe(ref: RasterRef) -> Raster:
     """Open a raster and say what it is. Raises RasterError when it can't be opened or used."""
     dataset = _open(ref)
@@ -126,14 +159,10 @@ def validity_check(mosaic: Mosaic) -> Callable[[PixelWindow], bool]:
     Meant for many windows in one thread: it keeps the mosaic open. Raises RasterError when the mosaic can't be
     read, and so does the function.
     """
-    dataset = _open(mosaic.ref)
+    pixels = Pixels(mosaic.ref)
 
     def is_valid(window: PixelWindow) -> bool:
-        inside = (window.column, window.row, window.width, window.height)
-        size = {"buf_xsize": max(1, window.width // 4), "buf_ysize": max(1, window.height // 4)}
-        data = _gdal(lambda: dataset.ReadAsArray(*inside, **size), mosaic.ref)
-        data = data.reshape(dataset.RasterCount, size["buf_ysize"], size["buf_xsize"])
-        invalid = _split(dataset, data, inside, mosaic.ref)[1]
+        invalid = pixels.read(window, 4)[1]
         return invalid is None or bool(invalid.mean() <= thresholds.MAX_INVALID_SHARE)
 
     return is_valid
@@ -167,6 +196,49 @@ def read_overview(mosaic: Mosaic, extent: Extent, longest_px: int) -> tuple[np.n
     bands, invalid = _split(dataset, data.reshape(dataset.RasterCount, *tuple(size.values())[::-1]), inside, mosaic.ref)
     valid = np.ones(bands.shape[1:], bool) if invalid is None else ~invalid
     return bands, valid, grid.window_extent(window)
+class Pixels:
+    """The pixels of a raster that stays open, for many windows in one thread; all reads stay inside the raster.
+
+    Raises RasterError when the raster can't be opened or holds no real values, and so does every read that fails.
+    """
+
+    def __init__(self, ref: RasterRef) -> None:
+        self._dataset, self._ref = _open(ref), ref
+        _check_bands(self._dataset, ref)
+
+    def image(self) -> Image:
+        """What the raster is."""
+        return _image(self._dataset, self._ref)
+
+    def read(self, window: PixelWindow, shrink: int = 1) -> tuple[np.ndarray, np.ndarray | None]:
+        """(bands, rows, columns) of the measured bands as they are, and where pixels are invalid (None: nowhere).
+
+        ``shrink``: only every so many-th pixel along both sides, from overviews where there are some.
+        """
+        inside = (window.column, window.row, window.width, window.height)
+        columns, rows = max(1, window.width // shrink), max(1, window.height // shrink)
+        data = _gdal(lambda: self._dataset.ReadAsArray(*inside, buf_xsize=columns, buf_ysize=rows), self._ref)
+        return _split(self._dataset, data.reshape(self._dataset.RasterCount, rows, columns), inside, self._ref)
+
+    def blocks(self, window: PixelWindow, most_pixels: int) -> Iterator[PixelWindow]:
+        """Pieces that together are the window, row by row, each on whole tiles or strips of the file.
+
+        They have about ``most_pixels`` pixels, or one tile or strip where that is larger, so that every one of the
+        file is decoded once.
+        """
+        tile_width, tile_height = self._dataset.GetRasterBand(1).GetBlockSize()
+        tile_width = min(tile_width, self._dataset.RasterXSize)
+        if tile_width * tile_height > most_pixels:
+            wide, high = tile_width, tile_height
+        else:
+            across = min(max(most_pixels // (tile_width * tile_height), 1), -(-window.width // tile_width))
+            wide = across * tile_width
+            high = max(most_pixels // (wide * tile_height), 1) * tile_height
+        for top in range(window.row // high * high, window.row + window.height, high):
+            for left in range(window.column // wide * wide, window.column + window.width, wide):
+                column, row = max(left, window.column), max(top, window.row)
+                right = min(left + wide, window.column + window.width)
+                yield PixelWindow(column, row, right - column, min(top + high, window.row + window.height) - row)
 
 
 def _clip_as_it_is(dataset: gdal.Dataset, raster: Raster, grid: Grid, extent: Extent, window: PixelWindow) -> Clip:
@@ -297,11 +369,27 @@ def _nodata_mask(dataset: gdal.Dataset, bands: np.ndarray, roles: BandRoles) -> 
     return invalid
 
 
-def _describe(dataset: gdal.Dataset, ref: RasterRef) -> Raster:
+def _check_bands(dataset: gdal.Dataset, ref: RasterRef) -> None:
     if dataset.RasterCount == 0:
         raise RasterError(messages.NO_BANDS(name=ref.name))
     if any(gdal.DataTypeIsComplex(dataset.GetRasterBand(i + 1).DataType) for i in range(dataset.RasterCount)):
         raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
+
+
+def _image(dataset: gdal.Dataset, ref: RasterRef) -> Image:
+    columns, rows = dataset.RasterXSize, dataset.RasterYSize
+    band, roles = dataset.GetRasterBand(1), band_roles(dataset)
+    kind = "uint8" if roles.palette is not None else np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
+    bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
+    what = (roles.names, str(kind), int(bits) if bits else None)
+    if dataset.GetGeoTransform(can_return_null=True) is None:
+        return Image(ref, "", Grid(0.0, 0.0, 1.0, 1.0, columns, rows), columns, rows, None, *what)
+    raster = _describe(dataset, ref)
+    return Image(ref, raster.wkt, raster.grid, columns, rows, raster.ground_sample_distance, *what)
+
+
+def _describe(dataset: gdal.Dataset, ref: RasterRef) -> Raster:
+    _check_bands(dataset, ref)
     transform = dataset.GetGeoTransform(can_return_null=True)
     if transform is None or 0 in (transform[1] or transform[2], transform[5] or transform[4]):
         raise RasterError(messages.NOT_GEOREFERENCED(name=ref.name))

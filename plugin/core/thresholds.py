@@ -93,3 +93,50 @@ MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others st
 MAX_SEARCHED_SIDE_PX = 512  # of a window, around its centre (on the seam), where the part that lost most is looked for
 MAX_OVERVIEW_PIXELS = 64_000_000  # that may have to be decoded for the sketch's background: about a second
 OVERVIEW_SIDE_PX = 900  # of the sketch's background, 170 mm wide
+
+# Random noise
+NOISE_WINDOW_PX = 1024  # side of a window; Pyka 2009, section 3
+NOISE_WINDOWS = 25  # at most, chosen on an image; Pyka 2009, section 3: 25 fragments
+MIN_NOISE_LEVELS = 2  # the rule compares level 1 with level 2
+GAUSSIAN_QUARTILE = 0.6745  # median of the absolute value of a standard normal variable
+MAX_NOISE_PLACES = 10  # places along an image's side that are looked at: 100 reduced reads at most
+NOISE_SHRINK = 8  # every 8th pixel shows where an image is saturated or invalid
+SATURATION_STEP = 0.005  # windows whose saturated shares differ by less are alike and are chosen by their spread
+MAX_MASKED_SHARE = 0.05  # filled alike in both groups; a hole of 5 % moves a share by 0.5 % of itself
+MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no part there
+
+# Values and areas of an image
+BIT_DEPTHS = (8, 10, 11, 12, 14, 16)  # of cameras and scanners; the smallest that holds an image's largest value
+MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
+AREA_PX = 16  # side of an area that is looked at: 256 pixels give the standard deviation to 4 %
+MAX_AREAS = 8192  # looked at, spread over the raster: memory is flat and the time a small part of the read's
+MAX_QUADRANT_RATIO = 3.86  # variance between the four quadrants over that within: 99 % of F(3, 252), white noise
+MID_TONES = (0.25, 0.75)  # of the available range: the middle half
+UNIFORM_SHARE = 0.25  # the quarter of the uniform areas with the least noise: the others may be fine texture
+MIN_AREAS = 8  # 2048 pixels: fewer areas say nothing about an image
+MAX_NEUTRAL_SPREAD = 0.10  # of the range, between the bands: five times the JRC limit, so that a cast is still seen
+MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of an image
+
+# The step at a seam; French order of 16 September 2003, section 8.4
+SEAM_NEAR_PX = 2  # from the seam
+SEAM_FAR_PX = 10
+SEAM_STATION_PX = 16  # along the seam: one difference of means each
+MIN_SEAM_STATIONS = 4  # 64 px of seam
+
+# Rules of acceptance
+_JRC = "JRC, Orthoimage technical specifications for the purpose of LPIS"
+_FRENCH_ORDER = "Arrêté du 16 septembre 2003, section 8.4 (France)"
+_TRADED = "Pyka 2010: tonal unity at the seams is bought with contrast"
+DEFAULT_RULES = {
+    "name": "JRC orthoimage specification for LPIS",
+    "rules": [
+        {"check": "clipped_low", "most": 0.005, "values": 5, "source": f"{_JRC}: overall clipping"},
+        {"check": "clipped_high", "most": 0.005, "values": 5, "source": f"{_JRC}: overall clipping"},
+        {"check": "peak", "most": 0.15, "source": f"{_JRC}: histogram peak"},
+        {"check": "contrast", "least": 0.10, "most": 0.20, "source": f"{_JRC}: contrast"},
+        {"check": "signal_to_noise", "least": 5, "source": f"{_JRC}: noise"},
+        {"check": "colour_balance", "most": 0.02, "source": f"{_JRC}: colour balance"},
+        {"check": "seam_step", "source": _FRENCH_ORDER},  # which leaves the limit to the contract
+        {"check": "seam_contrast", "source": _TRADED},  # a figure to stand beside the step; it has no limit of its own
+    ],
+}

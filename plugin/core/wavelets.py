@@ -157,6 +157,29 @@ def directional_components(band: np.ndarray, wavelet: str, levels: int) -> tuple
     return tuple(Directions(*level) for level in reversed(coefficients[1:]))
 
 
+def detail_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
+    """The detail components of every band, level by level from the finest on.
+
+    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``.
+    Each level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH, each coefficient where PyWavelets has it,
+    so that coefficient (i, j) belongs to the pixels from (2^r i, 2^r j) on. In float32 for 8 and 16 bit values,
+    which is some three times as fast as PyWavelets, else in float64.
+
+    Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
+    """
+    check_decomposition(wavelet, levels)
+    filters = _filters(wavelet)
+    coarse = np.stack([_centred(band) for band in bands])
+    if bands.dtype.kind in "iu" and bands.dtype.itemsize <= 2:
+        coarse = coarse.astype(np.float32)
+    low, high = (_scale(taps, coarse.dtype.type) for taps in (filters.low, filters.high))
+    for level, (shift, (_, details)) in enumerate(zip(filters.shifts(levels), _levels(coarse, filters, levels))):
+        components = np.stack([np.roll(detail, (shift, shift), axis=(1, 2)) for detail in details])
+        for component, scale in zip(components, (low * high, low * high, high * high)):
+            component /= component.dtype.type(scale * low ** (2 * level))
+        yield components
+
+
 def _curve(own: np.ndarray, total: float, pixels: int) -> Curve:
     shares = own / total if total > 0 else np.full(len(own), np.nan)
     return Curve(tuple(shares[:-1].tolist()), float(shares[-1]), float(total) / pixels)
@@ -196,16 +219,24 @@ def _exact_products(bands: np.ndarray, filters: _Filters, levels: int, pairs: Se
     coarse = np.stack([_centred(band) for band in bands])
     totals = _sums_of_products(coarse, wanted)
     components = []
-    for phase in filters.phases(levels):
-        low, high = (_filtered(coarse, taps, phase).swapaxes(1, 2) for taps in (filters.low, filters.high))
-        coarse, *details = (
-            _filtered(part, taps, phase).swapaxes(1, 2)
-            for part in (low, high)
-            for taps in (filters.low, filters.high)
-        )
+    for level in _levels(coarse, filters, levels):
+        coarse, details = level
         components.append(sum(_sums_of_products(detail, wanted) for detail in details))
     components.append(_sums_of_products(coarse, wanted))
     return _products(np.array(components), totals, coarse)
+
+
+def _levels(
+    coarse: np.ndarray, filters: _Filters, levels: int
+) -> Iterator[tuple[np.ndarray, tuple[np.ndarray, ...]]]:
+    """For each level the coarse component and the three details LH, HL, HH; all are (bands, rows, columns)."""
+    for phase in filters.phases(levels):
+        low, high = (_filtered(coarse, taps, phase).swapaxes(1, 2) for taps in (filters.low, filters.high))
+        (coarse, vertical), (horizontal, diagonal) = (
+            [_filtered(part, taps, phase).swapaxes(1, 2) for taps in (filters.low, filters.high)]
+            for part in (low, high)
+        )
+        yield coarse, (horizontal, vertical, diagonal)
 
 
 def _own_pairs(bands: np.ndarray) -> list[Pair]:
@@ -339,12 +370,19 @@ class _Filters:
         PyWavelets starts output 0 at sample 1 - L / 2. A start of the same parity gives the same outputs
         from another point of the circle, which shifts what the next level has to start from.
         """
+        return (phase for phase, _ in self._starts(levels))
+
+    def shifts(self, levels: int) -> Iterator[int]:
+        """For each level the output of PyWavelets that our first one is."""
+        return (shift for _, shift in self._starts(levels))
+
+    def _starts(self, levels: int) -> Iterator[tuple[int, int]]:
         shift = 0
         for _ in range(levels):
             start = 1 - len(self.low) // 2 - shift
             phase = start % 2
             shift = (phase - start) // 2
-            yield phase
+            yield phase, shift
 
 
 @cache

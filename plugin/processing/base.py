@@ -116,8 +116,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             self.check(parameters, context)
         except SeamInspectorError as error:
             return False, sentence(error.message)
-        # QGIS would load every source, and refuse them all, without a reason, for one that can't be opened.
-        others = {name: value for name, value in parameters.items() if name not in self.RASTER_LISTS}
+        # QGIS would load every raster of a list, and refuse them all, without a reason, for one that can't be opened.
+        # An empty list is all right with it.
+        others = {name: [] if name in self.RASTER_LISTS else value for name, value in parameters.items()}
         return super().checkParameterValues(others, context)
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:

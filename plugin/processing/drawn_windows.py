@@ -16,8 +16,7 @@ from qgis.core import (
 from ..core.errors import WindowError
 from ..core.messages import Message
 from ..core.windows import Extent
-
-_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+from . import parameters as common
 
 
 @dataclass(frozen=True)
@@ -73,24 +72,15 @@ class DrawnWindows:
 
         if "window_id" not in self._names:
             return set()
-        numbers = (_whole(feature["window_id"]) for feature in layers.features(self._source))
+        numbers = (common.whole_number(feature["window_id"]) for feature in layers.features(self._source))
         return {number for number in numbers if number is not None}
 
     def _number(self, feature: QgsFeature) -> int:
         """The feature's own number when it is the first to have it, else the next free one."""
-        own = _whole(feature["window_id"]) if "window_id" in self._names else None
+        own = common.whole_number(feature["window_id"]) if "window_id" in self._names else None
         if own is not None and own in self._numbers:
             self._numbers.remove(own)
             return own
         self.renumbered += "window_id" in self._names
         self._last += 1
         return self._last
-
-
-def _whole(value: object) -> int | None:
-    """A window's number from a field of any type."""
-    try:
-        number = float(str(value))
-    except ValueError:
-        return None
-    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None

@@ -39,6 +39,8 @@ LEVELS = "LEVELS"
 WAVELET = "WAVELET"
 MAX_RATIO = "MAX_RATIO"
 
+_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+
 
 @dataclass(frozen=True)
 class GivenSources:
@@ -172,3 +174,12 @@ def indexed_sources(
 
     transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
     return layers.indexed_sources(layers.features(index), index.fields().names(), path, transform)
+
+
+def whole_number(value: object) -> int | None:
+    """A window's number from a field of any type."""
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None

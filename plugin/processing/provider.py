@@ -6,12 +6,22 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.resources import icon_path, model_paths
 from .calibratethreshold import CalibrateThreshold
+from .checknoise import CheckNoise
+from .checkradiometry import CheckRadiometry
 from .inspectwindows import InspectWindows
 from .placewindows import PlaceWindows
 from .predictloss import PredictLoss
 from .report import Report
 
-ALGORITHMS = (PlaceWindows, InspectWindows, PredictLoss, CalibrateThreshold, Report)
+ALGORITHMS = (
+    PlaceWindows,
+    InspectWindows,
+    PredictLoss,
+    CalibrateThreshold,
+    Report,
+    CheckNoise,
+    CheckRadiometry,
+)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):

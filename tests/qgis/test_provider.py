@@ -27,7 +27,18 @@ from qgis.PyQt.QtCore import QSize
 from tests.qgis.runs import Log, Run, algorithm, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, pixel_box, windows
 
-NAMES = ("placewindows", "inspectwindows", "predictloss", "calibratethreshold", "report", "inspect_mosaic")
+GROUPS = {
+    "Seam inspection": (
+        "placewindows",
+        "inspectwindows",
+        "predictloss",
+        "calibratethreshold",
+        "report",
+        "inspect_mosaic",
+    ),
+    "Image quality": ("checknoise", "checkradiometry"),
+}
+NAMES = [name for names in GROUPS.values() for name in names]
 IDS = {f"seaminspector:{name}" for name in NAMES}
 VERDICTS = ["significant", "reduced", "preserved", "not_comparable"]
 SEAM = ((200, 0), (300, 256))
@@ -48,9 +59,9 @@ def test_what_the_provider_offers(provider: QgsProcessingProvider) -> None:
 
 
 def test_every_algorithm_says_what_it_does(provider: QgsProcessingProvider) -> None:
-    assert len({one.groupId() for one in provider.algorithms()}) == 1  # else the toolbox shows the group twice
+    assert len({one.groupId() for one in provider.algorithms()}) == len(GROUPS)  # else the toolbox shows one twice
     for one in provider.algorithms():
-        assert one.group() == "Seam inspection"
+        assert one.name() in GROUPS[one.group()]
         assert one.displayName()
         assert len(one.shortHelpString()) > 80
         assert one.canExecute() == (True, "")

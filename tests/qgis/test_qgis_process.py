@@ -176,3 +176,26 @@ def test_a_missing_source_does_not_stop_the_run(
     assert run.returncode == 0, run.stderr
     assert "lost.tif is left out: /nowhere/lost.tif does not exist" in run.stdout + run.stderr
     assert verdicts(inspected) == ["reduced"]
+
+
+def test_noise_and_radiometry(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:
+    table, chart, report = (tmp_path / name for name in ("noise.csv", "noise.svg", "noise.html"))
+    run = qgis_process(
+        "run", "--json", "seaminspector:checknoise", f"--RASTERS={scene.west}", f"--RASTERS={scene.east}",
+        f"--SECOND_GROUP={scene.mosaic}", f"--OUTPUT={table}", f"--CHART={chart}", f"--REPORT={report}",
+    )
+    assert run.returncode == 0, run.stderr
+    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
+    assert results["LOW_COUNT"] + results["MODERATE_COUNT"] + results["STRONG_COUNT"] > 0
+    header = table.read_text(encoding="utf-8").splitlines()[0]
+    assert header.startswith("raster,group,window_id,band,detail_1,detail_2,detail_3,background,kurtosis_1")
+    assert chart.stat().st_size > 0
+    assert report.stat().st_size > 0
+    table = tmp_path / "radiometry.gpkg"
+    run = qgis_process(
+        "run", "seaminspector:checkradiometry", f"--RASTERS={scene.mosaic}", f"--SEAMLINES={seamlines}",
+        f"--OUTPUT={table}",
+    )
+    assert run.returncode == 0, run.stderr
+    opened = QgsVectorLayer(str(table), "result", "ogr")
+    assert {feature["check"] for feature in opened.getFeatures()} >= {"contrast", "seam_step"}

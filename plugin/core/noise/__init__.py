@@ -1,0 +1,1 @@
+"""Random noise of single images (Pyka 2009)."""

@@ -1,0 +1,1 @@
+"""Radiometric acceptance of single images against rules with limits."""

@@ -1,0 +1,165 @@
+"""``seaminspector:checknoise``: random noise of single images, in one group or two."""
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import sentence, tr
+from ..core import messages
+from ..core.errors import SettingsError
+from . import parameters as common
+from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
+
+SECOND_GROUP, OUTPUT, CHART = "SECOND_GROUP", "OUTPUT", "CHART"
+LOW_COUNT, MODERATE_COUNT, STRONG_COUNT = "LOW_COUNT", "MODERATE_COUNT", "STRONG_COUNT"
+
+
+class CheckNoise(RasterListAlgorithm):
+    """Whether the details of an image rise from level to level, or noise lifts the finest."""
+
+    ID = "checknoise"
+    NAME = QT_TRANSLATE_NOOP("@default", "Check random noise")
+    GROUP = QT_TRANSLATE_NOOP("@default", "Image quality")
+    GROUP_ID = "Image quality"
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "
+        "relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) "
+        "and, where it is strong, level 2 above level 3 (Pyka 2009). Photographs and scans need no place on the map. "
+        "Two groups of images, of another camera, film or process, are compared; where they show the same ground "
+        "each window is measured on both, with the same pixels left out."
+    )
+    RASTER_LISTS = (RASTERS, SECOND_GROUP)
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addRasters(RASTERS, tr("Rasters"), tr("The images to be measured, 8 or 16 bit or float."))
+        self.addRasters(
+            SECOND_GROUP,
+            tr("Second group"),
+            tr("Images of another camera, film or process, to be compared with the first. Pixel sizes may differ."),
+            optional=True,
+        )
+        self.addWindows(
+            tr(
+                "Rectangles in any reference system; each is measured on all rasters under it. Without windows up to "
+                "25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first."
+            )
+        )
+        self.addDescribed(*common.wavelet())
+        self.addDescribed(*common.levels())
+        table = QgsProcessing.SourceType.TypeVector
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Noise"), table),
+            tr(
+                "One row per window, raster and band: relative variances, kurtosis of each level's details (3 for "
+                "Gaussian noise), sigma in DN, and the verdict low, moderate or strong."
+            ),
+        )
+        self.addFile(
+            CHART,
+            tr("Chart"),
+            "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)",
+            tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF."),
+        )
+        self.addFile(REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the chart on one HTML page."))
+        self.addOutput(QgsProcessingOutputNumber(LOW_COUNT, tr("Windows with low noise")))
+        self.addOutput(QgsProcessingOutputNumber(MODERATE_COUNT, tr("Windows with moderate noise")))
+        self.addOutput(QgsProcessingOutputNumber(STRONG_COUNT, tr("Windows with strong noise")))
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        super().check(parameters, context)
+        self._settings(parameters, context)
+        self._check_chart(parameters, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters import noise_charts, noise_report, noise_tables
+        from ..adapters.executors import open_executor
+        from ..adapters.figures import save_figure
+        from ..core import report
+        from ..core.noise import comparison
+        from ..core.noise.measurement import NoiseVerdict
+
+        super().check(parameters, context)
+        wavelet, levels = self._settings(parameters, context)
+        self._check_chart(parameters, context)
+        images = []
+        for group, name in enumerate(self.RASTER_LISTS, 1):
+            found, notices = comparison.describe_images(self.refs[name], group)
+            images += found
+            self.left_out += notices
+        self.require_rasters(images)
+        drawn = self.drawn_windows(parameters, context, feedback)
+        if drawn is None:
+            plan = comparison.plan_chosen(images, levels, feedback.isCanceled)
+        else:
+            plan = comparison.plan_drawn(images, drawn, levels)
+        notices = [*self.left_out, *plan.notices]
+        sizes = comparison.pixel_size_notice(plan)
+        notices += [sizes] if sizes else []
+        self.say(notices, feedback)
+        if not plan.requests and not feedback.isCanceled():
+            raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[:1])))
+        sink, output_id = self.sink(
+            parameters, OUTPUT, context, noise_tables.noise_fields(levels), QgsWkbTypes.Type.NoGeometry,
+            QgsCoordinateReferenceSystem(),
+        )
+        results: list[comparison.ClipNoise] = []
+        with open_executor() as (executor, ahead):
+            measured = comparison.measure_requests(
+                plan.requests, wavelet, levels, executor, ahead, feedback.isCanceled
+            )
+            for done, clips in enumerate(measured, 1):
+                for clip in clips:
+                    self.write(sink, noise_tables.noise_features(clip, levels))
+                    if clip.reason is not None:
+                        feedback.pushInfo(f"{clip.window_id}: {sentence(clip.reason)}")
+                results += clips
+                feedback.setProgress(100 * done / len(plan.requests))
+        counts = noise_report.verdict_counts(results)
+        feedback.pushInfo(", ".join(f"{verdict.value}: {counts[verdict]}" for verdict in NoiseVerdict))
+        figure = noise_charts.noise_figure(results)
+        outputs = {
+            OUTPUT: output_id,
+            CHART: self.save(
+                feedback,
+                self.file_path(parameters, CHART, context) if figure else None,
+                lambda path: save_figure(figure, path),
+            ),
+            REPORT: self.save(
+                feedback,
+                self.file_path(parameters, REPORT, context),
+                lambda path: report.save_page(noise_report.noise_page(results, notices, wavelet, levels), path),
+            ),
+            LOW_COUNT: counts[NoiseVerdict.LOW],
+            MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
+            STRONG_COUNT: counts[NoiseVerdict.STRONG],
+        }
+        return {name: value for name, value in outputs.items() if value is not None}
+
+    def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
+        """Wavelet and levels. Raises SettingsError when they can't be used."""
+        from ..core.noise.measurement import check_noise_settings
+
+        wavelet = self.parameterAsString(parameters, common.WAVELET, context)
+        levels = self.parameterAsInt(parameters, common.LEVELS, context)
+        check_noise_settings(wavelet, levels)
+        return wavelet, levels
+
+    def _check_chart(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..adapters.figures import FORMATS
+
+        path = self.file_path(parameters, CHART, context)
+        if path is not None and path.suffix.lower().lstrip(".") not in FORMATS:
+            raise SettingsError(messages.CHART_FORMAT_UNKNOWN(name=path.name))

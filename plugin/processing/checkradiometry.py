@@ -1,0 +1,212 @@
+"""``seaminspector:checkradiometry``: the radiometric acceptance of images against rules."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import sentence, tr
+from ..core import messages
+from ..core.errors import RasterError, SeamInspectorError, SettingsError
+from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
+
+if TYPE_CHECKING:
+    from ..core.messages import Message
+    from ..core.noise.comparison import DrawnWindow
+    from ..core.radiometry.assessment import Assessment
+    from ..core.radiometry.rules import RuleSet
+    from ..core.rasters import Image, RasterRef
+    from ..core.seamlines import Seam
+    from ..core.windows import PixelWindow
+
+RULES, SEAMLINES, OUTPUT = "RULES", "SEAMLINES", "OUTPUT"
+PASSED_COUNT, FAILED_COUNT, NOT_MEASURABLE_COUNT = "PASSED_COUNT", "FAILED_COUNT", "NOT_MEASURABLE_COUNT"
+
+
+class CheckRadiometry(RasterListAlgorithm):
+    """Whether images keep the limits of a specification."""
+
+    ID = "checkradiometry"
+    NAME = QT_TRANSLATE_NOOP("@default", "Check radiometry")
+    GROUP = QT_TRANSLATE_NOOP("@default", "Image quality")
+    GROUP_ID = "Image quality"
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "
+        "tails, peak of the histogram, contrast, signal to noise on uniform mid-tone areas, colour balance on neutral "
+        "areas, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can't be "
+        "measured is said with the reason."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
+        self.addRasters(RASTERS, tr("Rasters"), tr("The images to be checked, each for itself."))
+        self.addWindows(
+            tr("Rectangles in any reference system; each is checked for itself on all rasters under it. Without "
+               "windows each raster is checked as a whole.")
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(RULES, tr("Rules"), extension="json", optional=True),
+            tr(
+                "A JSON file with the limits and where they come from; the documentation has one to start from. "
+                "Without it the JRC specification is used."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon], optional=True),
+            tr(
+                "Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is "
+                "measured on the rasters they cross, 2 to 10 px on either side."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                OUTPUT, tr("Radiometry"), QgsProcessing.SourceType.TypeVector
+            ),
+            tr("One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."),
+        )
+        self.addFile(
+            REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the histograms on one HTML page.")
+        )
+        self.addOutput(QgsProcessingOutputNumber(PASSED_COUNT, tr("Figures that passed")))
+        self.addOutput(QgsProcessingOutputNumber(FAILED_COUNT, tr("Figures that failed")))
+        self.addOutput(QgsProcessingOutputNumber(NOT_MEASURABLE_COUNT, tr("Figures that can't be measured")))
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        super().check(parameters, context)
+        self._rules(parameters, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters import radiometry_report, radiometry_tables
+        from ..core import report
+
+        super().check(parameters, context)
+        rules = self._rules(parameters, context)
+        drawn = self.drawn_windows(parameters, context, feedback)
+        seamlines = self.source(parameters, SEAMLINES, context) if parameters.get(SEAMLINES) else None
+        images = [image for ref in dict.fromkeys(self.refs[RASTERS]) if (image := self._image(ref)) is not None]
+        self.require_rasters(images)
+        self.say(self.left_out, feedback)
+        sink, output_id = self.sink(
+            parameters, OUTPUT, context, radiometry_tables.radiometry_fields(), QgsWkbTypes.Type.NoGeometry,
+            QgsCoordinateReferenceSystem(),
+        )
+        results: list[Assessment] = []
+        notices = list(self.left_out)
+        jobs = [job for image in images for job in self._jobs(image, drawn, notices)]
+        self.say(notices[len(self.left_out) :], feedback)
+        for done, (image, window, number) in enumerate(jobs):
+            if feedback.isCanceled():
+                break
+            try:
+                seams = None if seamlines is None else self._seams(seamlines, image, context)
+                result = self._assess(image, window, number, rules, seams, (done, len(jobs)), feedback)
+            except SeamInspectorError as error:
+                notices.append(messages.SOURCE_LEFT_OUT(name=image.ref.name, why=error.message))
+                feedback.pushWarning(sentence(notices[-1]))
+                continue
+            if result is None:
+                break
+            self.write(sink, radiometry_tables.radiometry_features(result))
+            self.say(result.notices, feedback)
+            notices += result.notices
+            results.append(result)
+        if not results and not feedback.isCanceled():
+            raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[-1:])))
+        findings = [finding for result in results for finding in result.findings]
+        states = [finding.passed for finding in findings]
+        outputs = {
+            OUTPUT: output_id,
+            REPORT: self.save(
+                feedback,
+                self.file_path(parameters, REPORT, context),
+                lambda path: report.save_page(radiometry_report.radiometry_page(results, notices, rules), path),
+            ),
+            PASSED_COUNT: states.count(True),
+            FAILED_COUNT: states.count(False),
+            NOT_MEASURABLE_COUNT: sum(finding.value is None for finding in findings),
+        }
+        return {name: value for name, value in outputs.items() if value is not None}
+
+    def _rules(self, parameters: dict[str, Any], context: QgsProcessingContext) -> RuleSet:
+        from ..core.radiometry.rules import default_rules, load_rules
+
+        path = self.parameterAsString(parameters, RULES, context) if parameters.get(RULES) else ""
+        return load_rules(Path(path)) if path else default_rules()
+
+    def _image(self, ref: RasterRef) -> Image | None:
+        from ..core.rasters import Pixels
+
+        try:
+            return Pixels(ref).image()
+        except RasterError as error:
+            self.left_out.append(messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
+            return None
+
+    @staticmethod
+    def _jobs(
+        image: Image, drawn: Sequence[DrawnWindow] | None, notices: list[Message]
+    ) -> Iterator[tuple[Image, PixelWindow, int | None]]:
+        """What of an image is checked: all of it, or the windows on it."""
+        from ..core.noise.comparison import GroupedImage, plan_drawn
+
+        if drawn is None:
+            yield image, image.whole, None
+            return
+        plan = plan_drawn([GroupedImage(image, 1)], drawn, 0)
+        notices += plan.notices
+        for request in plan.requests:
+            yield image, request.parts[0].window, request.window_id
+
+    @staticmethod
+    def _seams(
+        seamlines: QgsProcessingFeatureSource, image: Image, context: QgsProcessingContext
+    ) -> list[Seam]:
+        """The seams in the image's reference system; none for an image without a place on the map."""
+        from ..adapters import layers
+        from ..core.seamlines import find_seams
+
+        if image.grid is None or not image.wkt:
+            return []
+        crs = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
+        transform = QgsCoordinateTransform(seamlines.sourceCrs(), crs, context.transformContext())
+        lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
+        return find_seams(lines, image.grid.pixel_width)
+
+    @staticmethod
+    def _assess(
+        image: Image,
+        window: PixelWindow,
+        number: int | None,
+        rules: RuleSet,
+        seams: Sequence[Seam] | None,
+        place: tuple[int, int],
+        feedback: QgsProcessingFeedback,
+    ) -> Assessment | None:
+        from ..core.radiometry.assessment import assess
+        from ..core.rasters import Pixels
+
+        done, count = place
+
+        def progress(share: float) -> bool:
+            feedback.setProgress(100 * (done + share) / count)
+            return not feedback.isCanceled()
+
+        return assess(Pixels(image.ref), image, window, rules, seams, number, progress)
