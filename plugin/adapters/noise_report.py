@@ -8,8 +8,9 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..core import report
 from ..core.messages import Message
-from ..core.noise.comparison import ClipNoise, GroupedImage
+from ..core.noise.comparison import ClipNoise
 from ..core.noise.measurement import BandNoise, NoiseVerdict, judged_band
+from ..core.noise.requests import GroupedImage
 from ..core.report import Html
 from .figures import svg_text
 from .noise_charts import noise_figure

@@ -54,7 +54,7 @@ def balance_figure(results: Sequence[Assessment]) -> Figure | None:
     points = [(result, *pair) for result in results if (pair := step_and_contrast(result)) is not None]
     if len(points) < 2:
         return None
-    figure = new_figure(6.2, 3.4)
+    figure = new_figure(6.2, 3.9)
     axes = figure.subplots()
     for index, (result, step, contrast) in enumerate(points):
         label = result.image.ref.name if result.window_id is None else f"{result.image.ref.name} {result.window_id}"

@@ -88,25 +88,26 @@ class CheckNoise(RasterListAlgorithm):
         from ..adapters.executors import open_executor
         from ..adapters.figures import save_figure
         from ..core import report
-        from ..core.noise import comparison
+        from ..core.noise import comparison, planning
         from ..core.noise.measurement import NoiseVerdict
+        from ..core.noise.requests import describe_images
 
         super().check(parameters, context)
         wavelet, levels = self._settings(parameters, context)
         self._check_chart(parameters, context)
         images = []
         for group, name in enumerate(self.RASTER_LISTS, 1):
-            found, notices = comparison.describe_images(self.refs[name], group)
+            found, notices = describe_images(self.refs[name], group)
             images += found
             self.left_out += notices
         self.require_rasters(images)
         drawn = self.drawn_windows(parameters, context, feedback)
         if drawn is None:
-            plan = comparison.plan_chosen(images, levels, feedback.isCanceled)
+            plan = planning.plan_chosen(images, levels, feedback.isCanceled)
         else:
-            plan = comparison.plan_drawn(images, drawn, levels)
+            plan = planning.plan_drawn(images, drawn, levels)
         notices = [*self.left_out, *plan.notices]
-        sizes = comparison.pixel_size_notice(plan)
+        sizes = planning.pixel_size_notice(plan)
         notices += [sizes] if sizes else []
         self.say(notices, feedback)
         if not plan.requests and not feedback.isCanceled():

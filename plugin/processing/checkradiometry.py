@@ -22,12 +22,12 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages
-from ..core.errors import RasterError, SeamInspectorError, SettingsError
+from ..core.errors import RasterError, SeamInspectorError, SettingsError, WindowError
 from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
 
 if TYPE_CHECKING:
+    from ..core.drawn_windows import DrawnWindow
     from ..core.messages import Message
-    from ..core.noise.comparison import DrawnWindow
     from ..core.radiometry.assessment import Assessment
     from ..core.radiometry.rules import RuleSet
     from ..core.rasters import Image, RasterRef
@@ -110,7 +110,7 @@ class CheckRadiometry(RasterListAlgorithm):
         )
         results: list[Assessment] = []
         notices = list(self.left_out)
-        jobs = [job for image in images for job in self._jobs(image, drawn, notices)]
+        jobs = list(self._jobs(images, drawn, notices))
         self.say(notices[len(self.left_out) :], feedback)
         for done, (image, window, number) in enumerate(jobs):
             if feedback.isCanceled():
@@ -162,18 +162,29 @@ class CheckRadiometry(RasterListAlgorithm):
 
     @staticmethod
     def _jobs(
-        image: Image, drawn: Sequence[DrawnWindow] | None, notices: list[Message]
+        images: Sequence[Image], drawn: Sequence[DrawnWindow] | None, notices: list[Message]
     ) -> Iterator[tuple[Image, PixelWindow, int | None]]:
-        """What of an image is checked: all of it, or the windows on it."""
-        from ..core.noise.comparison import GroupedImage, plan_drawn
+        """What is checked: whole images, or the windows on them; ``notices`` is added to."""
+        from ..core.drawn_windows import pixels_under
 
         if drawn is None:
-            yield image, image.whole, None
+            yield from ((image, image.whole, None) for image in images)
             return
-        plan = plan_drawn([GroupedImage(image, 1)], drawn, 0)
-        notices += plan.notices
-        for request in plan.requests:
-            yield image, request.parts[0].window, request.window_id
+        seen: set[int] = set()
+        for image in images:
+            for window in drawn:
+                try:
+                    pixels = pixels_under(window, image)
+                except WindowError as error:
+                    name, why = image.ref.name, error.message
+                    notices.append(messages.WINDOW_LEFT_OUT(window=window.window_id, name=name, why=why))
+                    seen.add(window.window_id)
+                    continue
+                if pixels is not None:
+                    seen.add(window.window_id)
+                    yield image, pixels, window.window_id
+        unseen = [window.window_id for window in drawn if window.window_id not in seen]
+        notices += [messages.WINDOW_ON_NO_RASTER(window=window) for window in unseen]
 
     @staticmethod
     def _seams(

@@ -24,8 +24,8 @@ from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
 if TYPE_CHECKING:
+    from ..core.drawn_windows import DrawnWindow
     from ..core.messages import Message
-    from ..core.noise.comparison import DrawnWindow
     from ..core.rasters import RasterRef
 
 RASTERS, WINDOWS, REPORT = "RASTERS", "WINDOWS", "REPORT"
@@ -117,7 +117,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
 
 def _windows(source: QgsProcessingFeatureSource, feedback: QgsProcessingFeedback) -> Iterator[DrawnWindow]:
     from ..adapters import layers
-    from ..core.noise.comparison import DrawnWindow
+    from ..core.drawn_windows import DrawnWindow
 
     wkt = layers.system_wkt(source.sourceCrs())
     numbered = "window_id" in source.fields().names()

@@ -6,8 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import ogr
-from seam_inspector.plugin.core.noise import comparison
+from seam_inspector.plugin.core.noise import comparison, planning
 from seam_inspector.plugin.core.noise.comparison import ClipNoise
+from seam_inspector.plugin.core.noise.requests import describe_images
 from seam_inspector.plugin.core.radiometry.assessment import Assessment, assess
 from seam_inspector.plugin.core.radiometry.rules import default_rules
 from seam_inspector.plugin.core.rasters import Pixels, RasterRef
@@ -17,9 +18,9 @@ from tests.core.synthetic import decompose, luminance, read_pixels
 
 
 def check(*paths: Path, most: int = 3) -> list[ClipNoise]:
-    images, notices = comparison.describe_images([RasterRef(str(path)) for path in paths], 1)
+    images, notices = describe_images([RasterRef(str(path)) for path in paths], 1)
     assert notices == []
-    plan = comparison.plan_chosen(images, 3)
+    plan = planning.plan_chosen(images, 3)
     return [one for request in plan.requests[:most] for one in comparison.measure_request(request, "coif3", 3)]
 
 

@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.image import imread
+from osgeo import gdal
 from qgis.core import (
+    QgsGeometry,
     QgsProcessing,
     QgsProcessingModelAlgorithm,
     QgsProcessingModelChildAlgorithm,
@@ -16,12 +18,13 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
     QgsProject,
     QgsRasterLayer,
+    QgsRectangle,
 )
 from qgis.core import QgsProcessingModelChildParameterSource as ChildSource
 
 from tests.core.synthetic import decompose, luminance, read_pixels, texture, write_raster
 from tests.qgis.runs import Log, algorithm, assert_refused, assert_sentence, run
-from tests.qgis.scenes import Scene, windows
+from tests.qgis.scenes import Scene, layer, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -179,10 +182,24 @@ def test_a_folder_that_is_not_there_costs_only_the_chart(pictures: dict[str, str
 
 
 def test_layers_of_the_project_are_taken(pictures: dict[str, str], project: QgsProject) -> None:
-    layer = QgsRasterLayer(pictures["clean"], "a name")
-    project.addMapLayer(layer)
-    for given in (layer, layer.id(), pictures["clean"]):
+    shown = QgsRasterLayer(pictures["clean"], "a name")
+    project.addMapLayer(shown)
+    for given in (shown, shown.id(), pictures["clean"]):
         assert run("checknoise", RASTERS=[given]).rows()[0]["raster"] == "clean.tif"
+
+
+def test_windows_on_a_photograph_are_where_qgis_shows_them(tmp_path: Path) -> None:
+    pixels = np.rint(120 + 30 * texture((256, 256), 2.0, 1)).clip(0, 255).astype(np.uint8)
+    photo = str(tmp_path / "photo.jpg")
+    gdal.Translate(photo, write_raster(tmp_path / "on_the_map.tif", pixels), format="JPEG")
+    Path(photo + ".aux.xml").unlink(missing_ok=True)
+    extent = QgsRasterLayer(photo, "photo").extent()
+    assert (extent.xMinimum(), extent.yMaximum(), extent.width(), extent.height()) == (0, 0, 256, 256)
+    drawn = layer("Polygon", [QgsGeometry.fromRect(QgsRectangle(64, -192, 192, -64))], None)
+    row = run("checknoise", RASTERS=[photo], WINDOWS=drawn).rows()[0]
+    assert (row["column"], row["row"], row["width"], row["height"], row["pixel_size"]) == (64, 64, 128, 128, None)
+    expected = decompose(read_pixels(photo, 64, 64, 128, 128)[0]).shares
+    assert row["detail_1"] == pytest.approx(expected[0], abs=1e-6)
 
 
 def test_it_stops_when_cancelled(pictures: dict[str, str]) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.core.synthetic import read_pixels, write_raster
+from tests.core.synthetic import ORIGIN, read_pixels, write_raster
 from tests.qgis.runs import Log, algorithm, assert_sentence, run, run_unchecked
 from tests.qgis.scenes import Scene, layer, line, windows
 
@@ -110,11 +110,21 @@ def test_windows_are_checked_for_themselves(mosaics: list[str]) -> None:
     assert any("Window 6 lies on none of the rasters" in said for said in outcome.log.warnings)
 
 
+def test_a_window_on_one_of_two_rasters_is_not_missed(mosaics: list[str], tmp_path: Path) -> None:
+    pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
+    beside = write_raster(tmp_path / "beside.tif", pixels, origin=(ORIGIN[0] + 51.2, ORIGIN[1]))
+    drawn = windows((0, 0, 128, 128), (600, 0, 128, 128), (0, 0, 9, 9), window_id=("integer", [1, 2, 3]))
+    outcome = run("checkradiometry", RASTERS=[mosaics[0], beside], WINDOWS=drawn)
+    assert {(row["raster"], row["window_id"]) for row in outcome.rows()} == {("cut.tif", 1), ("beside.tif", 2)}
+    (said,) = outcome.log.warnings
+    assert_sentence(said, "Window 3 is left out on cut.tif: The window covers 9 x 9 px")
+
+
 def test_what_can_not_be_measured_has_its_reason(tmp_path: Path) -> None:
     path = write_raster(tmp_path / "empty.tif", np.zeros((3, 200, 200), np.uint8), nodata=0)
     outcome = run("checkradiometry", RASTERS=[path], SEAMLINES=layer("LineString", [line(*SEAM)]))
     rows = outcome.rows()
-    assert len(rows) == 6 * 3 + 1
+    assert len(rows) == 7 * 3 + 1
     assert {(row["value"], row["passed"]) for row in rows} == {(None, None)}
     assert {row["reason"] for row in rows} == {
         "not measurable: 0 pixels are valid and at least 4096 are needed; choose a larger part."
