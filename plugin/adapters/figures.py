@@ -23,10 +23,15 @@ def new_figure(width: float, height: float) -> Figure:
     return figure
 
 
-def save_figure(figure: Figure, path: Path) -> None:
-    """Write PNG, SVG or PDF, by the path's ending. Raises SettingsError for another ending or where none can be."""
+def check_format(path: Path) -> None:
+    """Raise SettingsError for an ending that is no format of ours."""
     if path.suffix.lower().lstrip(".") not in FORMATS:
         raise SettingsError(messages.CHART_FORMAT_UNKNOWN(name=path.name))
+
+
+def save_figure(figure: Figure, path: Path) -> None:
+    """Write PNG, SVG or PDF, by the path's ending. Raises SettingsError for another ending or where none can be."""
+    check_format(path)
     try:
         with rc_context(_SVG):
             figure.savefig(path, dpi=_DPI)

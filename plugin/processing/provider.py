@@ -6,9 +6,12 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.resources import icon_path, model_paths
 from .inspectwindows import InspectWindows
+from .measureresolution import MeasureResolution
+from .minimumheight import MinimumHeight
 from .placewindows import PlaceWindows
+from .simulatebayer import SimulateBayer
 
-ALGORITHMS = (PlaceWindows, InspectWindows)
+ALGORITHMS = (PlaceWindows, InspectWindows, MeasureResolution, MinimumHeight, SimulateBayer)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):
