@@ -43,13 +43,13 @@ class Bars:
         return x - reach * c, y - reach * s, x + reach * c, y + reach * s
 
 
-def coverage(shape: tuple[int, int], groups: list[Bars], sigma: float = 0.0, oversampling: int = 6) -> np.ndarray:
+def coverage(shape: tuple[int, int], groups: list[Bars], sigma: float = 0.0, oversampling: int = 4) -> np.ndarray:
     """(rows, columns) how much of each pixel is bar, 0 to 1, behind a Gaussian blur of ``sigma`` px."""
     rows, columns = shape
     parts = (np.arange(oversampling) + 0.5) / oversampling
     made = np.zeros(shape)
     for bars in groups:
-        reach = math.ceil(1.5 * max(bars.cycle * bars.count / 2, bars.length / 2) + 5 * sigma + 2)
+        reach = math.ceil(math.hypot(bars.cycle * (bars.count - 0.5), bars.length) / 2 + 4.5 * sigma + 1)
         left, right = max(0, int(bars.x) - reach), min(columns, int(bars.x) + reach)
         top, bottom = max(0, int(bars.y) - reach), min(rows, int(bars.y) + reach)
         dx = (np.arange(left, right)[:, np.newaxis] + parts).ravel() - bars.x
