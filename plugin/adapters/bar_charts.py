@@ -21,6 +21,7 @@ _BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir":
 _OTHERS = ("#0072b2", "#e69f00", "#56b4e9", "#d55e00", "#009e73", "#cc79a7")
 _VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "#cc79a7", "unmeasured": "#777777"}
 _LARGEST_PICTURE = 1600
+_MOST_ROWS = 10  # of panels below each other
 
 
 def direction_title(direction: str) -> str:
@@ -91,30 +92,33 @@ def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
         {line[0].measured.line.group: line[0].grd_cm for line in lines if line[0].grd_cm is not None}.items(),
         key=lambda pair: -(pair[1] or 0),
     )
-    rows = max(1, len(groups))
-    figure = new_figure(1.0 + 4.0 * len(directions), 0.9 + 1.45 * rows)
-    parts = figure.add_gridspec(rows + 1, len(directions), height_ratios=[1.0] * rows + [0.12])
-    axes = [[figure.add_subplot(parts[row, column]) for column in range(len(directions))] for row in range(rows)]
+    strands = 2 if len(groups) > _MOST_ROWS else 1  # of panels for each direction, so that the page stays a page
+    rows = max(1, -(-len(groups) // strands))
+    figure = new_figure(1.0 + (4.0, 3.2)[strands - 1] * strands * len(directions), 0.9 + 1.45 * rows)
+    parts = figure.add_gridspec(rows + 1, strands * len(directions), height_ratios=[1.0] * rows + [0.12])
     handles: dict[str, object] = {}
-    for row in range(rows):
-        for column, direction in enumerate(directions):
-            panel = axes[row][column]
-            found = [
-                line for line in lines
-                if groups and (line[0].measured.line.group, line[0].measured.line.direction)
-                == (groups[row][0], direction)
-            ]
+    for column, direction in enumerate(directions):
+        for place, (group, _) in enumerate(groups):
+            strand, row = divmod(place, rows)
+            panel = figure.add_subplot(parts[row, strands * column + strand])
+            key = group, direction
+            found = [line for line in lines if (line[0].measured.line.group, line[0].measured.line.direction) == key]
             _draw_panel(panel, found[0] if found else [], criterion)
+            if place == 0:
+                _write_heading(panel, direction_title(direction))
+            if row == rows - 1 or place == len(groups) - 1:
+                panel.set_xlabel(tr("along the line, px"), fontsize=8)
             for handle, label in zip(*panel.get_legend_handles_labels()):
                 handles.setdefault(label, handle)
-    for column, direction in enumerate(directions):
-        axes[-1][column].set_xlabel(tr("along the line, px"), fontsize=8)
-        axes[0][column].annotate(
-            direction_title(direction), (0.5, 1), xytext=(0, 20), xycoords="axes fraction",
-            textcoords="offset points", ha="center", fontsize=10, fontweight="bold",
-        )
     _write_legend(figure.add_subplot(parts[rows, :]), handles if len(handles) > 1 else {})
     return figure
+
+
+def _write_heading(panel: Axes, words: str) -> None:
+    panel.annotate(
+        words, (0, 1), xytext=(0, 22), xycoords="axes fraction", textcoords="offset points", fontsize=10,
+        fontweight="bold",
+    )
 
 
 def _write_legend(axes: Axes, handles: Mapping[str, object]) -> None:

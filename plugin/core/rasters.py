@@ -131,7 +131,9 @@ def band_index(ref: RasterRef, number: int) -> int:
 
 def nodata_value(ref: RasterRef) -> float | None:
     """The first band's nodata value; None without one. Raises RasterError when the raster can't be opened."""
-    return _open(ref).GetRasterBand(1).GetNoDataValue()
+    dataset = _open(ref)  # a band does not keep it open
+    value = dataset.GetRasterBand(1).GetNoDataValue()
+    return None if value is None else float(value)
 
 
 def read_bands(ref: RasterRef, window: PixelWindow) -> tuple[np.ndarray, np.ndarray]:
