@@ -45,7 +45,7 @@ class Desk:
     @property
     def dock(self) -> Any:
         """The inspection desk; None before it was opened."""
-        return self.plugin._dock
+        return self.plugin.desk("seamInspectorAction").dock
 
     @property
     def session(self) -> Any:

@@ -1,10 +1,10 @@
 """Wires the plugin into QGIS and out again."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Callable
 
 from qgis.core import Qgis, QgsApplication
-from qgis.gui import QgisInterface
+from qgis.gui import QgisInterface, QgsDockWidget
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
@@ -14,9 +14,6 @@ from .adapters.resources import icon_path
 from .adapters.text import Translation, tr
 from .processing.provider import SeamInspectorProvider
 
-if TYPE_CHECKING:
-    from .gui.dock import InspectionDock
-
 
 class SeamInspectorPlugin:
     """What QGIS loads and unloads."""
@@ -25,8 +22,7 @@ class SeamInspectorPlugin:
         self._iface = iface
         self._provider: SeamInspectorProvider | None = None
         self._translation = Translation()
-        self._action: QAction | None = None
-        self._dock: InspectionDock | None = None
+        self._desks: list[Desk] = []
 
     def initProcessing(self) -> None:
         """Register the provider; all that qgis_process asks for, which has no interface."""
@@ -37,62 +33,103 @@ class SeamInspectorPlugin:
     def initGui(self) -> None:
         assert self._iface is not None
         self.initProcessing()
-        self._action = QAction(QIcon(icon_path()), tr("Seam Inspector"), self._iface.mainWindow())
-        self._action.setObjectName("seamInspectorAction")
-        self._action.setToolTip(tr("Inspect how much detail a mosaic kept along its seams"))
-        self._action.setCheckable(True)
-        self._action.triggered.connect(self._show_dock)
-        self._iface.addRasterToolBarIcon(self._action)
-        # not by addPluginToRasterMenu: it makes a menu of one entry, and QGIS keeps that after the entry is removed
-        self._iface.rasterMenu().addAction(self._action)
+        for make, icon, name, words, tooltip in (
+            (
+                _inspection_dock,
+                "seam_inspector",
+                "seamInspectorAction",
+                tr("Seam Inspector"),
+                tr("Inspect how much detail a mosaic kept along its seams"),
+            ),
+            (
+                _bar_dock,
+                "bar_group",
+                "seamInspectorBarAction",
+                tr("Bar groups"),
+                tr("Draw lines across the groups of a bar target and watch their profiles"),
+            ),
+        ):
+            action = QAction(QIcon(icon_path(icon)), words, self._iface.mainWindow())
+            action.setObjectName(name)
+            action.setToolTip(tooltip)
+            self._desks.append(Desk(self._iface, action, make))
 
     def unload(self) -> None:
-        if self._iface is not None and self._dock is not None:
-            self._dock.visibilityChanged.disconnect(self._dock_shown)
-            self._dock.close_desk()
-            self._iface.removeDockWidget(self._dock)
-            self._dock.deleteLater()
-            self._dock = None
-        if self._iface is not None and self._action is not None:
-            self._iface.removeRasterToolBarIcon(self._action)
-            self._iface.rasterMenu().removeAction(self._action)
-            self._action.deleteLater()
-            self._action = None
+        while self._desks:
+            self._desks.pop().remove()
         if self._provider is not None:
             QgsApplication.processingRegistry().removeProvider(self._provider)
             self._provider = None
         self._translation.remove()
 
-    def _show_dock(self, shown: bool) -> None:
-        """The dock, made on first use so that QGIS starts without loading what it needs."""
-        assert self._iface is not None
-        assert self._action is not None
-        if self._dock is None:
+    def desk(self, name: str) -> Desk:
+        """The desk whose action has this object name."""
+        return next(desk for desk in self._desks if desk.action.objectName() == name)
+
+
+class Desk:
+    """A button in the raster toolbar and menu, and its dock, made on first use: QGIS starts without what it needs."""
+
+    def __init__(
+        self, iface: QgisInterface, action: QAction, make: Callable[[QgisInterface], QgsDockWidget]
+    ) -> None:
+        self._iface, self._make = iface, make
+        self.action = action
+        self.dock: QgsDockWidget | None = None
+        action.setCheckable(True)
+        action.triggered.connect(self._show)
+        iface.addRasterToolBarIcon(action)
+        # not by addPluginToRasterMenu: it makes a menu of one entry, and QGIS keeps that after the entry is removed
+        iface.rasterMenu().addAction(action)
+
+    def remove(self) -> None:
+        """Leave nothing behind."""
+        if self.dock is not None:
+            self.dock.visibilityChanged.disconnect(self._shown)
+            self.dock.close_desk()
+            self._iface.removeDockWidget(self.dock)
+            self.dock.deleteLater()
+            self.dock = None
+        self._iface.removeRasterToolBarIcon(self.action)
+        self._iface.rasterMenu().removeAction(self.action)
+        self.action.deleteLater()
+
+    def _show(self, shown: bool) -> None:
+        if self.dock is None:
             why_not = missing_packages_sentence(desk=True)
             if not why_not:
                 try:
-                    from .gui.dock import InspectionDock
+                    self.dock = self._make(self._iface)
                 except ImportError as error:
                     why_not = broken_package_sentence(error)
                     if not why_not:
                         raise
-            if why_not:
+            if self.dock is None:
                 self._explain(why_not)
                 return
-            self._dock = InspectionDock(self._iface)
-            self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
-            width = self._dock.standard_width
-            self._iface.mainWindow().resizeDocks([self._dock], [width], Qt.Orientation.Horizontal)
-            self._dock.visibilityChanged.connect(self._dock_shown)
-        self._dock.setUserVisible(shown)
+            self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)
+            width = self.dock.standard_width
+            self._iface.mainWindow().resizeDocks([self.dock], [width], Qt.Orientation.Horizontal)
+            self.dock.visibilityChanged.connect(self._shown)
+        self.dock.setUserVisible(shown)
 
     def _explain(self, why_not: str) -> None:
         """Why there is no dock; the message stays until it is read."""
-        assert self._iface is not None
-        assert self._action is not None
-        self._action.setChecked(False)
+        self.action.setChecked(False)
         self._iface.messageBar().pushMessage(tr("Seam Inspector"), why_not, Qgis.MessageLevel.Warning, 0)
 
-    def _dock_shown(self, visible: bool) -> None:
-        if self._action is not None and self._dock is not None:
-            self._action.setChecked(self._dock.isVisible())
+    def _shown(self, visible: bool) -> None:
+        if self.dock is not None:
+            self.action.setChecked(self.dock.isVisible())
+
+
+def _inspection_dock(iface: QgisInterface) -> QgsDockWidget:
+    from .gui.dock import InspectionDock
+
+    return InspectionDock(iface)
+
+
+def _bar_dock(iface: QgisInterface) -> QgsDockWidget:
+    from .gui.bar_dock import BarDock
+
+    return BarDock(iface)

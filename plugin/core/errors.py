@@ -37,3 +37,7 @@ class SeamlineError(SeamInspectorError):
 
 class WindowLayerError(SeamInspectorError):
     """The window layer can't be made or edited."""
+
+
+class BarLineError(SeamInspectorError):
+    """A line across the bars of a target can't be measured."""

@@ -68,6 +68,11 @@ class Mosaic(Raster):
 
     grid: Grid
 
+    @property
+    def has_place(self) -> bool:
+        """Whether it lies on the ground; a raster without georeference lies on its own pixels."""
+        return bool(self.wkt) or (self.grid.left, self.grid.top, self.grid.pixel_width) != (0, 0, 1)
+
 
 @dataclass(frozen=True)
 class Clip:
@@ -132,6 +137,48 @@ def describe_mosaic(ref: RasterRef) -> Mosaic:
     if raster.grid is None:
         raise RasterError(messages.NOT_NORTH_UP(name=ref.name))
     return Mosaic(**vars(raster))
+
+
+def describe_picture(ref: RasterRef) -> Mosaic:
+    """Like ``describe_mosaic``, for a raster that may lie anywhere: it needs no reference system, and one without any
+    georeference lies as QGIS shows it, a unit a pixel, from (0, 0) to the right and down."""
+    dataset = _open(ref)
+    placed = dataset.GetGeoTransform(can_return_null=True) is not None
+    raster = _describe(dataset, ref, None if placed else (0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+    if raster.grid is None:
+        raise RasterError(messages.NOT_NORTH_UP(name=ref.name))
+    return Mosaic(**vars(raster))
+
+
+def band_index(ref: RasterRef, number: int) -> int:
+    """Where a band of the file, from 1 on, stands among those that are measured.
+
+    Raises RasterError for a band that is not there or holds no values to measure.
+    """
+    roles = band_roles(_open(ref))
+    measured = tuple(range(len(roles.names))) if roles.palette is not None else roles.indices
+    if number - 1 not in measured:
+        raise RasterError(messages.BAND_NOT_THERE(name=ref.name, band=number, count=len(measured)))
+    return measured.index(number - 1)
+
+
+def nodata_value(ref: RasterRef) -> float | None:
+    """The first band's nodata value; None without one. Raises RasterError when the raster can't be opened."""
+    dataset = _open(ref)  # a band does not keep it open
+    value = dataset.GetRasterBand(1).GetNoDataValue()
+    return None if value is None else float(value)
+
+
+def read_bands(ref: RasterRef, window: PixelWindow) -> tuple[np.ndarray, np.ndarray]:
+    """The pixels of a window inside a raster as they are: (bands, rows, columns), and (rows, columns) which are valid.
+
+    Raises RasterError when they can't be read.
+    """
+    dataset = _open(ref)
+    inside = (window.column, window.row, window.width, window.height)
+    data = _gdal(lambda: dataset.ReadAsArray(*inside), ref, messages.NOT_READABLE(name=ref.name))
+    bands, invalid = _split(dataset, data.reshape(dataset.RasterCount, window.height, window.width), inside, ref)
+    return bands, np.ones(bands.shape[1:], bool) if invalid is None else ~invalid
 
 
 def read_clip(ref: RasterRef, mosaic: Mosaic, window: PixelWindow) -> Clip:
@@ -388,9 +435,9 @@ def _image(dataset: gdal.Dataset, ref: RasterRef) -> Image:
     return Image(ref, raster.wkt, raster.grid, columns, rows, raster.ground_sample_distance, *what)
 
 
-def _describe(dataset: gdal.Dataset, ref: RasterRef) -> Raster:
+def _describe(dataset: gdal.Dataset, ref: RasterRef, place: GeoTransform | None = None) -> Raster:
     _check_bands(dataset, ref)
-    transform = dataset.GetGeoTransform(can_return_null=True)
+    transform = place or dataset.GetGeoTransform(can_return_null=True)
     if transform is None or 0 in (transform[1] or transform[2], transform[5] or transform[4]):
         raise RasterError(messages.NOT_GEOREFERENCED(name=ref.name))
     wkt = dataset.GetProjection() or ref.wkt

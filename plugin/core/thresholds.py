@@ -140,3 +140,30 @@ DEFAULT_RULES = {
         {"check": "seam_contrast", "source": _TRADED},  # a figure to stand beside the step; it has no limit of its own
     ],
 }
+
+# Ground resolved distance
+DEFAULT_BARS = 3  # Walczykowski et al. 2009, figures 4 to 10; USAF-1951
+MIN_BARS = 2  # one bar has no gap to its neighbour
+DEFAULT_REFERENCE_GROUP = 9  # Walczykowski et al. 2009, section 4: group 9 is 30 cm
+DEFAULT_REFERENCE_GRD_CM = 30.0  # the same, and the Open Skies limit
+DEFAULT_GROUP_STEP = 2 ** (1 / 6)  # tables 3A and 3B: 30.00, 33.67, 42.42, 60.00, 67.35, 75.60 cm
+DEFAULT_CRITERION = 0.5  # Walczykowski et al. 2009, section 4: at least half of the group's DN amplitude
+DEFAULT_BAR_WIDTH_PX = 3.0  # either side: seven pixels lower the noise 2.6 times and fit into bars of five widths
+MAX_BAR_TURN_DEG = 10.0  # how roughly a line may be drawn: a hand does better
+MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Shannon
+MIN_ALIAS_FREE_PX = 2.5  # three bars that are finer than two pixels can't seem so far apart in the 5 px they cover
+MAX_BAR_SPACING_DIFFERENCE = 0.25  # relative, two steps of 2^(1/6): bars further off are not the group's
+MAX_TARGET_SCALE_DIFFERENCE = 0.2  # relative: more is no error of drawing or of the pixel size
+MIN_BAR_PROMINENCE = 0.25  # of the full amplitude: half the criterion, so that bars below it are still counted
+MIN_NOISE_RATIO = 3.0  # amplitude over the noise of the ground: three standard deviations
+MAX_SATURATED_SHARE = 0.25  # of the middle of a bar: more is not noise that touches the limit
+BAR_MARGIN = 0.2  # of a line's length: half a cycle of three bars, when the line ends with the outer ones
+GROUND_REACH_PX = 12  # how much further than its length a line's surroundings go: two squares of ground at least
+GROUND_SQUARE_PX = 6  # side of a square of ground: 36 values, its noise to 12 %
+PLAIN_GROUND_PERCENTILE = 10  # of the squares: as many are plain beside the most crowded target, USAF-1951
+MAX_BAR_LINE_PX = 2000  # some 130 MB of pixels of three bands around it
+MAX_LINE_BEND = 0.05  # of its length that a line across the bars may leave its chord
+MIN_OBSERVATIONS = 5  # of the minimum height: the Open Skies treaty asks for five passes
+DEFAULT_REQUIRED_GRD_CM = 30.0  # Open Skies: optical cameras
+BAYER_PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")  # colours row by row: the filter of the paper and its three turns
+DEMOSAICS = ("bilinear", "edge_aware")  # the paper's; OpenCV's, which needs that package

@@ -134,6 +134,16 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             raise RasterError(messages.NOT_A_RASTER_LAYER(name=common.MOSAIC))
         return describe_mosaic(raster_ref(value, context))
 
+    def describe_picture(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Mosaic:
+        """The raster of a parameter, which may lie anywhere."""
+        from ..adapters.layers import raster_ref
+        from ..core.rasters import describe_picture
+
+        value = common.raster_value(parameters, name, context)
+        if value is None or value == "":
+            raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
+        return describe_picture(raster_ref(value, context))
+
     def source(
         self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
     ) -> QgsProcessingFeatureSource:

@@ -9,9 +9,12 @@ from .calibratethreshold import CalibrateThreshold
 from .checknoise import CheckNoise
 from .checkradiometry import CheckRadiometry
 from .inspectwindows import InspectWindows
+from .measureresolution import MeasureResolution
+from .minimumheight import MinimumHeight
 from .placewindows import PlaceWindows
 from .predictloss import PredictLoss
 from .report import Report
+from .simulatebayer import SimulateBayer
 
 ALGORITHMS = (
     PlaceWindows,
@@ -21,6 +24,9 @@ ALGORITHMS = (
     Report,
     CheckNoise,
     CheckRadiometry,
+    MeasureResolution,
+    MinimumHeight,
+    SimulateBayer,
 )
 
 

@@ -57,18 +57,18 @@ def test_a_missing_package_is_named_once_and_used_after_a_restart(
         patch.setattr(packages, "find_spec", lambda name: None if name == module else find(name))
         plugin = start()
         assert told == []  # it is time enough when somebody wants to use it
-        plugin._action.trigger()
-        assert plugin._dock is None
-        assert not plugin._action.isChecked()
+        plugin.desk("seamInspectorAction").action.trigger()
+        assert plugin.desk("seamInspectorAction").dock is None
+        assert not plugin.desk("seamInspectorAction").action.isChecked()
     ((text, level),) = told
     assert level == Qgis.MessageLevel.Warning
     assert NAMES[module] in text
     assert_sentence(text, "then restart QGIS")
     told.clear()
     plugin = start()
-    plugin._action.trigger()
-    assert plugin._dock is not None
-    assert plugin._dock.session.windows() == []
+    plugin.desk("seamInspectorAction").action.trigger()
+    assert plugin.desk("seamInspectorAction").dock is not None
+    assert plugin.desk("seamInspectorAction").dock.session.windows() == []
     assert told == []
 
 
@@ -112,9 +112,9 @@ iface = MagicMock()
 iface.mainWindow.return_value = None
 plugin = seam_inspector.classFactory(iface)
 plugin.initGui()
-plugin._action.trigger()
+plugin.desk("seamInspectorAction").action.trigger()
 (_, text, _, _), _ = iface.messageBar().pushMessage.call_args
-print(plugin._dock, plugin._action.isChecked(), text, sep="|")
+print(plugin.desk("seamInspectorAction").dock, plugin.desk("seamInspectorAction").action.isChecked(), text, sep="|")
 plugin.unload()
 """
     environment = {**os.environ, "QGIS_CUSTOM_CONFIG_PATH": str(tmp_path)}

@@ -154,7 +154,7 @@ def plugin(qgis_iface: QgisInterface, project: QgsProject) -> Iterator[Any]:
 
 
 def action_of(plugin: Any) -> QAction:
-    found = plugin._action
+    found = plugin.desk("seamInspectorAction").action
     assert found is not None
     return found
 
@@ -201,7 +201,7 @@ def test_ten_times_on_and_off_leaves_nothing(
         plugin = module.classFactory(qgis_iface)
         plugin.initGui()
         action_of(plugin).trigger()
-        dock = plugin._dock
+        dock = plugin.desk("seamInspectorAction").dock
         dock.draw.trigger()
         use_in(dock.session, scene, tmp_path)
         dock.session.add_window(BLURRED_WINDOW)
@@ -227,7 +227,7 @@ def use_in(session: Session, scene: Scene, folder: Path) -> Desk:
 
 def test_unloading_while_a_task_runs(plugin: Any, scene: Scene, tmp_path: Path) -> None:
     action_of(plugin).trigger()
-    desk = use_in(plugin._dock.session, scene, tmp_path)
+    desk = use_in(plugin.desk("seamInspectorAction").dock.session, scene, tmp_path)
     layer = desk.use(windows(*BOXES))
     desk.session.inspect_pending()
     wait_until(lambda: desk.session.result(1) is not None)
@@ -242,7 +242,7 @@ def test_unloading_while_a_task_runs(plugin: Any, scene: Scene, tmp_path: Path) 
 
 def test_the_dock_inspects(plugin: Any, scene: Scene, tmp_path: Path) -> None:
     action_of(plugin).trigger()
-    desk = use_in(plugin._dock.session, scene, tmp_path)
+    desk = use_in(plugin.desk("seamInspectorAction").dock.session, scene, tmp_path)
     for window in (BLURRED_WINDOW, SHARP_WINDOW):
         desk.add(window)
     assert [row.verdict for row in desk.session.windows()] == ["significant", "reduced"]

@@ -37,6 +37,7 @@ GROUPS = {
         "inspect_mosaic",
     ),
     "Image quality": ("checknoise", "checkradiometry"),
+    "Ground resolution": ("measureresolution", "minimumheight", "simulatebayer"),
 }
 NAMES = [name for names in GROUPS.values() for name in names]
 IDS = {f"seaminspector:{name}" for name in NAMES}

@@ -1,0 +1,72 @@
+"""The ground resolved distance of a target as one HTML page."""
+from __future__ import annotations
+
+from ..core import report
+from ..core.rasters import Mosaic
+from ..core.resolution.groups import GroupResult, Resolution
+from ..core.resolution.target import DIRECTIONS, Target
+from .bar_charts import direction_title, group_chart, target_picture, verdict_of, verdict_word
+from .curves import band_title
+from .figures import svg_text
+from .text import sentence, tr
+
+
+def resolution_page(raster: Mosaic, resolution: Resolution, target: Target) -> str:
+    """Distances, the target with its lines, every group's profiles, and a table of all that was measured."""
+    title = tr("Ground resolved distance: {name}").format(name=raster.ref.name)
+    parts = [report.paragraph(_summary(resolution))]
+    parts += [report.paragraph(sentence(notice), "warning") for notice in resolution.notices]
+    if resolution.grd_cm:
+        rows = [
+            (direction_title(direction), band_title(band), tr("none") if grd is None else f"{grd:.2f}")
+            for (direction, band), grd in sorted(resolution.grd_cm.items())
+        ]
+        parts.append(report.table((tr("direction"), tr("band"), tr("distance, cm")), rows))
+    picture = target_picture(raster, resolution.results)
+    if picture is not None:
+        parts += [report.heading(tr("The target")), report.drawing(svg_text(picture), width_mm=150)]
+    words = tr(
+        "Full circles are bars, empty ones the gaps between them. The gaps must lie beyond the dashed line, which is "
+        "{criterion:.0%} of the full amplitude away from the weakest bar. Grey lines: the ends of the line as drawn."
+    ).format(criterion=target.criterion)
+    parts.append(report.heading(tr("Profiles")))
+    parts.append(report.drawing(svg_text(group_chart(resolution.results, target.criterion)), words, width_mm=170))
+    parts.append(report.heading(tr("Measurements")))
+    headings = (
+        tr("group"), tr("direction"), tr("band"), tr("distance, cm"), tr("bars"), tr("amplitude, DN"),
+        tr("full amplitude, DN"), tr("modulation"), tr("shift, px"), tr("verdict"), tr("reason"),
+    )
+    parts.append(report.table(headings, [_row(result) for result in resolution.results]))
+    return report.page(title, parts)
+
+
+def _summary(resolution: Resolution) -> str:
+    words = []
+    for direction in DIRECTIONS:
+        grd = resolution.worst(direction)
+        if grd is not None:
+            words.append(tr("{direction}: {grd:.2f} cm").format(direction=direction_title(direction), grd=grd))
+    if resolution.mean is not None:
+        words.append(tr("geometric mean: {grd:.2f} cm").format(grd=resolution.mean))
+    return "; ".join(words) + "." if words else tr("No group is resolved in every band.")
+
+
+def _row(result: GroupResult) -> tuple[object, ...]:
+    line, reading = result.measured.line, result.reading
+
+    def rounded(value: float | None, digits: int) -> str:
+        return "" if value is None else f"{value:.{digits}f}"
+
+    return (
+        "" if line.group is None else line.group,
+        line.direction,
+        band_title(result.band) if result.band else "",
+        rounded(result.grd_cm, 2),
+        "" if reading is None else len(reading.bars),
+        rounded(None if reading is None else reading.amplitude, 1),
+        rounded(None if reading is None else reading.full_amplitude, 1),
+        rounded(None if reading is None else reading.modulation, 3),
+        rounded(result.measured.shifts.get(result.band), 2),
+        verdict_word(verdict_of([result])),
+        "" if result.reason is None else sentence(result.reason),
+    )

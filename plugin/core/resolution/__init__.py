@@ -1,0 +1,1 @@
+"""Ground resolved distance from bar targets, the flying height it asks for, and what a Bayer filter costs."""

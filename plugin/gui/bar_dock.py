@@ -1,0 +1,308 @@
+"""The dock of bar groups: draw a line across the bars of each group and watch its profile."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from qgis.core import (
+    Qgis,
+    QgsApplication,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsGeometry,
+    QgsMapLayerProxyModel,
+    QgsPointXY,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
+from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QIcon
+from qgis.PyQt.QtWidgets import (
+    QAction,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QSpinBox,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ..adapters import bar_layer
+from ..adapters.bar_jobs import bar_job
+from ..adapters.bar_lines import pixel_segment
+from ..adapters.layers import layer_ref, mosaic_crs
+from ..adapters.resources import icon_path
+from ..adapters.text import sentence, tr
+from ..core import messages, thresholds
+from ..core.errors import SeamInspectorError
+from ..core.messages import Message
+from ..core.rasters import Mosaic, describe_picture
+from ..core.resolution.groups import BarLine, Resolution
+from ..core.resolution.target import DIRECTIONS, Target
+from .background import Background
+from .bar_profile import BarProfile
+from .bar_tool import BarTool
+from .clipped_label import ClippedLabel
+from .layer_box import LayerBox
+
+if TYPE_CHECKING:
+    from ..core.resolution.groups import GroupResult
+
+_MESSAGE_SECONDS = 8
+_Filter = QgsMapLayerProxyModel.Filter
+
+
+class BarDock(QgsDockWidget):
+    """Owns the map tool, the profile and the tasks; ``close_desk`` lets go of all of them."""
+
+    def __init__(self, iface: QgisInterface) -> None:
+        super().__init__(tr("Bar groups"), iface.mainWindow())
+        self.setObjectName("SeamInspectorBarDock")
+        self._iface = iface
+        self._canvas = iface.mapCanvas()
+        self._background = Background(self)
+        self._described: tuple[str, Mosaic] | None = None
+        self._waiting: BarLine | None = None  # the newest line, while an older one is measured
+        self._previous_tool: QgsMapTool | None = None
+        self.results: tuple[GroupResult, ...] = ()
+        self.tool = BarTool(self._canvas)
+        self.image = LayerBox(_Filter.RasterLayer, tr("no image"))
+        self.image.only_files()
+        self.lines = LayerBox(_Filter.LineLayer, tr("new layer"))
+        self.group, self.bars, self.reference_group = (self._whole(value) for value in (
+            1, thresholds.DEFAULT_BARS, thresholds.DEFAULT_REFERENCE_GROUP
+        ))
+        self.bars.setMinimum(thresholds.MIN_BARS)
+        self.reference_grd = QDoubleSpinBox()
+        self.reference_grd.setRange(0.01, 100000)
+        self.reference_grd.setSuffix(tr(" cm"))
+        self.reference_grd.setValue(thresholds.DEFAULT_REFERENCE_GRD_CM)
+        self.direction = QComboBox()
+        for direction, words in zip(DIRECTIONS, (tr("along"), tr("across"))):
+            self.direction.addItem(words, direction)
+        self.draw = QAction(QIcon(icon_path("bar_group")), tr("Draw"), self)
+        self.draw.setToolTip(tr("Draw a line across the bars of the group: drag, or click at both ends."))
+        self.draw.setCheckable(True)
+        self.draw.triggered.connect(self._toggle_tool)
+        self.profile = BarProfile()
+        self.verdict = ClippedLabel(3)
+        self._lay_out()
+        self.image.layerChanged.connect(self._image_changed)
+        self.direction.currentIndexChanged.connect(self._take_next)
+        self.tool.moved.connect(self._line_moved)
+        self.tool.drawn.connect(self._line_drawn)
+        self.tool.cancelled.connect(self._line_cancelled)
+        self.tool.finished.connect(self._leave_tool)
+        self._background.ended.connect(self._task_ended)
+        self._background.failed.connect(self._show_message)
+        self._canvas.mapToolSet.connect(self._tool_set)
+        self._image_changed()
+
+    @property
+    def standard_width(self) -> int:
+        """Pixels at which nothing is cut off on the right of the map."""
+        return max(420, 46 * self.fontMetrics().averageCharWidth())
+
+    def close_desk(self) -> None:
+        """Leave nothing behind: map tool, canvas items, connections, tasks."""
+        self._canvas.mapToolSet.disconnect(self._tool_set)
+        if self._canvas.mapTool() is self.tool:
+            self._leave_tool()
+        self.tool.close()
+        self._background.close()
+
+    def target(self) -> Target:
+        """The target as it is set here."""
+        return Target(self.bars.value(), self.reference_group.value(), self.reference_grd.value())
+
+    def line_layer(self) -> QgsVectorLayer | None:
+        """The layer that lines are added to; None until there is one."""
+        layer = self.lines.currentLayer()
+        return layer if isinstance(layer, QgsVectorLayer) else None
+
+    # the line
+
+    def _line_moved(self, start: QgsPointXY, end: QgsPointXY) -> None:
+        line = self._bar_line(start, end)
+        if line is not None:
+            self._measure(line)
+
+    def _line_drawn(self, start: QgsPointXY, end: QgsPointXY) -> None:
+        raster, line = self._raster(), self._bar_line(start, end)
+        if raster is None or line is None:
+            return
+        self._measure(line)
+        try:
+            layer = self.line_layer() or self._new_layer(raster)
+            map_crs = self._canvas.mapSettings().destinationCrs()
+            transform = QgsCoordinateTransform(map_crs, layer.crs(), QgsProject.instance().transformContext())
+            shape = QgsGeometry.fromPolylineXY([start, end])
+            bar_layer.add_bar_line(layer, shape, transform, self.group.value(), self.direction.currentData())
+        except SeamInspectorError as error:
+            self._show_message(error.message)
+            return
+        layer.triggerRepaint()
+        self.group.setValue(self.group.value() + 1)
+
+    def _line_cancelled(self) -> None:
+        self._waiting = None
+        self.results = ()
+        self.profile.show_results([], self.target().criterion)
+        self.verdict.setText("")
+
+    def _new_layer(self, raster: Mosaic) -> QgsVectorLayer:
+        folder = Path(QgsProject.instance().homePath() or QgsApplication.qgisSettingsDirPath())
+        layer = bar_layer.create_bar_layer(mosaic_crs(raster), folder)
+        QgsProject.instance().addMapLayer(layer)
+        self.lines.show_layer(layer.id())
+        return layer
+
+    def _take_next(self) -> None:
+        """The next number of the direction, where its lines have numbers."""
+        following = bar_layer.next_group(self.line_layer(), self.direction.currentData())
+        if following is not None:
+            self.group.setValue(following)
+
+    def _bar_line(self, start: QgsPointXY, end: QgsPointXY) -> BarLine | None:
+        """A line of the map in pixels of the image; None without image or where the map has no place on it."""
+        raster = self._raster()
+        if raster is None:
+            return None
+        map_crs = self._canvas.mapSettings().destinationCrs()
+        transform = QgsCoordinateTransform(map_crs, mosaic_crs(raster), QgsProject.instance().transformContext())
+        try:
+            ends = [transform.transform(start), transform.transform(end)]
+        except QgsCsException:
+            return None
+        if ends[0] == ends[1]:
+            return None
+        return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, raster.grid))
+
+    # measuring, in the background
+
+    def _measure(self, line: BarLine) -> None:
+        """Measure a line as soon as the one before is done; those between are left out."""
+        raster = self._raster()
+        if raster is None:
+            return
+        if self._background.is_under_way(_KEY):
+            self._waiting = line
+            return
+        self._waiting = None
+        job = bar_job(raster, line, self.target(), thresholds.DEFAULT_BAR_WIDTH_PX)
+        self._background.start(tr("Measure a bar group"), job, self._take, _KEY)
+
+    def _task_ended(self, _key: object, _outcome: object) -> None:
+        if self._waiting is not None:
+            self._measure(self._waiting)
+
+    def _take(self, resolution: object) -> None:
+        assert isinstance(resolution, Resolution)
+        self.results = resolution.results
+        self.profile.show_results(self.results, self.target().criterion)
+        self.verdict.setText(_verdict(resolution))
+
+    def _raster(self) -> Mosaic | None:
+        """The image; its header is read once."""
+        layer = self.image.currentLayer()
+        if not isinstance(layer, QgsRasterLayer):
+            return None
+        if self._described is None or self._described[0] != layer.id():
+            try:
+                self._described = layer.id(), describe_picture(layer_ref(layer))
+            except SeamInspectorError as error:
+                self.verdict.setText(sentence(error.message))
+                return None
+        return self._described[1]
+
+    def _image_changed(self) -> None:
+        self._described = None
+        self.verdict.setText("")
+        has_image = self._raster() is not None
+        self.draw.setEnabled(has_image)
+        if not has_image:
+            if self._canvas.mapTool() is self.tool:
+                self._leave_tool()
+            if not self.verdict.text():
+                self.verdict.setText(sentence(messages.NO_BAR_IMAGE()))
+
+    # widgets
+
+    def _toggle_tool(self, checked: bool) -> None:
+        if checked:
+            self._previous_tool = self._canvas.mapTool()
+            self._canvas.setMapTool(self.tool)
+        else:
+            self._leave_tool()
+
+    def _leave_tool(self) -> None:
+        if self._previous_tool is not None:
+            self._canvas.setMapTool(self._previous_tool)
+        else:
+            self._canvas.unsetMapTool(self.tool)
+
+    def _tool_set(self, tool: QgsMapTool, _old: QgsMapTool | None = None) -> None:
+        self.draw.setChecked(tool is self.tool)
+
+    def _show_message(self, message: Message) -> None:
+        self._iface.messageBar().pushMessage(
+            tr("Seam Inspector"), sentence(message), Qgis.MessageLevel.Warning, _MESSAGE_SECONDS
+        )
+
+    @staticmethod
+    def _whole(value: int) -> QSpinBox:
+        box = QSpinBox()
+        box.setRange(-999, 999)
+        box.setValue(value)
+        return box
+
+    def _lay_out(self) -> None:
+        button = QToolButton()
+        button.setDefaultAction(self.draw)
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.group.setToolTip(tr("Number of the group that is drawn next; it goes up by one with every line."))
+        self.bars.setToolTip(tr("How many bars each group of the target has."))
+        self.reference_group.setToolTip(tr("Number of the group whose distance is known. Higher numbers are finer."))
+        self.reference_grd.setToolTip(tr("Width of one bar and one gap of the reference group together."))
+        form = QFormLayout()
+        form.setContentsMargins(0, 0, 0, 0)
+        form.addRow(tr("Image"), self.image)
+        form.addRow(tr("Lines"), self.lines)
+        form.addRow(tr("Bars"), self.bars)
+        form.addRow(tr("Reference"), _row(self.reference_group, self.reference_grd))
+        form.addRow(tr("Group"), _row(self.group, self.direction, button))
+        body, layout = QWidget(), QVBoxLayout()
+        layout.setContentsMargins(4, 2, 4, 4)
+        layout.setSpacing(3)
+        layout.addLayout(form)
+        layout.addWidget(self.profile, 1)
+        layout.addWidget(self.verdict)
+        body.setLayout(layout)
+        self.setWidget(body)
+
+
+_KEY = "bar group"
+
+
+def _row(*widgets: QWidget) -> QWidget:
+    row, layout = QWidget(), QHBoxLayout()
+    layout.setContentsMargins(0, 0, 0, 0)
+    for widget in widgets:
+        layout.addWidget(widget, 1)
+    row.setLayout(layout)
+    return row
+
+
+def _verdict(resolution: Resolution) -> str:
+    """What a line by itself shows: its distance and verdict, or the reasons why it has none."""
+    results = resolution.results
+    reasons = list(dict.fromkeys(sentence(result.reason) for result in results if result.reason is not None))
+    grd = results[0].grd_cm if results else None
+    words = "" if grd is None else f"{grd:.2f} cm"
+    if results and all(result.resolved for result in results):
+        words += ", " + tr("resolved")
+    return ": ".join(part for part in (words, " ".join(reasons)) if part)

@@ -1,0 +1,235 @@
+"""``seaminspector:measureresolution``: ground resolved distance from a bar target."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateTransform,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import sentence, tr
+from ..core import messages, thresholds
+from ..core.errors import RasterError, SettingsError
+from .base import SeamInspectorAlgorithm
+
+if TYPE_CHECKING:
+    from ..core.rasters import Mosaic
+    from ..core.resolution.groups import MeasuredLine
+    from ..core.resolution.target import Target
+
+RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
+REFERENCE_GROUP, REFERENCE_GRD, STEP = "REFERENCE_GROUP", "REFERENCE_GRD", "STEP"
+CRITERION, REVERSED = "CRITERION", "REVERSED"
+OUTPUT, CHART, REPORT = "OUTPUT", "CHART", "REPORT"
+GRD_ALONG, GRD_ACROSS, GRD_MEAN = "GRD_ALONG", "GRD_ACROSS", "GRD_MEAN"
+
+_WHOLE, _REAL = QgsProcessingParameterNumber.Type.Integer, QgsProcessingParameterNumber.Type.Double
+
+
+class MeasureResolution(SeamInspectorAlgorithm):
+    """The finest group of bars that an image still resolves."""
+
+    ID = "measureresolution"
+    NAME = QT_TRANSLATE_NOOP("@default", "Measure ground resolved distance")
+    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
+    GROUP_ID = "Ground resolution"
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line "
+        "across the bars of each group. A group is resolved when all its bars stand out, the smallest difference of a "
+        "bar to a gap beside it is at least half of the group's full amplitude and exceeds three times the noise of "
+        "the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are "
+        "aliasing and are not counted (Walczykowski and others 2009)."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(RASTER, tr("Image")),
+            tr("The image of the target, north-up. One without georeference is taken as QGIS shows it."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(
+                GROUPS, tr("Lines across the bars"), [QgsProcessing.SourceType.TypeVectorLine]
+            ),
+            tr(
+                "One line across the bars of each group, from the ground on one side to that on the other, with the "
+                "fields 'group' (whole number) and 'direction' ('along' or 'across' the flight). A line is turned by "
+                "up to 10 degrees to be perpendicular to the bars."
+            ),
+        )
+        self.addDescribed(
+            self._number(WIDTH, tr("Width to average (pixels)"), _REAL, thresholds.DEFAULT_BAR_WIDTH_PX, 0),
+            tr("How far either side of the line the profile is averaged; it should stay within the bars' length."),
+        )
+        self.addDescribed(
+            self._number(BAND, tr("Band"), _WHOLE, 0, 0), tr("Number of the band to measure; 0 for every band.")
+        )
+        self.addDescribed(
+            self._number(BARS, tr("Bars in a group"), _WHOLE, thresholds.DEFAULT_BARS, thresholds.MIN_BARS),
+            tr("How many bars each group of the target has."),
+        )
+        self.addDescribed(
+            self._number(REFERENCE_GROUP, tr("Reference group"), _WHOLE, thresholds.DEFAULT_REFERENCE_GROUP),
+            tr("Number of the group whose distance is known. Higher numbers are finer."),
+        )
+        self.addDescribed(
+            self._number(
+                REFERENCE_GRD, tr("Distance of the reference group (cm)"), _REAL, thresholds.DEFAULT_REFERENCE_GRD_CM
+            ),
+            tr("Width of one bar and one gap of the reference group together, centimetres on the ground."),
+        )
+        self.addDescribed(
+            self._number(STEP, tr("Step from group to group"), _REAL, thresholds.DEFAULT_GROUP_STEP),
+            tr("How many times as wide the next coarser group is; the sixth root of 2 on most targets."),
+            advanced=True,
+        )
+        self.addDescribed(
+            self._number(CRITERION, tr("Criterion"), _REAL, thresholds.DEFAULT_CRITERION),
+            tr("Share of the full amplitude that the bars of a resolved group keep."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterBoolean(REVERSED, tr("Higher numbers are coarser"), False),
+            tr("For targets numbered the other way."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                OUTPUT, tr("Measured groups"), QgsProcessing.SourceType.TypeVectorLine
+            ),
+            tr("The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFileDestination(
+                CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", optional=True, createByDefault=False
+            ),
+            tr("The profiles with their bars, threshold and verdict, group by group."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFileDestination(
+                REPORT, tr("Report"), "HTML (*.html)", optional=True, createByDefault=False
+            ),
+            tr("A page with the distances, the target, the profiles and all measurements."),
+        )
+        self.addOutput(QgsProcessingOutputNumber(GRD_ALONG, tr("Distance along the flight (cm)")))
+        self.addOutput(QgsProcessingOutputNumber(GRD_ACROSS, tr("Distance across the flight (cm)")))
+        self.addOutput(QgsProcessingOutputNumber(GRD_MEAN, tr("Geometric mean of both distances (cm)")))
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._target(parameters, context).check()
+        self._width(parameters, context)
+        self._band(parameters, context, self._describe(parameters, context))
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._raster = self._describe(parameters, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters import bar_lines, layers
+        from ..core.resolution.groups import judge, measure_line
+
+        raster, target = self._raster, self._target(parameters, context)
+        target.check()
+        width, band = self._width(parameters, context), self._band(parameters, context, raster)
+        chart, report = (self.file_path(parameters, name, context) for name in (CHART, REPORT))
+        if chart is not None:
+            from ..adapters.figures import check_figure_path
+
+            check_figure_path(chart)
+        groups = self.source(parameters, GROUPS, context)
+        bar_lines.check_fields(groups.fields().names())
+        count = groups.featureCount()
+        if count == 0:
+            raise SettingsError(messages.NO_BAR_LINES())
+        crs = layers.mosaic_crs(raster)
+        transform = QgsCoordinateTransform(groups.sourceCrs(), crs, context.transformContext())
+        measured: list[MeasuredLine] = []
+        for row in layers.features(groups):
+            if feedback.isCanceled():
+                break
+            line = bar_lines.bar_line(row, raster.grid, transform)
+            measured.append(measure_line(raster, line, target.bars, width, band))
+            feedback.setProgress(90 * len(measured) / max(count, 1))
+        resolution = judge(raster, measured, target)
+        for notice in resolution.notices:
+            feedback.pushWarning(sentence(notice))
+        for result in resolution.results:
+            if result.reason is not None:
+                where = f"{result.measured.line.group} {result.measured.line.direction} {result.band}".strip()
+                feedback.pushInfo(f"{where}: {sentence(result.reason)}")
+        sink, destination = self.sink(
+            parameters, OUTPUT, context, bar_lines.result_fields(), QgsWkbTypes.Type.LineString, crs
+        )
+        self.write(sink, bar_lines.result_features(resolution.results, raster.grid))
+        results: dict[str, Any] = {OUTPUT: destination}
+        if chart is not None:
+            from ..adapters.bar_charts import group_chart
+            from ..adapters.figures import save_figure
+
+            save_figure(group_chart(resolution.results, target.criterion), chart)
+            results[CHART] = str(chart)
+        if report is not None:
+            from ..adapters.bar_report import resolution_page
+            from ..core.report import save_page
+
+            save_page(resolution_page(raster, resolution, target), report)
+            results[REPORT] = str(report)
+        numbers = {
+            GRD_ALONG: resolution.worst("along"), GRD_ACROSS: resolution.worst("across"), GRD_MEAN: resolution.mean
+        }
+        return {**results, **{name: value for name, value in numbers.items() if value is not None}}
+
+    def _describe(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
+        return self.describe_picture(parameters, RASTER, context)
+
+    def _target(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Target:
+        from ..core.resolution.target import Target
+
+        return Target(
+            self.parameterAsInt(parameters, BARS, context),
+            self.parameterAsInt(parameters, REFERENCE_GROUP, context),
+            self.parameterAsDouble(parameters, REFERENCE_GRD, context),
+            self.parameterAsDouble(parameters, STEP, context),
+            self.parameterAsDouble(parameters, CRITERION, context),
+            self.parameterAsBool(parameters, REVERSED, context),
+        )
+
+    def _width(self, parameters: dict[str, Any], context: QgsProcessingContext) -> float:
+        width = self.parameterAsDouble(parameters, WIDTH, context)
+        if not 0 <= width <= thresholds.MAX_BAR_LINE_PX:
+            raise SettingsError(messages.BAR_WIDTH_OUT_OF_RANGE(width=width, most=thresholds.MAX_BAR_LINE_PX))
+        return float(width)
+
+    def _band(self, parameters: dict[str, Any], context: QgsProcessingContext, raster: Mosaic) -> int | None:
+        """Where the band stands among those that are measured; None for all."""
+        from ..core.rasters import band_index
+
+        number = self.parameterAsInt(parameters, BAND, context)
+        if number < 0:
+            count = len(raster.band_names)
+            raise RasterError(messages.BAND_NOT_THERE(name=raster.ref.name, band=number, count=count))
+        return None if number == 0 else band_index(raster.ref, number)
+
+    @staticmethod
+    def _number(
+        name: str, description: str, kind: QgsProcessingParameterNumber.Type, default: float, least: float | None = None
+    ) -> QgsProcessingParameterNumber:
+        number = QgsProcessingParameterNumber(name, description, kind, default)
+        if least is not None:
+            number.setMinimum(least)
+        if kind == _REAL:
+            number.setMetadata({"widget_wrapper": {"decimals": 6 if name == STEP else 2}})
+        return number

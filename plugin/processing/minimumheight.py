@@ -1,0 +1,135 @@
+"""``seaminspector:minimumheight``: the lowest flying height for a ground resolved distance."""
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    NULL,
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterNumber,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import sentence, tr
+from ..core import messages, thresholds
+from ..core.errors import SettingsError
+from .base import SeamInspectorAlgorithm
+
+OBSERVATIONS, REQUIRED_GRD, REFERENCE_HEIGHT = "OBSERVATIONS", "REQUIRED_GRD", "REFERENCE_HEIGHT"
+BY_HEIGHT, OUTPUT, HEIGHTS, GROUP_COUNT = "BY_HEIGHT", "OUTPUT", "HEIGHTS", "GROUP_COUNT"
+
+
+class MinimumHeight(SeamInspectorAlgorithm):
+    """Heights at which each pass over a target would just have kept to the required distance, and their mean."""
+
+    ID = "minimumheight"
+    NAME = QT_TRANSLATE_NOOP("@default", "Minimum flying height")
+    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
+    GROUP_ID = "Ground resolution"
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each "
+        "pass its height times the required distance over the one that was read, then the mean of each group of "
+        "passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2)."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        table = QgsProcessing.SourceType.TypeVector
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(OBSERVATIONS, tr("Observations"), [table]),
+            tr(
+                "One row per pass with the fields 'height' (metres above the target) and 'grd' (centimetres). Rows "
+                "that agree in 'sensor', 'image_type' and 'direction', as far as there are such fields, make a group."
+            ),
+        )
+        self.addDescribed(
+            self._positive(
+                REQUIRED_GRD, tr("Required distance (cm)"), thresholds.DEFAULT_REQUIRED_GRD_CM, optional=False
+            ),
+            tr("The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies."),
+        )
+        self.addDescribed(
+            self._positive(REFERENCE_HEIGHT, tr("Reference height (metres)"), None, optional=True),
+            tr("The minimum height that the results are compared with, if there is one."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterBoolean(BY_HEIGHT, tr("Keep flying heights apart"), False),
+            tr("Rows of different 'height' make groups of their own, as in tables 4A and 4B of the paper."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Minimum heights"), table),
+            tr("One row per group: count, mean and spread (metres), tolerance (%), and what to know about it."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                HEIGHTS, tr("Heights by pass"), table, optional=True, createByDefault=False
+            ),
+            tr("The observations that were used, each with its minimum height 'h_min'."),
+        )
+        self.addOutput(QgsProcessingOutputNumber(GROUP_COUNT, tr("Groups")))
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..core.resolution.height import check_heights
+
+        check_heights(*self._limits(parameters, context))
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters import heights, layers
+        from ..core.resolution.height import check_heights, minimum_heights
+
+        required, reference = self._limits(parameters, context)
+        check_heights(required, reference)
+        source = self.source(parameters, OBSERVATIONS, context)
+        names = source.fields().names()
+        heights.check_fields(names)
+        keys = heights.key_fields(names, self.parameterAsBool(parameters, BY_HEIGHT, context))
+        observations = []
+        for number, row in enumerate(layers.features(source), 1):
+            if feedback.isCanceled():
+                break
+            observation, fault = heights.observation(row, keys)
+            if fault is not None or observation is None:
+                feedback.pushWarning(sentence(messages.OBSERVATIONS_LEFT_OUT(row=number, why=fault)))
+            else:
+                observations.append(observation)
+        if not observations:
+            raise SettingsError(messages.NO_OBSERVATIONS())
+        results = minimum_heights(observations, required, reference)
+        layout = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
+        sink, destination = self.sink(parameters, OUTPUT, context, heights.height_fields(keys), *layout)
+        self.write(sink, (heights.height_feature(result, keys) for result in results))
+        passes, passes_id = self.optional_sink(parameters, HEIGHTS, context, heights.pass_fields(keys), *layout)
+        self.write(passes, (heights.pass_feature(one, keys, required) for one in observations))
+        for result in results:
+            name = ", ".join(result.key) or tr("all passes")
+            feedback.pushInfo(f"{name}: {result.mean_m:.1f} m")
+            if result.notice is not None:
+                feedback.pushWarning(f"{name}: {sentence(result.notice)}")
+        found = {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
+        return {name: value for name, value in found.items() if value is not None}
+
+    def _limits(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[float, float | None]:
+        """The required distance in cm, and the reference height in m where one is given."""
+        given = parameters.get(REFERENCE_HEIGHT)
+        has_reference = given is not None and given != "" and given != NULL
+        reference = self.parameterAsDouble(parameters, REFERENCE_HEIGHT, context) if has_reference else None
+        return self.parameterAsDouble(parameters, REQUIRED_GRD, context), reference
+
+    @staticmethod
+    def _positive(name: str, description: str, default: float | None, optional: bool) -> QgsProcessingParameterNumber:
+        number = QgsProcessingParameterNumber(
+            name, description, QgsProcessingParameterNumber.Type.Double, default, optional
+        )
+        number.setMetadata({"widget_wrapper": {"decimals": 2}})
+        return number

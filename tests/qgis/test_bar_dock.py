@@ -1,0 +1,251 @@
+"""The dock of bar groups and its map tool: draw, watch the profile, find the lines in the layer, leave nothing."""
+from __future__ import annotations
+
+import importlib
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsProject, QgsRasterLayer, QgsRectangle
+from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsRubberBand
+from qgis.PyQt.QtCore import QEvent, QPoint, Qt
+from qgis.PyQt.QtGui import QKeyEvent
+from qgis.PyQt.QtWidgets import QAction, QApplication
+from seam_inspector.plugin.adapters import bar_jobs
+from seam_inspector.plugin.gui.bar_dock import BarDock
+
+from tests.qgis.bar_scenes import COARSEST_CM, BarScene, bar_layer, make_bar_scene
+from tests.qgis.scenes import at, layer
+from tests.qgis.session_desk import settle, wait_for_tasks, wait_until
+
+LEFT, RIGHT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
+Place = tuple[float, float]
+
+
+class Operator:
+    """Mouse over a map of the target; places are columns and rows."""
+
+    def __init__(self, dock: BarDock, canvas: QgsMapCanvas, scene: BarScene) -> None:
+        self.dock, self.canvas, self.scene, self.tool = dock, canvas, scene, dock.tool
+
+    def event(self, kind: QEvent.Type, place: Place, button: Qt.MouseButton, held: Qt.MouseButton) -> QgsMapMouseEvent:
+        point = self.canvas.getCoordinateTransform().transform(QgsPointXY(*at(*place)))
+        return QgsMapMouseEvent(self.canvas, kind, QPoint(round(point.x()), round(point.y())), button, held)
+
+    def press(self, place: Place, button: Qt.MouseButton = LEFT) -> None:
+        self.tool.canvasPressEvent(self.event(QEvent.Type.MouseButtonPress, place, button, button))
+
+    def move(self, place: Place) -> None:
+        self.tool.canvasMoveEvent(self.event(QEvent.Type.MouseMove, place, NONE, LEFT))
+
+    def release(self, place: Place, button: Qt.MouseButton = LEFT) -> None:
+        self.tool.canvasReleaseEvent(self.event(QEvent.Type.MouseButtonRelease, place, button, NONE))
+
+    def draw(self, group: int, direction: str = "along") -> None:
+        start, end = self.ends(group, direction)
+        self.press(start)
+        self.move(end)
+        self.release(end)
+
+    def ends(self, group: int, direction: str = "along") -> tuple[Place, Place]:
+        ends = self.scene.groups[group, direction].line()
+        return ends[:2], ends[2:]
+
+    def rows(self) -> list[tuple[int, str]]:
+        lines = self.dock.line_layer()
+        return [] if lines is None else [(row["group"], row["direction"]) for row in lines.getFeatures()]
+
+    @property
+    def bands(self) -> list[QgsRubberBand]:
+        return [item for item in self.canvas.scene().items() if isinstance(item, QgsRubberBand)]
+
+
+@pytest.fixture
+def operator(
+    qgis_iface: QgisInterface, qgis_canvas: QgsMapCanvas, project: QgsProject, tmp_path: Path
+) -> Iterator[Operator]:
+    """The dock on a map of the target at four screen pixels a pixel."""
+    scene = make_bar_scene(tmp_path)
+    project.setPresetHomePath(str(tmp_path))
+    raster = QgsRasterLayer(scene.path, "target")
+    project.addMapLayer(raster)
+    canvas = qgis_iface.mapCanvas()
+    frame = 2 * canvas.frameWidth()
+    canvas.resize(4 * raster.width() + frame, 4 * raster.height() + frame)
+    canvas.grab()  # a canvas that is not shown learns of its size only when it is painted
+    canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:32633"))
+    canvas.setExtent(QgsRectangle(raster.extent()))
+    dock = BarDock(qgis_iface)
+    dock.image.setLayer(raster)
+    dock.reference_group.setValue(1)
+    dock.reference_grd.setValue(COARSEST_CM)
+    dock.draw.trigger()
+    yield Operator(dock, canvas, scene)
+    dock.close_desk()
+    wait_for_tasks()
+    dock.deleteLater()
+    settle()
+
+
+def test_a_drawn_line_goes_into_a_layer_of_its_own_and_the_next_group_is_taken(operator: Operator) -> None:
+    operator.draw(1)
+    operator.draw(2)
+    assert operator.rows() == [(1, "along"), (2, "along")]
+    assert operator.dock.group.value() == 3
+    lines = operator.dock.line_layer()
+    assert lines is not None
+    assert lines.isEditable()
+    assert Path(lines.source().split("|")[0]).name == "bar_groups.gpkg"
+    lines.undoStack().undo()
+    assert operator.rows() == [(1, "along")]
+    assert lines.commitChanges()
+
+
+def test_the_profile_is_shown_while_the_line_moves(operator: Operator) -> None:
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    wait_until(lambda: operator.dock.results, "for the profile")
+    assert operator.dock.profile.bands_shown == 3
+    assert all(len(result.reading.bars) == 3 for result in operator.dock.results if result.reading is not None)
+    assert "resolved" in operator.dock.verdict.text()
+    assert operator.rows() == []
+    assert [band.isVisible() for band in operator.bands] == [True]
+
+
+def test_pixels_are_read_in_the_background_and_the_last_line_wins(
+    operator: Operator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    threads, measured = set(), []
+    genuine = bar_jobs.measure_line
+
+    def measure(raster, line, bars, width):  # type: ignore[no-untyped-def]
+        threads.add(threading.current_thread())
+        measured.append(line.segment)
+        return genuine(raster, line, bars, width)
+
+    monkeypatch.setattr(bar_jobs, "measure_line", measure)
+    start, end = operator.ends(1)
+    operator.press(start)
+    for step in range(40):
+        operator.move((end[0] - 40 + step, end[1]))
+    operator.move(end)
+    wait_for_tasks()
+    wait_until(lambda: not operator.dock._background.is_under_way("bar group"))
+    wait_for_tasks()
+    assert threading.main_thread() not in threads
+    assert len(measured) < 20  # those that came too fast are left out
+    assert measured[-1].end[0] == pytest.approx(end[0], abs=0.3)
+    assert "resolved" in operator.dock.verdict.text()
+
+
+def test_two_clicks_draw_as_well_as_a_drag(operator: Operator) -> None:
+    start, end = operator.ends(2)
+    operator.press(start)
+    operator.release(start)
+    operator.move(end)
+    operator.press(end)
+    operator.release(end)
+    assert operator.rows() == [(1, "along")]
+    lines = operator.dock.line_layer()
+    assert lines is not None
+    (row,) = lines.getFeatures()
+    drawn = row.geometry().asPolyline()
+    assert drawn[0].distance(QgsPointXY(*at(*start))) < 0.03
+    assert drawn[1].distance(QgsPointXY(*at(*end))) < 0.03
+
+
+def test_a_typed_group_and_the_other_direction(operator: Operator) -> None:
+    operator.dock.lines.setLayer(None)
+    existing = bar_layer([operator.scene.geometry(4, "across")], [4], ["across"])
+    QgsProject.instance().addMapLayer(existing)
+    operator.dock.lines.setLayer(existing)
+    operator.dock.group.setValue(2)
+    operator.draw(2)
+    operator.dock.direction.setCurrentIndex(1)
+    assert operator.dock.group.value() == 5  # the one after the last across the flight
+    operator.draw(5, "across")
+    assert sorted(operator.rows()) == [(2, "along"), (4, "across"), (5, "across")]
+    existing.rollBack()
+
+
+def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
+    operator.press((5, 3))
+    operator.move((25, 3))
+    wait_until(lambda: "No bars stand out" in operator.dock.verdict.text())
+    operator.move((7, 3))
+    wait_until(lambda: "px long" in operator.dock.verdict.text())
+    assert operator.dock.profile.bands_shown == 0
+
+
+def test_a_layer_without_the_fields_is_told(operator: Operator, qgis_iface: QgisInterface,
+                                            monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[str] = []
+    monkeypatch.setattr(qgis_iface.messageBar(), "pushMessage", lambda _title, text, *_rest: told.append(text))
+    other = layer("LineString", [])
+    QgsProject.instance().addMapLayer(other)
+    operator.dock.lines.setLayer(other)
+    operator.draw(1)
+    assert told == ["The layer has no field 'group'; add it and fill it in."]
+    assert operator.rows() == []
+
+
+def test_escape_and_the_right_button(operator: Operator) -> None:
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    operator.canvas.keyPressed.emit(QKeyEvent(QEvent.Type.KeyPress, Qt.Key.Key_Escape, Qt.KeyboardModifier.NoModifier))
+    assert not operator.tool.is_drawing
+    operator.release(end)
+    assert operator.rows() == []
+    operator.press(start)
+    operator.release(end, RIGHT)
+    assert not operator.tool.is_drawing
+    assert operator.dock.draw.isChecked()
+    operator.release(end, RIGHT)
+    assert not operator.dock.draw.isChecked()
+
+
+def test_the_previous_tool_comes_back_and_nothing_stays(operator: Operator) -> None:
+    canvas = operator.canvas
+    operator.dock.draw.trigger()
+    items = len(canvas.scene().items())
+    previous = QgsMapTool(canvas)
+    canvas.setMapTool(previous)
+    for _ in range(3):
+        operator.dock.draw.trigger()
+        start, end = operator.ends(1)
+        operator.press(start)
+        operator.move(end)
+        operator.dock.draw.trigger()
+        assert canvas.mapTool() is previous
+        assert len(canvas.scene().items()) == items
+    canvas.unsetMapTool(previous)
+
+
+def test_an_image_that_vanishes(operator: Operator) -> None:
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    QgsProject.instance().removeMapLayer(operator.dock.image.currentLayer().id())
+    QApplication.processEvents()
+    operator.move(end)
+    operator.release(end)
+    wait_for_tasks()
+    assert not operator.dock.draw.isEnabled()
+    assert operator.rows() == []
+
+
+def test_the_plugin_shows_the_dock_and_takes_it_along(qgis_iface: QgisInterface, project: QgsProject) -> None:
+    plugin = importlib.import_module("seam_inspector").classFactory(qgis_iface)
+    window = qgis_iface.mainWindow()
+    for _ in range(2):
+        plugin.initGui()
+        action = window.findChild(QAction, "seamInspectorBarAction")
+        action.trigger()
+        assert window.findChildren(BarDock)
+        plugin.unload()
+        settle()
+        assert not window.findChildren(BarDock)
+        assert window.findChild(QAction, "seamInspectorBarAction") is None
