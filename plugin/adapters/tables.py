@@ -14,7 +14,7 @@ from .text import sentence
 
 def window_fields(levels: int) -> QgsFields:
     """OUTPUT: one polygon per window, as measured."""
-    return _fields(
+    return make_fields(
         ("window_id", "integer"),
         ("verdict", "text"),
         ("reason", "text"),
@@ -27,7 +27,7 @@ def window_fields(levels: int) -> QgsFields:
 
 def curve_fields() -> QgsFields:
     """CURVES: one row per window, raster, band and component."""
-    return _fields(
+    return make_fields(
         ("window_id", "integer"),
         ("raster", "text"),
         ("role", "text"),
@@ -41,7 +41,7 @@ def curve_fields() -> QgsFields:
 
 def pair_fields(levels: int) -> QgsFields:
     """PAIRS: one row per window, source and band."""
-    return _fields(
+    return make_fields(
         ("window_id", "integer"),
         ("source", "text"),
         ("band", "text"),
@@ -55,7 +55,7 @@ def pair_fields(levels: int) -> QgsFields:
 
 def placed_fields() -> QgsFields:
     """The windows of ``placewindows``."""
-    return _fields(("window_id", "integer"), ("seam_id", "integer"), ("station", "real"))
+    return make_fields(("window_id", "integer"), ("seam_id", "integer"), ("station", "real"))
 
 
 def placed_feature(placed: PlacedWindow, geometry: QgsGeometry) -> QgsFeature:
@@ -129,7 +129,8 @@ def _ratio_fields(levels: int) -> list[tuple[str, str]]:
     return [(f"ratio_{level}", "real") for level in range(1, levels + 1)]
 
 
-def _fields(*columns: tuple[str, str]) -> QgsFields:
+def make_fields(*columns: tuple[str, str]) -> QgsFields:
+    """Fields by name and kind (``integer``, ``real`` or ``text``)."""
     fields = QgsFields()
     for name, kind in columns:
         fields.append(field(name, kind))

@@ -37,3 +37,7 @@ class SeamlineError(SeamInspectorError):
 
 class WindowLayerError(SeamInspectorError):
     """The window layer can't be made or edited."""
+
+
+class PhotoError(SeamInspectorError):
+    """A photo, its calibration or its marks from which no interior orientation can be had."""

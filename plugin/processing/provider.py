@@ -5,10 +5,13 @@ from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.resources import icon_path, model_paths
+from .comparemarks import CompareMarks
+from .enhancephoto import EnhancePhoto
 from .inspectwindows import InspectWindows
+from .interiororientation import InteriorOrientation
 from .placewindows import PlaceWindows
 
-ALGORITHMS = (PlaceWindows, InspectWindows)
+ALGORITHMS = (PlaceWindows, InspectWindows, InteriorOrientation, CompareMarks, EnhancePhoto)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):
