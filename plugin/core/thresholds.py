@@ -90,6 +90,7 @@ MIN_FRAME_MM = 24.0  # the short side of 35 mm film, the smallest frame; 23 cm g
 MAX_FRAME_MM = 1000.0  # no frame is that long; 23 cm given in micrometres is far above it
 MIN_MARK_DISTANCE = 0.01  # of the frame: nearer ones are one mark with two names
 SAME_PLACE = 0.02  # of the frame: marks of a square differ from it by far less
+MIN_TELLING_MISFIT_MM = 0.03  # rms: twice what film and scanner leave on UNBC's photo
 RESIDUALS_TELL = 0.5  # of the next best way to lie
 STRIP_TELLS = 1.5  # the strip's margin against the next widest one
 DOTS_TELL = 2.5  # the side with the dots against the next: UNBC 4 to 6

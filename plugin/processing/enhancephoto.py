@@ -32,8 +32,8 @@ class EnhancePhoto(SeamInspectorAlgorithm):
     GROUP, GROUP_ID = InteriorOrientation.GROUP, InteriorOrientation.GROUP_ID
     HELP = QT_TRANSLATE_NOOP(
         "@default",
-        "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against "
-        "grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map "
+        "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "
+        "against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map "
         "and invalid pixels are kept. Marks are measured on the photo itself, not on this copy."
     )
     RASTER_LISTS = ()

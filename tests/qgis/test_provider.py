@@ -27,7 +27,12 @@ from qgis.PyQt.QtCore import QSize
 from tests.qgis.runs import Log, Run, algorithm, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, pixel_box, windows
 
-IDS = {f"seaminspector:{name}" for name in ("placewindows", "inspectwindows", "inspect_mosaic")}
+GROUPS = {
+    "Seam inspection": ("placewindows", "inspectwindows", "inspect_mosaic"),
+    "Interior orientation of photos": ("interiororientation", "comparemarks", "enhancephoto"),
+}
+NAMES = [name for names in GROUPS.values() for name in names]
+IDS = {f"seaminspector:{name}" for name in NAMES}
 VERDICTS = ["significant", "reduced", "preserved", "not_comparable"]
 SEAM = ((200, 0), (300, 256))
 
@@ -47,23 +52,16 @@ def test_what_the_provider_offers(provider: QgsProcessingProvider) -> None:
 
 
 def test_every_algorithm_says_what_it_does(provider: QgsProcessingProvider) -> None:
-    assert len({one.groupId() for one in provider.algorithms()}) == 1  # else the toolbox shows the group twice
+    assert len({one.groupId() for one in provider.algorithms()}) == len(GROUPS)  # else the toolbox shows one twice
     for one in provider.algorithms():
-        assert one.group() == "Seam inspection"
+        assert one.name() in GROUPS[one.group()]
         assert one.displayName()
         assert len(one.shortHelpString()) > 80
         assert one.canExecute() == (True, "")
         assert one.create().id() == one.id()
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "placewindows",
-        "inspectwindows",
-        "inspect_mosaic",
-    ],
-)
+@pytest.mark.parametrize("name", NAMES)
 def test_every_parameter_has_help(provider: QgsProcessingProvider, name: str) -> None:
     definitions = provider.algorithm(name).parameterDefinitions()
     assert [definition.name() for definition in definitions if not definition.help()] == []
@@ -105,14 +103,14 @@ def test_start_up_imports_nothing_heavy(repository: Path, tmp_path: Path) -> Non
     heavy = {"pywt", "scipy", "matplotlib", "distributed", "dask", "numpy"}
     after = "print(len(registry.providerById('seaminspector').algorithms()), "
     after += f"sorted({heavy} & (set(sys.modules) - qgis_own)))"
-    assert in_a_new_qgis(repository, tmp_path, "", after) == "3 []"
+    assert in_a_new_qgis(repository, tmp_path, "", after) == f"{len(NAMES)} []"
 
 
 def test_without_pywavelets_it_loads_and_explains(repository: Path, tmp_path: Path) -> None:
     after = "print(len(registry.providerById('seaminspector').algorithms()), *registry.createAlgorithmById("
     after += "'seaminspector:inspectwindows').canExecute(), sep='|')"
     count, can, sentence = in_a_new_qgis(repository, tmp_path, "sys.modules['pywt'] = None", after).split("|")
-    assert (count, can) == ("3", "False")
+    assert (count, can) == (str(len(NAMES)), "False")
     assert_sentence(sentence, "PyWavelets")
 
 

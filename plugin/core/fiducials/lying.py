@@ -147,7 +147,9 @@ def by_residuals(
         source, target = np.array([a for a, _ in pairs]), np.array([b for _, b in pairs])
         misfits.append(float(np.sqrt(np.mean((fit(model, source, target)(source) - target) ** 2))))
     order = np.argsort(misfits)
-    if len(order) < 2 or misfits[order[0]] >= thresholds.RESIDUALS_TELL * misfits[order[1]]:
+    if len(order) < 2 or misfits[order[1]] < thresholds.MIN_TELLING_MISFIT_MM:
+        return []
+    if misfits[order[0]] >= thresholds.RESIDUALS_TELL * misfits[order[1]]:
         return []
     return [candidates[order[0]]]
 

@@ -276,7 +276,8 @@ def _candidates(field: np.ndarray, pattern: Pattern, view: View, area: Area) -> 
 def arrange(frame: Frame, candidates: Sequence[Sequence[Peak]], reach: float) -> Arrangement | None:
     """The candidates that fit best together, the more marks the better; None for fewer than three (or all, of two).
 
-    A single mark's best candidate is taken as it is. Every pair of candidates of two marks gives a shift, a rotation and a scale, which say where the others are.
+    A single mark's best candidate is taken as it is. Every pair of candidates of two marks gives a shift, a rotation
+    and a scale, which say where the others are.
     """
     count = len(frame.marks)
     if count == 1:

@@ -197,7 +197,7 @@ def cut_out(pixels: np.ndarray) -> CutOut:
     if np.ptp(pixels) == 0:
         raise PhotoError(messages.TEMPLATE_EMPTY())
     middle = columns / 2, rows / 2
-    reach = (rows // 6, columns // 6)
+    reach = (rows // 4, columns // 4)
     inner = pixels[reach[0] : rows - reach[0], reach[1] : columns - reach[1]]
     alike = correlate(pixels[::-1, ::-1], inner)
     row, column = peak_pixel(alike)
