@@ -41,3 +41,7 @@ class WindowLayerError(SeamInspectorError):
 
 class BarLineError(SeamInspectorError):
     """A line across the bars of a target can't be measured."""
+
+
+class PhotoError(SeamInspectorError):
+    """A photo, its calibration or its marks from which no interior orientation can be had."""

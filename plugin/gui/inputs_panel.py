@@ -36,7 +36,7 @@ class InputsPanel(QWidget):
         self._had_mosaic = False
         self._is_wide: bool | None = None
         self._is_closed = False
-        self._make_fields()
+        self._table_fields()
         self._lay_out()
         session.inputsChanged.connect(self.refresh)
         QgsProject.instance().layersAdded.connect(self._take_layers)
@@ -191,7 +191,7 @@ class InputsPanel(QWidget):
         self.side_px.setText(text)
         self.side_px.setToolTip(tip)
 
-    def _make_fields(self) -> None:
+    def _table_fields(self) -> None:
         self.box = SummaryBox(self)
         self.mosaic = LayerBox(_Filter.RasterLayer, tr("choose the mosaic"), self.box)
         self.mosaic.only_files()

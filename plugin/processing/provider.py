@@ -8,7 +8,10 @@ from ..adapters.resources import icon_path, model_paths
 from .calibratethreshold import CalibrateThreshold
 from .checknoise import CheckNoise
 from .checkradiometry import CheckRadiometry
+from .comparemarks import CompareMarks
+from .enhancephoto import EnhancePhoto
 from .inspectwindows import InspectWindows
+from .interiororientation import InteriorOrientation
 from .measureresolution import MeasureResolution
 from .minimumheight import MinimumHeight
 from .placewindows import PlaceWindows
@@ -27,6 +30,9 @@ ALGORITHMS = (
     MeasureResolution,
     MinimumHeight,
     SimulateBayer,
+    InteriorOrientation,
+    CompareMarks,
+    EnhancePhoto,
 )
 
 

@@ -165,3 +165,15 @@ def read_pixels(path: str, column: int, row: int, width: int, height: int) -> np
     """Pixels by GDAL alone, (bands, rows, columns)."""
     dataset = gdal.Open(path)
     return np.asarray(dataset.ReadAsArray(column, row, width, height)).reshape(-1, height, width)
+
+
+def write_plain(path: Path, array: np.ndarray, options: Sequence[str] = ()) -> str:
+    """A picture without a place on the map, (rows, columns) or (bands, rows, columns), in the format of its ending."""
+    bands = array[np.newaxis] if array.ndim == 2 else array
+    memory = gdal.GetDriverByName("MEM").Create(
+        "", bands.shape[2], bands.shape[1], len(bands), gdal_array.NumericTypeCodeToGDALTypeCode(bands.dtype.type)
+    )
+    memory.WriteArray(bands)
+    driver = {".bmp": "BMP", ".png": "PNG", ".jpg": "JPEG"}.get(path.suffix, "GTiff")
+    gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=list(options))
+    return str(path)

@@ -1,0 +1,113 @@
+"""``seaminspector:comparemarks``: two measurements of the same marks against each other."""
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterNumber,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import sentence, tr
+from ..core import messages
+from .base import SeamInspectorAlgorithm
+from .interiororientation import InteriorOrientation
+
+FIRST, SECOND, PIXEL_SIZE, OUTPUT, DIFFERENCES = "FIRST", "SECOND", "PIXEL_SIZE", "OUTPUT", "DIFFERENCES"
+STATISTICS = ("COUNT", "MEAN", "STANDARD_DEVIATION", "MAXIMUM", "MINIMUM")
+
+
+class CompareMarks(SeamInspectorAlgorithm):
+    """The distances between two operators' or programs' marks."""
+
+    ID = "comparemarks"
+    NAME = QT_TRANSLATE_NOOP("@default", "Compare marks")
+    GROUP, GROUP_ID = InteriorOrientation.GROUP, InteriorOrientation.GROUP_ID
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the "
+        "distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do. Two operators differed "
+        "there by 0.25 px."
+    )
+    RASTER_LISTS = ()
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        kinds, table = [QgsProcessing.SourceType.TypeVector], QgsProcessing.SourceType.TypeVector
+        described = tr(
+            "Marks with the field 'mark', and 'photo' (or 'layer', as merged layers have) where there are several "
+            "photos. Places are the fields column and row, or the points themselves."
+        )
+        for name, title in ((FIRST, tr("First measurement")), (SECOND, tr("Second measurement"))):
+            self.addDescribed(QgsProcessingParameterFeatureSource(name, title, kinds), described)
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                PIXEL_SIZE, tr("Pixel size (um)"), QgsProcessingParameterNumber.Type.Double, optional=True,
+                minValue=0.001,
+            ),
+            tr("Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Statistics"), table),
+            tr("Count, mean, standard deviation, maximum and minimum of the distances, a row for each unit."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                DIFFERENCES, tr("Differences"), table, optional=True, createByDefault=False
+            ),
+            tr("The difference of each mark, the second measurement less the first, in pixels."),
+        )
+        for unit in ("PX", "UM"):
+            for name in STATISTICS[1:]:
+                self.addOutput(QgsProcessingOutputNumber(f"{name}_{unit}", f"{name} {unit}".lower().replace("_", " ")))
+        self.addOutput(QgsProcessingOutputNumber(STATISTICS[0], tr("Marks in both layers")))
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters import layers, marks, tables
+        from ..core.fiducials import comparison
+
+        measured = []
+        for name in (FIRST, SECOND):
+            source = self.source(parameters, name, context)
+            measured.append(marks.measured(layers.features(source), source.fields().names(), source.sourceName()))
+        found = comparison.differences(*measured)
+        size = self.parameterAsDouble(parameters, PIXEL_SIZE, context) if parameters.get(PIXEL_SIZE) else None
+        size = size or comparison.pixel_size(measured[0]) or comparison.pixel_size(measured[1])
+        made = {"px": comparison.statistics(found)}
+        if size is None:
+            feedback.pushWarning(sentence(messages.PIXEL_SIZE_UNKNOWN()))
+        else:
+            made["um"] = made["px"].scaled(size)
+        layout = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
+        sink, destination = self.sink(parameters, OUTPUT, context, marks.statistics_fields(), *layout)
+        self.write(sink, [marks.statistics_feature(unit, one) for unit, one in made.items()])
+        fields = marks.difference_fields()
+        rows, rows_id = self.optional_sink(parameters, DIFFERENCES, context, fields, *layout)
+        self.write(
+            rows,
+            (tables.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance]) for one in found),
+        )
+        results: dict[str, Any] = {OUTPUT: destination, "COUNT": len(found)}
+        if rows_id is not None:
+            results[DIFFERENCES] = rows_id
+        for unit, one in made.items():
+            values = (one.mean, one.standard_deviation, one.maximum, one.minimum)
+            results.update({
+                f"{name}_{unit.upper()}": value for name, value in zip(STATISTICS[1:], values) if not math.isnan(value)
+            })
+            feedback.pushInfo(
+                tr("{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.").format(
+                    count=one.count, mean=one.mean, maximum=one.maximum, minimum=one.minimum, unit=unit
+                )
+            )
+        return results

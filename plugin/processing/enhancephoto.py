@@ -1,0 +1,89 @@
+"""``seaminspector:enhancephoto``: negative, grey and simple filters of a photo."""
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterRasterLayer,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import tr
+from ..core import messages, thresholds
+from ..core.errors import PhotoError
+from . import parameters as common
+from .base import SeamInspectorAlgorithm
+from .interiororientation import InteriorOrientation
+
+PHOTO, OPERATION, SIZE, OUTPUT = "PHOTO", "OPERATION", "SIZE", "OUTPUT"
+OPERATIONS = ("negative", "grey", "mean", "gaussian", "laplace", "sobel")
+
+
+class EnhancePhoto(SeamInspectorAlgorithm):
+    """One operation on every pixel of a photo, whose place on the map is kept."""
+
+    ID = "enhancephoto"
+    NAME = QT_TRANSLATE_NOOP("@default", "Enhance photo")
+    GROUP, GROUP_ID = InteriorOrientation.GROUP, InteriorOrientation.GROUP_ID
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "
+        "against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map "
+        "and invalid pixels are kept. Marks are measured on the photo itself, not on this copy."
+    )
+    RASTER_LISTS = ()
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")), tr("Any raster that GDAL reads.")
+        )
+        self.addDescribed(
+            QgsProcessingParameterEnum(
+                OPERATION, tr("Operation"), list(OPERATIONS), defaultValue=OPERATIONS[0], usesStaticStrings=True
+            ),
+            tr(
+                "negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel "
+                "(length of the gradient) are floating point."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                SIZE, tr("Size (px)"), QgsProcessingParameterNumber.Type.Double, thresholds.DEFAULT_FILTER_PX,
+            ),
+            tr("Side of the mean's square (odd), or standard deviation of the Gaussian; of no meaning to the others."),
+        )
+        self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..core.rasters import Photo
+
+        Photo(self._ref(parameters, context))
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._photo = self._ref(parameters, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..core.enhancing import Operation, enhance
+
+        path = self.parameterAsOutputLayer(parameters, OUTPUT, context)
+        operation = Operation(self.parameterAsEnumString(parameters, OPERATION, context))
+        size = self.parameterAsDouble(parameters, SIZE, context)
+        enhance(
+            self._photo, path, operation, size, feedback.isCanceled, lambda share: feedback.setProgress(100 * share)
+        )
+        return {OUTPUT: path}
+
+    def _ref(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Any:
+        from ..adapters.layers import raster_ref
+
+        value = common.raster_value(parameters, PHOTO, context)
+        if value is None or value == "":
+            raise PhotoError(messages.NOT_A_RASTER_LAYER(name=PHOTO))
+        return raster_ref(value, context)

@@ -1,0 +1,177 @@
+"""Whole photos: made ones of every kind of mark, in every way to lie, and the real ones."""
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.core.errors import PhotoError
+from seam_inspector.plugin.core.fiducials.calibration import Calibration, read_calibration
+from seam_inspector.plugin.core.fiducials.interior import orient
+from seam_inspector.plugin.core.fiducials.lying import LYINGS, Evidence, Lying
+from seam_inspector.plugin.core.fiducials.results import Orientation, Position, Settings, Status
+from seam_inspector.plugin.core.fiducials.templates import chosen_shapes
+from seam_inspector.plugin.core.rasters import Photo, RasterRef
+
+from tests.core.photos import CAMERA, Frame, Look, Place, make_frame
+from tests.core.synthetic import write_plain
+
+SIDES = {"1": (110.0, 0.0), "2": (0.0, -110.0), "3": (-110.0, 0.0), "4": (0.0, 110.0)}
+
+
+def measured(
+    pixels: np.ndarray, folder: Path, camera: Mapping[str, Place] = CAMERA, settings: Settings | None = None,
+    positions: Mapping[str, Position] | None = None,
+) -> Orientation:
+    photo = Photo(RasterRef(write_plain(folder / "photo.tif", pixels)))
+    return orient(photo, Calibration(camera), positions or {}, settings or Settings())
+
+
+def errors(made: Orientation, frame: Frame) -> list[float]:
+    """Distances of the measured marks from the truth, by their names, px."""
+    return [math.dist(mark.place, frame.places[mark.name]) for mark in made.marks if mark.place is not None]
+
+
+def frame_of(number: int, strong: bool) -> tuple[Look, Mapping[str, Place], Frame]:
+    """One of the made photos: all that may vary does, from its number."""
+    random = np.random.default_rng(number)
+    kinds = (
+        ("ring with cross", True, True, 1.4), ("ring with cross", False, False, 1.0), ("cross", False, False, 1.0),
+        ("cross", True, False, 1.0), ("cross", False, True, 1.0), ("ring with dot", False, False, 1.0),
+        ("dot", False, False, 1.0), ("wedge", True, False, 1.0), ("wedge", False, False, 1.0),
+    )
+    kind, diagonal, interrupted, reach = kinds[number % len(kinds)]
+    size = random.uniform(12, 24) if kind == "dot" else random.uniform(22, 32)
+    look = Look(
+        kind, size, max(2.2, size * random.uniform(0.07, 0.12)), diagonal, interrupted, reach, random.uniform(0.5, 1.4),
+        grain=0.25 if strong else 0.02, gradient=random.uniform(0, 0.4), scratches=int(random.integers(0, 2)),
+        negative=bool(random.random() < 0.4), dots=kind != "wedge",
+    )
+    camera = SIDES if kind == "wedge" and not diagonal else CAMERA
+    frame = make_frame(
+        look, camera, 560, random.uniform(0.8, 0.86), random.uniform(-3, 3), tuple(random.uniform(-8, 8, 2)), number
+    )
+    return look, camera, frame
+
+
+@pytest.mark.parametrize("strong", [False, True], ids=["little grain", "strong grain"])
+def test_every_kind_of_mark_is_measured(tmp_path: Path, strong: bool) -> None:
+    """Nobody says what marks there are or where; what is called measured is never more than a pixel off."""
+    found: list[float] = []
+    for number in range(9):
+        look, camera, frame = frame_of(number, strong)
+        made = measured(frame.pixels, tmp_path, camera)
+        truth = list(frame.places.values())
+        off = [min(math.dist(mark.place, place) for place in truth) for mark in made.marks if mark.place is not None]
+        assert max(off) < 1, look
+        assert len(off) >= 3, look
+        found += off
+    assert len(found) >= 34
+    assert np.mean(found) <= (0.15 if strong else 0.05)
+
+
+@pytest.mark.parametrize("lying", LYINGS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+def test_the_numbers_tell_how_a_photo_lies(tmp_path: Path, lying: Lying) -> None:
+    frame = make_frame(Look(dots=True, diagonal=True, interrupted=True, contrast=40), side=640, seed=11, rotation=-0.8)
+    pixels, places = laid(frame, lying)
+    settings = Settings(shapes=chosen_shapes("ring with cross", True, None))
+    made = measured(pixels, tmp_path, settings=settings)
+    assert (made.lying, made.evidence) == (lying, Evidence.DOTS)
+    assert max(errors(made, Frame(pixels, places))) < 0.1
+
+
+def laid(frame: Frame, lying: Lying) -> tuple[np.ndarray, Mapping[str, Place]]:
+    """A photo as it lies in another way, by numpy alone."""
+    pixels, side = frame.pixels, frame.pixels.shape[0]
+    places = dict(frame.places)
+    if lying.mirrored:
+        pixels = pixels[:, ::-1]
+        places = {name: (side - x, y) for name, (x, y) in places.items()}
+    for _ in range(lying.turned // 90):
+        pixels = np.rot90(pixels, -1)
+        places = {name: (side - y, x) for name, (x, y) in places.items()}
+    return np.ascontiguousarray(pixels), places
+
+
+def test_a_mark_under_a_blot_fails_and_the_others_are_measured(tmp_path: Path) -> None:
+    frame = make_frame(Look(dots=True, diagonal=True), side=640, seed=12)
+    column, row = (int(value) for value in frame.places["3"])
+    pixels = frame.pixels.copy()
+    pixels[row - 30 : row + 30, column - 30 : column + 30] = 200
+    made = measured(pixels, tmp_path, settings=Settings(shapes=chosen_shapes("ring with cross", None, None)))
+    assert [mark.status.value for mark in made.marks] == ["measured", "measured", "failed", "measured"]
+    assert made.marks[2].reason is not None
+    assert max(errors(made, frame)) < 0.1
+
+
+def test_a_picture_without_marks_is_refused(tmp_path: Path) -> None:
+    frame = make_frame(Look(contrast=0.0, grain=2.0), side=500, seed=13)
+    with pytest.raises(PhotoError, match="No mark was found"):
+        measured(frame.pixels, tmp_path)
+
+
+def test_bits_and_colours_do_not_matter(tmp_path: Path) -> None:
+    frame = make_frame(Look(dots=True, diagonal=True), side=500, seed=14)
+    settings = Settings(shapes=chosen_shapes("ring with cross", True, None))
+    grey = frame.pixels
+    for pixels in (
+        grey.astype(np.uint16) * 16, np.stack([grey, grey, grey]), np.stack([grey, grey // 2, 255 - grey]),
+        grey.astype(np.float32) / 255,
+    ):
+        assert max(errors(measured(pixels, tmp_path, settings=settings), frame)) < 0.15
+    bit = write_plain(tmp_path / "bit.tif", (grey > 72).astype(np.uint8), ["NBITS=1"])
+    assert gdal.Open(bit).GetRasterBand(1).GetMetadataItem("NBITS", "IMAGE_STRUCTURE") == "1"
+    assert max(errors(orient(Photo(RasterRef(bit)), Calibration(CAMERA), {}, settings), frame)) < 0.5
+
+
+# --- real photos -----------------------------------------------------------------------------------------------
+
+UNBC = "15BCC02013_114.jpg"
+
+
+@pytest.fixture(scope="module")
+def unbc(data_folder: Path) -> Path:
+    return data_folder / "fiducials" / "unbc"
+
+
+def test_a_whole_scanned_frame(unbc: Path) -> None:
+    """No positions, no kind of mark given. The published places were set by hand: one is visibly 0.9 px off the mark."""
+    calibration = read_calibration(unbc / "MeasuresCamera.xml")
+    published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
+    started = time.process_time()
+    made = orient(Photo(RasterRef(str(unbc / UNBC))), calibration, {}, Settings())
+    assert time.process_time() - started < 5
+    assert [mark.status for mark in made.marks] == [Status.MEASURED] * 4
+    assert (made.lying, made.evidence) == (Lying(0, False), Evidence.DOTS)
+    distances = [math.dist(mark.place, published[mark.name]) for mark in made.marks if mark.place]
+    assert np.mean(distances) < 0.62
+    assert made.fitted is not None
+    assert (made.fitted.rms_x, made.fitted.rms_y) < (14, 14.5)
+    assert min(mark.correlation or 0 for mark in made.marks) > 0.9
+
+
+def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:
+    calibration = read_calibration(unbc / "MeasuresCamera.xml")
+    turned = np.ascontiguousarray(np.rot90(Photo(RasterRef(str(unbc / UNBC))).grey().astype(np.uint8)[:, ::-1], -1))
+    made = orient(Photo(RasterRef(write_plain(tmp_path / "turned.tif", turned))), calibration, {}, Settings())
+    assert (made.lying, made.evidence) == (Lying(90, True), Evidence.DOTS)
+    assert made.count(Status.MEASURED) == 4
+
+
+@pytest.mark.parametrize(("strip", "place"), [("T", (894, 290)), ("L", (287, 895)), ("B", (894, 170)), ("R", (159, 894))])
+def test_a_mark_in_every_strip(data_folder: Path, strip: str, place: Place) -> None:
+    """Seen by eye, to the pixel. Without a position the strip does not tell which mark it has, and it says so."""
+    photo = Photo(RasterRef(str(data_folder / "fiducials" / "hipp" / "arc" / f"{strip}.jpg")))
+    camera = Calibration({"T": (0.0, 110.0), "R": (110.0, 0.0), "B": (0.0, -110.0), "L": (-110.0, 0.0)})
+    made = orient(photo, camera, {strip: Position((place[0] + 15, place[1] - 12))}, Settings())
+    (mark,) = (mark for mark in made.marks if mark.name == strip)
+    assert mark.place is not None
+    assert math.dist(mark.place, (place[0] + 0.5, place[1] + 0.5)) < 1.2
+    assert all(other.reason is not None for other in made.marks if other.name != strip)
+    assert made.fitted is None
+    with pytest.raises(PhotoError, match="No mark was found"):
+        orient(photo, camera, {}, Settings(shapes=chosen_shapes("cross", False, None)))
