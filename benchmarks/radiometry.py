@@ -1,6 +1,7 @@
 """The statistics of whole rasters against the bare GDAL read of all their pixels."""
 from __future__ import annotations
 
+import tempfile
 from functools import partial
 from pathlib import Path
 
@@ -11,15 +12,31 @@ from seam_inspector.plugin.core.radiometry.rules import default_rules
 from seam_inspector.plugin.core.radiometry.statistics import stream
 from seam_inspector.plugin.core.rasters import Pixels, RasterRef
 
-from .ground import COMPRESSED, FORMATS, Ground
+from .ground import COMPRESSED, FORMATS, TILES, Ground
 from .timing import Goal, interleaved, print_table
 
 MOST_OF_BARE_READ = 1.5
+TIMES = 3
 
 
-def bare_read(path: Path) -> np.ndarray:
-    """All pixels by GDAL alone; the dataset is opened and closed, so no block is in the cache."""
-    return gdal.Open(str(path)).ReadAsArray()
+def large_rasters(ground: Ground, folder: Path) -> dict[str, Path]:
+    """The mosaic three times side by side and three times below, 44 million pixels, in every format."""
+    pixels = np.tile(ground.pixels(), (1, TIMES, TIMES))
+    memory = gdal.GetDriverByName("MEM").Create("", pixels.shape[2], pixels.shape[1], len(pixels), gdal.GDT_Byte)
+    memory.WriteArray(pixels)
+    paths = {}
+    for tile_format, options in FORMATS.items():
+        paths[tile_format] = folder / f"large_{tile_format.replace(' ', '_').lower()}.tif"
+        gdal.Translate(str(paths[tile_format]), memory, creationOptions=TILES + options)
+    return paths
+
+
+def bare_read(path: Path) -> None:
+    """All pixels by GDAL alone, tile row by tile row, so that memory is flat; the cache is empty as it is new."""
+    dataset = gdal.Open(str(path))
+    height = dataset.GetRasterBand(1).GetBlockSize()[1]
+    for top in range(0, dataset.RasterYSize, height):
+        dataset.ReadAsArray(0, top, dataset.RasterXSize, min(height, dataset.RasterYSize - top))
 
 
 def histograms(path: Path) -> object:
@@ -37,11 +54,14 @@ def whole(path: Path) -> object:
 
 
 def run(ground: Ground, quick: bool) -> list[Goal]:
-    """Print the streamed statistics of a mosaic against the bare read of the same pixels."""
-    repetitions = 5 if quick else 15
+    """Print the streamed statistics of a large raster against the bare read of the same pixels."""
+    with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
+        return _run(large_rasters(ground, Path(folder)), 3 if quick else 7)
+
+
+def _run(paths: dict[str, Path], repetitions: int) -> list[Goal]:
     rows, goals = [], []
-    for tile_format in FORMATS:
-        path = ground.files[tile_format][0]
+    for tile_format, path in paths.items():
         calls = (partial(bare_read, path), partial(histograms, path), partial(whole, path))
         bare, streamed, all_figures = interleaved(calls, repetitions)
         ratio = all_figures.over(bare)
@@ -50,15 +70,15 @@ def run(ground: Ground, quick: bool) -> list[Goal]:
         if tile_format in COMPRESSED:
             text = f"radiometry of a whole raster, {tile_format}: times the bare read"
             goals.append(Goal(text, MOST_OF_BARE_READ, ratio.median, at_least=False))
-    size = ground.pixels().shape
+    dataset = gdal.Open(str(path))
     print_table(
-        f"Radiometry of a whole raster of {size[2]} x {size[1]} px, RGB, against the bare GDAL read",
+        f"Radiometry of a whole raster of {dataset.RasterXSize} x {dataset.RasterYSize} px, RGB, against the bare read",
         ["tiles of 256 px", "bare read", "statistics", "ratio (least-most)", "all figures", "ratio (least-most)",
          "CPU"],
         rows,
-        f"Medians of {repetitions} interleaved repetitions, ratios pair by pair. Bare read: open and ReadAsArray of\n"
-        "  everything at once. Statistics: blocks of a million pixels, one read ahead in a thread of its own,\n"
-        "  histograms and areas. CPU: the last ratio in processor time. Goal: close to the bare read, taken as\n"
+        f"Medians of {repetitions} interleaved repetitions, ratios pair by pair. Bare read: by GDAL alone, tile row\n"
+        "  by tile row. Statistics: blocks of a million pixels, one read ahead in a thread of its own, histograms\n"
+        "  and areas. CPU: the last ratio in processor time. Goal: close to the bare read, taken as\n"
         f"  {MOST_OF_BARE_READ}.",
     )
     return goals
