@@ -37,3 +37,11 @@ class SeamlineError(SeamInspectorError):
 
 class WindowLayerError(SeamInspectorError):
     """The window layer can't be made or edited."""
+
+
+class SensorModelError(SeamInspectorError):
+    """A sensor model that can't be fitted, read or applied."""
+
+
+class CancelledError(SeamInspectorError):
+    """The user stopped the work."""

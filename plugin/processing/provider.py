@@ -5,10 +5,13 @@ from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.resources import icon_path, model_paths
+from .comparesensormodels import CompareSensorModels
+from .fitsensormodel import FitSensorModel
 from .inspectwindows import InspectWindows
+from .orthorectify import Orthorectify
 from .placewindows import PlaceWindows
 
-ALGORITHMS = (PlaceWindows, InspectWindows)
+ALGORITHMS = (PlaceWindows, InspectWindows, FitSensorModel, CompareSensorModels, Orthorectify)
 
 
 class SeamInspectorProvider(QgsProcessingProvider):
