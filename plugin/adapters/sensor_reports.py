@@ -11,6 +11,7 @@ from ..core import report
 from ..core.messages import Message
 from ..core.sensors.adjustment import Accuracy, Adjustment
 from ..core.sensors.comparison import LEAVE_ONE_OUT, Comparison
+from ..core.sensors.kinds import PUSHBROOM
 from ..core.sensors.layout import Box, Layout
 from .figures import svg_text
 from .sensor_charts import comparison_chart, residual_chart
@@ -19,9 +20,12 @@ from .text import sentence, tr
 _MOST_POINTS = 200  # listed one by one
 
 
-def save_fit_report(done: Adjustment, found: Layout, box: Box, notices: Sequence[Message], path: Path) -> None:
+def save_fit_report(
+    done: Adjustment, found: Layout, box: Box, warnings: Sequence[Message], notes: Sequence[Message], path: Path
+) -> None:
     """The report of one model. Raises SettingsError where no file can be written."""
-    parts = [report.paragraph(sentence(notice), "warning") for notice in notices]
+    parts = [report.paragraph(sentence(notice), "warning") for notice in warnings]
+    parts += [report.paragraph(sentence(notice)) for notice in notes]
     wanted, fit = done.wanted, done.fit
     parts += [
         report.heading(tr("Model")),
@@ -29,9 +33,8 @@ def save_fit_report(done: Adjustment, found: Layout, box: Box, notices: Sequence
             (tr("Property"), tr("Value")),
             [
                 (tr("Model"), wanted.name),
-                (tr("Unknowns"), tr("{count} for {points} control points").format(
-                    count=wanted.unknowns, points=done.control.count
-                )),
+                (tr("Unknowns"), tr("20, held by priors") if wanted.kind == PUSHBROOM else wanted.unknowns),
+                (tr("Control points"), done.control.count),
                 (tr("Iterations"), fit.iterations),
                 (tr("Condition number"), f"{fit.condition:.3g}"),
                 (tr("Standard deviation of a control point"), _number(done.sigma_px, "px")),
@@ -91,22 +94,30 @@ def save_comparison_report(result: Comparison, notices: Sequence[Message], path:
         report.table(
             (
                 tr("Model"), tr("Mean X (m)"), tr("Mean Y (m)"), tr("Largest X (m)"), tr("Largest Y (m)"),
-                tr("Control points"), tr("Judged on"), tr("Note"),
+                tr("Control points"), tr("Judged on"),
             ),
             [
                 (
-                    row.wanted.name,
-                    *(_errors(row.errors)[1:5] if row.errors else ("",) * 4),
+                    _unbroken(row.wanted.name),
+                    *_errors(row.errors)[1:5],
                     row.control_count,
-                    row.errors.count if row.errors else "",
-                    sentence(row.reason) if row.reason else tr("recommended") if row is result.recommended else "",
+                    row.errors.count,
                 )
                 for row in result.rows
+                if row.errors is not None
             ],
         ),
         report.paragraph(how + " " + tr("Mean errors are root mean squares."), "small"),
     ]  # fmt: skip
+    doubtful = [(_unbroken(row.wanted.name), sentence(row.reason)) for row in result.rows if row.reason is not None]
+    if doubtful:
+        parts += [report.heading(tr("Not fitted, or not to be trusted")), report.table((tr("Model"), tr("Why")), doubtful)]
     report.save_page(report.page(tr("Sensor models compared"), parts), path)
+
+
+def _unbroken(name: str) -> str:
+    """A name that no line break parts."""
+    return name.replace(" ", "\N{NO-BREAK SPACE}")
 
 
 def _errors(errors: Accuracy) -> tuple[object, ...]:

@@ -57,7 +57,6 @@ MAX_REASONS = 3  # sources named in the reason of a window; more would not be re
 WGS84_WKT_CODE = "EPSG:4326"
 WGS84_SEMI_MAJOR_M = 6378137.0
 WGS84_FLATTENING = 1 / 298.257223563
-EARTH_GRAVITY_M3_S2 = 3.986004418e14  # WGS 84
 EGM96, EGM2008 = "EPSG:5773", "EPSG:3855"
 MAX_NEWTON_ITERATIONS = 30  # the inverse of a smooth model takes four or five
 MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
@@ -84,8 +83,8 @@ ORBIT_HEIGHTS_KM = {  # by the satellite's name in the image's metadata; the ope
     "PHR": 694.0, "PLEIADES": 694.0, "SPOT": 694.0, "PNEO": 620.0, "IK": 681.0, "QB": 450.0, "WV01": 496.0,
     "WV02": 770.0, "WV03": 617.0, "WV04": 617.0, "GE01": 681.0, "GEOEYE": 681.0, "EROS": 480.0, "KOMPSAT": 685.0,
 }  # fmt: skip
-PUSHBROOM_POSITION_SIGMAS_M = (5e3, 5e3, 2e4)  # along, across, up: the affine camera's view, the orbit's height
-PUSHBROOM_MOTION_SIGMAS_M = (1e3, 1e3, 300.0)  # over half the lines: the orbit is near circular, up hardly changes
+PUSHBROOM_POSITION_SIGMAS_M = (5e3, 5e3, 5e4)  # along, across, away: the affine camera's view, the orbit's height
+PUSHBROOM_MOTION_SIGMAS_M = (1e3, 1e3, 300.0)  # over half the lines: the orbit is near circular
 PUSHBROOM_ROTATION_SIGMAS = (  # rad about each axis: attitude, its rate, acceleration and jerk over half the lines
     (1e-2, 1e-2, 1e-2),
     (2e-3, 2e-3, 2e-3),  # agile satellites pitch while they scan
@@ -93,6 +92,8 @@ PUSHBROOM_ROTATION_SIGMAS = (  # rad about each axis: attitude, its rate, accele
     (3e-6, 3e-6, 3e-6),
 )
 PUSHBROOM_SCALE_SIGMA = 5e-3
+PRINCIPAL_SIGMA_PX = 50.0  # of the principal column around the image's middle
+PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
 PUSHBROOM_DIFFERENCE = 1e-2  # of a prior: derivatives good to 1e-7 px
 MAX_PUSHBROOM_ITERATIONS = 25
 MAX_PUSHBROOM_STEP_PX = 1e-6

@@ -71,11 +71,12 @@ class CompareSensorModels(SensorAlgorithm):
         image = self._image()
         rpc = self._rpc(parameters, sensors.IMAGE_RPC, context, feedback, image)
         points = self._points(parameters, context, feedback, image, True)
+        size = (float(image.columns), float(image.rows)) if image is not None else None
         notices = layout.layout_warnings(layout.layout(points.image[~points.check], image_box(image, points)))
         warn(feedback, notices)
         result = comparison.compare(
             points,
-            comparison.candidates(rpc, self._orbit_height_m(parameters, context, image)),
+            comparison.candidates(rpc, self._orbit_height_m(parameters, context, image), size),
             self.parameterAsBool(parameters, sensors.ROBUST, context),
             heights.is_flat(points),
             lambda share: feedback.setProgress(100 * share),

@@ -146,16 +146,17 @@ class FitSensorModel(SensorAlgorithm):
         if path is not None:
             self._save_model(done, domain, path)
             results[MODEL_FILE] = str(path)
-        path = self.file_path(parameters, RPC, context)
+        path, notes = self.file_path(parameters, RPC, context), []
         if path is not None:
-            said = self._save_rpc(done, domain, path, feedback)
-            notices.append(said)
-            results[RPC] = str(path) if path.exists() else None
+            said, written = self._save_rpc(done, domain, path)
+            (notes if written else notices).append(said)
+            (feedback.pushInfo if written else feedback.pushWarning)(sentence(said))
+            results[RPC] = str(path) if written else None
         path = self.file_path(parameters, REPORT, context)
         if path is not None:
             from ..adapters.sensor_reports import save_fit_report
 
-            save_fit_report(done, found, box, notices, path)
+            save_fit_report(done, found, box, notices, notes, path)
             results[REPORT] = str(path)
         control, check = done.control, done.check
         for group, errors in (("CHECK", check), ("CONTROL", control)):
@@ -189,6 +190,7 @@ class FitSensorModel(SensorAlgorithm):
             self.parameterAsBool(parameters, DLT_XY, context),
             self.parameterAsString(parameters, BIAS, context),
             self._orbit_height_m(parameters, context, image),
+            (float(image.columns), float(image.rows)) if image is not None else None,
             rpc,
         )
 
@@ -237,24 +239,19 @@ class FitSensorModel(SensorAlgorithm):
         save_model(ModelFile(done.fit.model, done.points.wkt, domain, facts), path)
 
     @staticmethod
-    def _save_rpc(done: Adjustment, domain: Domain, path: Path, feedback: QgsProcessingFeedback) -> Message:
-        """Write the RPC; what to say about it, or why there is none."""
+    def _save_rpc(done: Adjustment, domain: Domain, path: Path) -> tuple[Message, bool]:
+        """Write the RPC; what to say about it, or why there is none, and whether there is one."""
         from ..core.sensors.rpc import rpc_heights, rpc_of, write_rpc
 
         try:
             made = rpc_of(done.fit.model, done.points.wkt, domain)
         except SensorModelError as error:
-            said = messages.RPC_NOT_WRITTEN(why=error.message)
-            feedback.pushWarning(sentence(said))
-            return said
+            return messages.RPC_NOT_WRITTEN(why=error.message), False
         write_rpc(made.rpc, path)
         if made.exact:
-            said = messages.RPC_EXACT()
-        else:
-            low, high = rpc_heights(domain)
-            said = messages.RPC_FITTED(rms=made.rms_px, largest=made.max_px, low=low, high=high)
-        feedback.pushInfo(sentence(said))
-        return said
+            return messages.RPC_EXACT(), True
+        low, high = rpc_heights(domain)
+        return messages.RPC_FITTED(rms=made.rms_px, largest=made.max_px, low=low, high=high), True
 
 
 def _sentence(group: str, errors: Accuracy) -> str:

@@ -138,7 +138,8 @@ def image_box(image: Image | None, points: Points) -> Box:
 
 def warn(feedback: QgsProcessingFeedback, notices: list[Message] | tuple[Message, ...]) -> None:
     """Say warnings, and what is only good to know as information."""
-    quiet = {one.template for one in (messages.HEIGHTS_CONVERTED, messages.RPC_OF_WHOLE_SCENE, messages.POINTS_DISABLED)}
+    harmless = messages.HEIGHTS_CONVERTED, messages.RPC_OF_WHOLE_SCENE, messages.POINTS_DISABLED
+    quiet = {one.template for one in harmless}
     for notice in notices:
         (feedback.pushInfo if notice.template in quiet else feedback.pushWarning)(sentence(notice))
 

@@ -46,13 +46,13 @@ class Comparison:
     reason: Message
 
 
-def candidates(rpc: Rational | None, orbit_height_m: float) -> list[Wanted]:
+def candidates(rpc: Rational | None, orbit_height_m: float, size: tuple[float, float] | None) -> list[Wanted]:
     """All models, in the paper's order; those with a vendor's RPC only where there is one."""
     found = [Wanted(kinds.POLYNOMIAL_2D, order) for order in (1, 2, 3)]
     found += [Wanted(kinds.POLYNOMIAL_3D, order) for order in (1, 2, 3)]
     found += [Wanted(kinds.RATIONAL, order) for order in (1, 2, 3)]
     found += [Wanted(kinds.DLT), Wanted(kinds.DLT, dlt_xy=True)]
-    found += [Wanted(kinds.PUSHBROOM, orbit_height_m=orbit_height_m)]
+    found += [Wanted(kinds.PUSHBROOM, orbit_height_m=orbit_height_m, size=size)]
     if rpc is not None:
         found += [Wanted(kinds.RPC_BIAS, bias=kind, rpc=rpc) for kind in (bias.SHIFT, bias.DRIFT, bias.AFFINE)]
     return found

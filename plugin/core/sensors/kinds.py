@@ -37,6 +37,8 @@ class Wanted:
     """``shift``, ``shift_drift`` or ``affine``."""
     orbit_height_m: float = thresholds.DEFAULT_ORBIT_HEIGHT_KM * 1000
     """Nominal, of the parametric model."""
+    size: tuple[float, float] | None = None
+    """The image's columns and rows, of the parametric model; None where the image is not given."""
     rpc: Rational | None = None
     """The image's own, for ``rpc_bias``."""
 
@@ -51,7 +53,7 @@ class Wanted:
 
     @property
     def unknowns(self) -> int:
-        """How many unknowns the points have to fix; for the parametric model those that its priors leave open."""
+        """How many unknowns the points have to fix; of the parametric model's 20 those that its priors leave open."""
         return {
             POLYNOMIAL_2D: 2 * COUNT_2D[self.order],
             POLYNOMIAL_3D: 2 * COUNT_3D[self.order],
@@ -101,7 +103,7 @@ def fit(wanted: Wanted, points: Points, weights: np.ndarray) -> Fit:
         return fit_dlt(ground, image, weights, wanted.dlt_xy)
     geographic = Frame(points.wkt).to_geographic(ground)
     if wanted.kind == PUSHBROOM:
-        return fit_pushbroom(geographic, image, weights, wanted.orbit_height_m, not points.sigma_known)
+        return fit_pushbroom(geographic, image, weights, wanted.orbit_height_m, wanted.size, not points.sigma_known)
     if wanted.rpc is None:
         raise SettingsError(messages.NO_RPC())
     return bias.fit_bias(wanted.rpc, geographic, image, weights, wanted.bias)

@@ -16,6 +16,7 @@ SIGMAS = np.array(
         *thresholds.PUSHBROOM_MOTION_SIGMAS_M,
         *(sigma for sigmas in thresholds.PUSHBROOM_ROTATION_SIGMAS for sigma in sigmas),
         thresholds.PUSHBROOM_SCALE_SIGMA,
+        1.0,  # the principal column's stands in the orbit: it depends on whether the image's width is known
     ]
 )
 """Prior standard deviations of the unknowns, in the order of ``Pushbroom.unknowns``."""
@@ -29,18 +30,20 @@ class Orbit:
     """(3,) of the projection centre at the central line."""
     motion: np.ndarray
     """(3,) per line."""
-    acceleration: np.ndarray
-    """(3,) per line squared: gravity, as on a circular orbit."""
     camera: np.ndarray
     """(3, 3) rows: along the detectors, along the track, along the view."""
     track: np.ndarray
-    """(3, 3) rows: along the orbit, across it, up; the directions of the position's unknowns."""
+    """(3, 3) rows: along the orbit, across it, back along the view; the directions of the position's unknowns."""
+    distance: float
+    """To the ground along the view, m."""
     focal_px: float
-    """Focal length in detector widths."""
+    """Focal length in detector widths; it grows with the distance, so that a pixel keeps its size on the ground."""
     centre: np.ndarray
-    """(2,) column and row that the expansion starts from."""
+    """(2,) principal column, and the row that time starts from."""
     half_lines: float
     """Lines from the centre to the ends: time runs from -1 to 1."""
+    principal_sigma_px: float
+    """Prior standard deviation of the principal column."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +57,9 @@ class Pushbroom:
 
     orbit: Orbit
     unknowns: np.ndarray
-    """(19,) in units of their priors: position along, across, up; motion along, across, up over half the lines;
-    rotations about the camera's three axes, constant, linear, quadratic, cubic in time; scale."""
+    """(20,) in units of their priors: position along, across, away; motion in these directions over half the lines;
+    rotation about the camera's three axes, then about the rotated ones linear, quadratic and cubic in time; scale;
+    principal column."""
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         """(n, 3) longitude, latitude, ellipsoidal height -> (n, 2) column, row.
@@ -79,14 +83,13 @@ class Pushbroom:
         orbit, moved = self.orbit, self.unknowns * SIGMAS
         lines = rows - orbit.centre[1]
         time = lines / orbit.half_lines
-        positions = (
-            orbit.position
-            + moved[0:3] @ orbit.track
-            + lines[:, None] * orbit.motion
-            + time[:, None] * (moved[3:6] @ orbit.track)
-            + 0.5 * lines[:, None] ** 2 * orbit.acceleration
-        )
-        turns = np.vander(time, 4, increasing=True) @ moved[6:18].reshape(4, 3)
-        seen = np.einsum("nji,nj->ni", rotations(turns), (places - positions) @ orbit.camera.T)
-        focal = orbit.focal_px * (1 + moved[18])
-        return orbit.centre[0] + focal * seen[:, 0] / seen[:, 2], focal * seen[:, 1] / seen[:, 2]
+        start = orbit.position + moved[0:3] @ orbit.track
+        motion = orbit.motion + moved[3:6] @ orbit.track / orbit.half_lines  # m per line
+        fall = -(motion @ motion) / (start @ start) * start  # m per line squared, as on a circular orbit
+        positions = start + lines[:, None] * motion + 0.5 * lines[:, None] ** 2 * fall
+        camera = rotations(moved[None, 6:9])[0].T @ orbit.camera
+        turns = (time[:, None] ** [1, 2, 3]) @ moved[9:18].reshape(3, 3)
+        seen = np.einsum("nji,nj->ni", rotations(turns), (places - positions) @ camera.T)
+        focal = orbit.focal_px * (1 + moved[2] / orbit.distance) * (1 + moved[18])
+        principal = orbit.centre[0] + moved[19] * orbit.principal_sigma_px
+        return principal + focal * seen[:, 0] / seen[:, 2], focal * seen[:, 1] / seen[:, 2]

@@ -1,7 +1,7 @@
 """Fitting the parametric model: a nominal orbit from the points' affine camera, then an adjustment with priors."""
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,50 +14,68 @@ from .solve import least_squares
 
 
 def fit_pushbroom(
-    ground: np.ndarray, image: np.ndarray, weights: np.ndarray, orbit_height_m: float, estimate_sigma: bool = True
+    ground: np.ndarray,
+    image: np.ndarray,
+    weights: np.ndarray,
+    orbit_height_m: float,
+    size: tuple[float, float] | None = None,
+    estimate_sigma: bool = True,
 ) -> Fit:
     """Adjust the parametric model to points and to its priors.
 
     ``ground`` (n, 3) longitude, latitude in degrees and ellipsoidal height in m; ``image`` (n, 2) column, row;
-    ``weights`` (n,) 1 / standard deviation in px. With ``estimate_sigma`` the weights are relative: their common
+    ``weights`` (n,) 1 / standard deviation in px; ``size`` the image's columns and rows, whose middle is the nominal
+    principal column and where time starts (None: the middle of the points). With ``estimate_sigma`` the weights are relative: their common
     factor is estimated from the residuals (variance components), so that exact points are followed exactly and noisy
     ones are not. Raises SensorModelError when the adjustment does not converge or the points lie on a plane.
     """
     places = geocentric(ground)
-    model = Pushbroom(_nominal_orbit(places, image, orbit_height_m), np.zeros(len(SIGMAS)))
+    model = Pushbroom(_nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
     sigma_px = 1 / np.maximum(weights, np.finfo(float).tiny)
     if estimate_sigma:
         sigma_px = sigma_px * thresholds.DEFAULT_SIGMA_PX / np.median(sigma_px)
     iterations, factor = 0, 1.0
     for _ in range(thresholds.MAX_SIGMA_ROUNDS if estimate_sigma else 1):
-        model, condition, taken, converged = _adjusted(model, places, image, sigma_px * factor)
-        iterations += taken
-        if not estimate_sigma:
-            break
-        before, factor = factor, _variance_factor(model, places, image, sigma_px, factor)
+        done = _adjusted(model, places, image, sigma_px * factor)
+        model, iterations = done.model, iterations + done.iterations
+        before, factor = factor, _variance_factor(done.residuals, done.jacobian, sigma_px, factor)
         if abs(factor / before - 1) < thresholds.MAX_SIGMA_CHANGE:
             break
-    return Fit(model, condition, iterations, converged)
+    return Fit(model, done.condition, iterations, done.converged)
 
 
-def _adjusted(
-    model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px: np.ndarray
-) -> tuple[Pushbroom, float, int, bool]:
-    """The model after Gauss and Newton's iteration, its condition, the iterations and whether they converged."""
+@dataclass(frozen=True)
+class _Adjusted:
+    """A model after Gauss and Newton's iteration with given standard deviations."""
+
+    model: Pushbroom
+    residuals: np.ndarray
+    """(2n,) px, of the last step but one, which differs by less than a millionth."""
+    jacobian: np.ndarray
+    condition: float
+    iterations: int
+    converged: bool
+
+
+def _adjusted(model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px: np.ndarray) -> _Adjusted:
     weights = np.repeat(1 / sigma_px, 2)
-    for iteration in range(1, thresholds.MAX_PUSHBROOM_ITERATIONS + 1):
+    converged, iteration = False, 0
+    while not converged and iteration < thresholds.MAX_PUSHBROOM_ITERATIONS:
+        iteration += 1
         residuals, jacobian = _linearised(model, places, image)
         design = np.vstack([jacobian * weights[:, None], np.eye(len(SIGMAS))])
         solution = least_squares(design, np.concatenate([-residuals * weights, -model.unknowns]))
         model = replace(model, unknowns=model.unknowns + solution.values)
-        if np.abs(jacobian @ solution.values).max() < thresholds.MAX_PUSHBROOM_STEP_PX:
-            return model, solution.condition, iteration, True
         if not np.isfinite(model.unknowns).all():
             raise SensorModelError(messages.PUSHBROOM_DIVERGED())
-    return model, solution.condition, thresholds.MAX_PUSHBROOM_ITERATIONS, False
+        change = jacobian @ solution.values
+        converged = bool(np.abs(change).max() < thresholds.MAX_PUSHBROOM_STEP_PX)
+    return _Adjusted(model, residuals + change, jacobian, solution.condition, iteration, converged)
 
 
-def _nominal_orbit(places: np.ndarray, image: np.ndarray, orbit_height_m: float) -> Orbit:
+def _nominal_orbit(
+    places: np.ndarray, image: np.ndarray, orbit_height_m: float, size: tuple[float, float] | None
+) -> Orbit:
     """The orbit that the affine camera through the points implies.
 
     Its two gradients have the viewing direction as their common null direction; the projection centre lies on it at
@@ -73,7 +91,8 @@ def _nominal_orbit(places: np.ndarray, image: np.ndarray, orbit_height_m: float)
     view = -view if view @ up > 0 else view
     per_px = np.linalg.pinv(gradients)  # (3, 2) m per column and per row, across the view
     on_ground = per_px - np.outer(view, (up @ per_px) / (view @ up))
-    centre = (image.min(axis=0) + image.max(axis=0)) / 2
+    low, high = (image.min(axis=0), image.max(axis=0)) if size is None else (np.zeros(2), np.array(size))
+    centre = (low + high) / 2
     middle = middle + on_ground @ (centre - affine.values[0])
     along = middle @ view
     radius = thresholds.WGS84_SEMI_MAJOR_M + orbit_height_m
@@ -81,52 +100,50 @@ def _nominal_orbit(places: np.ndarray, image: np.ndarray, orbit_height_m: float)
     position = middle - view * distance
     detectors = unit(per_px[:, 0])
     motion = on_ground[:, 1] * radius / np.linalg.norm(middle)
-    speed = np.sqrt(thresholds.EARTH_GRAVITY_M3_S2 / radius)
-    seconds_per_line = np.linalg.norm(motion) / speed
     outward = unit(position)
-    acceleration = -thresholds.EARTH_GRAVITY_M3_S2 / radius**2 * seconds_per_line**2 * outward
     across = unit(np.cross(outward, motion))
     return Orbit(
         position,
         motion,
-        acceleration,
         np.stack([detectors, np.cross(view, detectors), view]),
-        np.stack([np.cross(across, outward), across, outward]),
+        np.stack([np.cross(across, outward), across, -view]),
+        float(distance),
         float(distance / np.linalg.norm(per_px[:, 0])),
         centre,
-        float(max((image[:, 1].max() - image[:, 1].min()) / 2, 1.0)),
+        float(max((high[1] - low[1]) / 2, 1.0)),
+        thresholds.PRINCIPAL_SHARE * (high[0] - low[0]) if size is None else thresholds.PRINCIPAL_SIGMA_PX,
     )
 
 
 def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Residuals (2n,) in px, column and row in turn, and their derivatives (2n, 19) by central differences."""
-    residuals = _residuals(model, places, image)
+    """Residuals (2n,), model minus measured in px, column and row in turn, and their derivatives (2n, 20).
+
+    Both by one Newton step from the measured line, so that they are exact where the residuals vanish.
+    """
+    columns, slip = model.in_line(places, image[:, 1])
+    next_columns, next_slip = model.in_line(places, image[:, 1] + 1)
+    slope, drift = next_slip - slip, next_columns - columns
+
+    def stepped(columns: np.ndarray, slip: np.ndarray) -> np.ndarray:
+        rows = -slip / slope
+        return np.column_stack([columns + drift * rows - image[:, 0], rows]).ravel()
+
+    residuals = stepped(columns, slip)
     jacobian = np.empty((len(residuals), len(model.unknowns)))
     for index in range(len(model.unknowns)):
-        step = np.zeros(len(model.unknowns))
-        step[index] = thresholds.PUSHBROOM_DIFFERENCE
-        after = _residuals(replace(model, unknowns=model.unknowns + step), places, image)
-        before = _residuals(replace(model, unknowns=model.unknowns - step), places, image)
-        jacobian[:, index] = (after - before) / (2 * thresholds.PUSHBROOM_DIFFERENCE)
+        unknowns = model.unknowns.copy()
+        unknowns[index] += thresholds.PUSHBROOM_DIFFERENCE
+        moved = stepped(*replace(model, unknowns=unknowns).in_line(places, image[:, 1]))
+        jacobian[:, index] = (moved - residuals) / thresholds.PUSHBROOM_DIFFERENCE
     return residuals, jacobian
 
 
-def _residuals(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> np.ndarray:
-    """Model minus measured, px, by one Newton step from the measured line: exact where the residual vanishes."""
-    columns, slip = model.in_line(places, image[:, 1])
-    next_columns, next_slip = model.in_line(places, image[:, 1] + 1)
-    rows = -slip / (next_slip - slip)
-    return np.column_stack([columns + (next_columns - columns) * rows - image[:, 0], rows]).ravel()
-
-
 def _variance_factor(
-    model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px: np.ndarray, factor: float
+    residuals: np.ndarray, jacobian: np.ndarray, sigma_px: np.ndarray, factor: float
 ) -> float:
     """The factor of the points' standard deviations that their residuals show, by their share of the redundancy."""
-    residuals, jacobian = _linearised(model, places, image)
     weights = np.repeat(1 / sigma_px, 2)
-    design = jacobian * weights[:, None] / factor
-    _, singular, _ = np.linalg.svd(design, full_matrices=False)
+    singular = np.linalg.svd(jacobian * weights[:, None] / factor, compute_uv=False)
     redundancy = len(residuals) - np.sum(singular**2 / (1 + singular**2))
     estimate = np.sqrt(np.sum((residuals * weights) ** 2) / max(redundancy, 1e-9))
-    return float(np.clip(estimate, thresholds.MIN_SIGMA_PX, None))
+    return float(max(estimate, thresholds.MIN_SIGMA_PX))
