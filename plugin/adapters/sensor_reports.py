@@ -111,7 +111,8 @@ def save_comparison_report(result: Comparison, notices: Sequence[Message], path:
     ]  # fmt: skip
     doubtful = [(_unbroken(row.wanted.name), sentence(row.reason)) for row in result.rows if row.reason is not None]
     if doubtful:
-        parts += [report.heading(tr("Not fitted, or not to be trusted")), report.table((tr("Model"), tr("Why")), doubtful)]
+        parts.append(report.heading(tr("Not fitted, or not to be trusted")))
+        parts.append(report.table((tr("Model"), tr("Why")), doubtful))
     report.save_page(report.page(tr("Sensor models compared"), parts), path)
 
 

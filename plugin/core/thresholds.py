@@ -66,7 +66,8 @@ MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
 DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
 MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
 # blunders
-BLUNDER_SIGMAS = 3.29  # Baarda: one good observation in a thousand is suspected
+BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
+RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates of standard deviation 1
 MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
 TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
 MIN_SIGMA_PX = 1e-7  # rounding: no measured coordinate is better
@@ -97,6 +98,7 @@ PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
 PUSHBROOM_DIFFERENCE = 1e-2  # of a prior: derivatives good to 1e-7 px
 MAX_PUSHBROOM_ITERATIONS = 25
 MAX_PUSHBROOM_STEP_PX = 1e-6
+MIN_REDUNDANCY = 1e-9  # where the points determine as much as they can
 MAX_SIGMA_ROUNDS = 12
 MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has settled
 DEFAULT_SIGMA_PX = 0.5  # a point identified in an image

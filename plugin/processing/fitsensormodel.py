@@ -146,7 +146,8 @@ class FitSensorModel(SensorAlgorithm):
         if path is not None:
             self._save_model(done, domain, path)
             results[MODEL_FILE] = str(path)
-        path, notes = self.file_path(parameters, RPC, context), []
+        notes: list[Message] = []
+        path = self.file_path(parameters, RPC, context)
         if path is not None:
             said, written = self._save_rpc(done, domain, path)
             (notes if written else notices).append(said)

@@ -51,7 +51,7 @@ class Orthorectify(SensorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(*sensors.image(optional=False))
         self.addDescribed(
-            QgsProcessingParameterFile(MODEL_FILE, tr("Model file"), extension="json", optional=True),
+            QgsProcessingParameterFile(MODEL_FILE, tr("Model file"), optional=True),
             tr("As Fit sensor model writes it."),
         )
         self.addDescribed(

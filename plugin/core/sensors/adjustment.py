@@ -94,7 +94,7 @@ def adjust(wanted: Wanted, points: Points, robust: bool = False) -> Adjustment:
     residuals_px = project(fitted, points) - points.image
     if not np.isfinite(residuals_px).all():
         raise SensorModelError(messages.NOT_INVERTED())
-    sigma = _sigma(wanted, residuals_px[~points.check][kept] * _relative(control)[kept, None])
+    sigma = _sigma(fitted, residuals_px[~points.check][kept] * _relative(control)[kept, None])
     if robust and points.check.any():
         blunder[points.check] = _check_blunders(residuals_px[points.check], sigma)
     return Adjustment(wanted, points, fitted, residuals_px, _on_ground(fitted, points), blunder, sigma)
@@ -131,48 +131,65 @@ def _relative(points: Points) -> np.ndarray:
     return points.weights / np.median(points.weights)
 
 
-def _sigma(wanted: Wanted, residuals: np.ndarray) -> float:
-    redundancy = residuals.size - wanted.unknowns
-    return float(np.sqrt(np.sum(residuals**2) / redundancy)) if redundancy > 0 else float("nan")
+def _sigma(fitted: Fit, residuals: np.ndarray) -> float:
+    redundancy = residuals.size - fitted.unknowns
+    return float(np.sqrt(np.sum(residuals**2) / redundancy)) if redundancy > 0.5 else float("nan")
 
 
 def _without_blunders(wanted: Wanted, control: Points) -> np.ndarray:
     """(n,) bool: which control points pass."""
-    everyone = np.ones(len(control), bool)
-    if 2 * len(control) - wanted.unknowns < 2:
-        return everyone  # nothing to tell a blunder by
     base, relative = control.weights, _relative(control)
 
-    def residuals(weights: np.ndarray) -> np.ndarray:
-        return (project(kinds.fit(wanted, control, weights), control) - control.image) * relative[:, None]
+    def fitted(weights: np.ndarray) -> tuple[np.ndarray, float]:
+        """Residuals (n, 2), in standard deviations of a usual point, and the redundancy."""
+        fit = kinds.fit(wanted, control, weights)
+        used = np.count_nonzero(weights)
+        return (project(fit, control) - control.image) * relative[:, None], 2 * used - fit.unknowns
 
-    found = residuals(base)
+    found, redundancy = fitted(base)
+    if redundancy < 2:
+        return np.ones(len(control), bool)  # nothing to tell a blunder by
     for _ in range(thresholds.ROBUST_STEPS):  # least absolute residuals
         size = np.linalg.norm(found, axis=1)
         floor = max(thresholds.MIN_SIGMA_PX, 1e-3 * float(np.median(size)))
-        found = residuals(base / np.sqrt(np.maximum(size, floor)))
+        found, redundancy = fitted(base / np.sqrt(np.maximum(size, floor)))
     for _ in range(thresholds.ROBUST_STEPS):  # Tukey's biweight
-        reach = thresholds.TUKEY_SIGMAS * _robust_sigma(wanted, found)
+        reach = thresholds.TUKEY_SIGMAS * _robust_sigma(found, redundancy)
         share = np.minimum(np.linalg.norm(found, axis=1) / reach, 0.999)
-        found = residuals(base * (1 - share**2))
-    kept = np.abs(found).max(axis=1) <= thresholds.BLUNDER_SIGMAS * _robust_sigma(wanted, found)
+        found, redundancy = fitted(base * (1 - share**2))
+    sigma = _robust_sigma(found, redundancy)
+    kept = np.linalg.norm(found, axis=1) <= _blunder_limit(redundancy) * sigma
     for _ in range(thresholds.ROBUST_STEPS):
         if np.count_nonzero(kept) <= wanted.fewest:
             raise SensorModelError(messages.TOO_MANY_BLUNDERS(model=wanted.name, count=np.count_nonzero(~kept)))
-        found = residuals(base * kept)
-        sigma = max(_sigma(wanted, found[kept]), thresholds.MIN_SIGMA_PX)
-        passing = np.abs(found).max(axis=1) <= thresholds.BLUNDER_SIGMAS * sigma
+        found, redundancy = fitted(base * kept)
+        if redundancy < 2:
+            break
+        # It only shrinks: else one blunder let in would open the door to the next.
+        sigma = max(min(sigma, float(np.sqrt(np.sum(found[kept] ** 2) / redundancy))), thresholds.MIN_SIGMA_PX)
+        # The fit gives way to the points in it, and is not exact where the others are: on average by this much.
+        share = 1 - redundancy / (2 * np.count_nonzero(kept))
+        usual = sigma * np.sqrt(np.where(kept, max(1 - share, 0.0), 1 + share))
+        passing = np.linalg.norm(found, axis=1) <= _blunder_limit(redundancy) * usual
         if np.array_equal(passing, kept):
             break
         kept = passing
     return kept
 
 
-def _robust_sigma(wanted: Wanted, residuals: np.ndarray) -> float:
-    """From the median absolute residual, those that the fit can bring to zero set aside."""
-    ordered = np.sort(np.abs(residuals).ravel())
-    rest = ordered[min(wanted.unknowns, len(ordered) - 2) :]
-    return max(1.4826 * float(np.median(rest)), thresholds.MIN_SIGMA_PX)
+def _blunder_limit(redundancy: float) -> float:
+    """The longest residual of a good point, in standard deviations of a coordinate from so many redundant ones.
+
+    Half its square is F-distributed with 2 and ``redundancy`` degrees of freedom.
+    """
+    return float(np.sqrt(redundancy * (thresholds.BLUNDER_PROBABILITY ** (-2 / redundancy) - 1)))
+
+
+def _robust_sigma(residuals: np.ndarray, redundancy: float) -> float:
+    """Of a coordinate, from the median length of the residuals, those that the fit can bring to zero set aside."""
+    ordered = np.sort(np.linalg.norm(residuals, axis=1))
+    rest = ordered[min(round(len(ordered) - redundancy / 2), len(ordered) - 1) :]
+    return max(float(np.median(rest)) / thresholds.RAYLEIGH_MEDIAN, thresholds.MIN_SIGMA_PX)
 
 
 def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:

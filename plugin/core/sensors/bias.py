@@ -60,7 +60,7 @@ def fit_bias(rpc: Rational, ground: np.ndarray, image: np.ndarray, weights: np.n
             condition = max(condition, solution.condition)
         misfit = float(np.sum(((missing - linear @ correction) * weights[:, None]) ** 2))
         if best is None or misfit < best[0]:
-            best = misfit, Fit(BiasedRpc(rpc, correction), condition, 1, True)
+            best = misfit, Fit(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))
     assert best is not None
     return best[1]
 

@@ -28,3 +28,5 @@ class Fit:
     """How many it took; 1 for a linear model."""
     converged: bool
     """Whether the last iteration changed the image coordinates by less than the limit."""
+    unknowns: float
+    """How many the points have determined: all of a free model, less where priors hold some."""

@@ -86,7 +86,7 @@ def load_model(path: Path) -> ModelFile:
         parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in dataclasses.fields(Domain)]
         domain = Domain(*parts)
         return ModelFile(model, str(document["crs"]), domain, document.get("facts", {}))
-    except (KeyError, TypeError, ValueError, AttributeError):
+    except (KeyError, IndexError, TypeError, ValueError, AttributeError):
         raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
 
 

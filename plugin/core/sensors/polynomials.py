@@ -62,7 +62,8 @@ def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
     design = terms_3d(scale_g.to(ground), order) * weights[:, None]
     solution = least_squares(design, scale_i.to(image) * weights[:, None])
-    return Fit(Polynomial3D(order, scale_g, scale_i, solution.values), solution.condition, 1, True)
+    model = Polynomial3D(order, scale_g, scale_i, solution.values)
+    return Fit(model, solution.condition, 1, True, solution.values.size)
 
 
 def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> Fit:
@@ -79,7 +80,8 @@ def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
         solution = least_squares(terms_2d(known, order) * weights[:, None], wanted * weights[:, None])
         model = Polynomial2D(order, scale_g, scale_i, solution.values, to_ground)
         misfit = (model.project(ground) - image) * weights[:, None]
-        fits.append((float(np.sqrt(np.mean(misfit**2))), Fit(model, solution.condition, 1, True)))
+        found = Fit(model, solution.condition, 1, True, solution.values.size)
+        fits.append((float(np.sqrt(np.mean(misfit**2))), found))
     (backward, to_ground_fit), (forward, to_image_fit) = fits
     rounding = 1e-9 * float(np.max(scale_i.scale)) * float(weights.max())
     return to_ground_fit if backward + rounding < forward else to_image_fit

@@ -25,9 +25,10 @@ def fit_pushbroom(
 
     ``ground`` (n, 3) longitude, latitude in degrees and ellipsoidal height in m; ``image`` (n, 2) column, row;
     ``weights`` (n,) 1 / standard deviation in px; ``size`` the image's columns and rows, whose middle is the nominal
-    principal column and where time starts (None: the middle of the points). With ``estimate_sigma`` the weights are relative: their common
-    factor is estimated from the residuals (variance components), so that exact points are followed exactly and noisy
-    ones are not. Raises SensorModelError when the adjustment does not converge or the points lie on a plane.
+    principal column and where time starts (None: the middle of the points). With ``estimate_sigma`` the weights are
+    relative: their common factor is estimated from the residuals (variance components), so that exact points are
+    followed exactly and noisy ones are not. Raises SensorModelError when the adjustment breaks down or the points lie
+    on a plane.
     """
     places = geocentric(ground)
     model = Pushbroom(_nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
@@ -38,10 +39,13 @@ def fit_pushbroom(
     for _ in range(thresholds.MAX_SIGMA_ROUNDS if estimate_sigma else 1):
         done = _adjusted(model, places, image, sigma_px * factor)
         model, iterations = done.model, iterations + done.iterations
-        before, factor = factor, _variance_factor(done.residuals, done.jacobian, sigma_px, factor)
+        unknowns = _determined(done.jacobian, sigma_px * factor)
+        redundancy = max(done.residuals.size - unknowns, thresholds.MIN_REDUNDANCY)
+        misfit = float(np.sqrt(np.sum((done.residuals / np.repeat(sigma_px, 2)) ** 2) / redundancy))
+        before, factor = factor, max(misfit, thresholds.MIN_SIGMA_PX)
         if abs(factor / before - 1) < thresholds.MAX_SIGMA_CHANGE:
             break
-    return Fit(model, done.condition, iterations, done.converged)
+    return Fit(model, done.condition, iterations, done.converged, unknowns)
 
 
 @dataclass(frozen=True)
@@ -138,12 +142,7 @@ def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tupl
     return residuals, jacobian
 
 
-def _variance_factor(
-    residuals: np.ndarray, jacobian: np.ndarray, sigma_px: np.ndarray, factor: float
-) -> float:
-    """The factor of the points' standard deviations that their residuals show, by their share of the redundancy."""
-    weights = np.repeat(1 / sigma_px, 2)
-    singular = np.linalg.svd(jacobian * weights[:, None] / factor, compute_uv=False)
-    redundancy = len(residuals) - np.sum(singular**2 / (1 + singular**2))
-    estimate = np.sqrt(np.sum((residuals * weights) ** 2) / max(redundancy, 1e-9))
-    return float(max(estimate, thresholds.MIN_SIGMA_PX))
+def _determined(jacobian: np.ndarray, sigma_px: np.ndarray) -> float:
+    """How many of the unknowns the points determine, the priors the others: each by its share."""
+    singular = np.linalg.svd(jacobian / np.repeat(sigma_px, 2)[:, None], compute_uv=False)
+    return float(np.sum(singular**2 / (1 + singular**2)))

@@ -82,6 +82,7 @@ def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, ord
         max(condition for _, condition, *_ in axes),
         max(iterations for *_, iterations, _ in axes),
         all(converged for *_, converged in axes),
+        2 * (2 * count - 1),
     )
 
 
@@ -136,4 +137,4 @@ def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy:
         seen = model.project(ground)
         change = float(np.abs(seen - last).max())
         last = seen
-    return Fit(model, solution.condition, iteration, change < thresholds.MAX_RATIONAL_STEP_PX)
+    return Fit(model, solution.condition, iteration, change < thresholds.MAX_RATIONAL_STEP_PX, len(solution.values))
