@@ -45,3 +45,11 @@ class BarLineError(SeamInspectorError):
 
 class PhotoError(SeamInspectorError):
     """A photo, its calibration or its marks from which no interior orientation can be had."""
+
+
+class SensorModelError(SeamInspectorError):
+    """A sensor model that can't be fitted, read or applied."""
+
+
+class CancelledError(SeamInspectorError):
+    """The user stopped the work."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 from contextlib import suppress
 
+import numpy as np
 from osgeo import osr
 
 from . import messages
@@ -17,7 +18,7 @@ def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
 
     Raises RasterError when the extent can't be transformed.
     """
-    if _same_system(wkt, target_wkt):
+    if same_system(wkt, target_wkt):
         return extent
     with quiet():
         try:
@@ -32,7 +33,7 @@ def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
 
 def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> bool:
     """Whether coordinates inside an extent of one system mean the same place in another, however that is named."""
-    if _same_system(wkt, other):
+    if same_system(wkt, other):
         return True
     try:
         moved = extent_on(extent, other, wkt)
@@ -65,5 +66,89 @@ def _system(wkt: str) -> osr.SpatialReference:
     return system
 
 
-def _same_system(a: str, b: str) -> bool:
+def same_system(a: str, b: str) -> bool:
+    """Whether two texts name one reference system."""
     return a == b or bool(_system(a).IsSame(_system(b)))
+
+
+def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarray:
+    """Horizontal coordinates (n, 2), x or longitude first, in another reference system. Heights play no part.
+
+    Raises RasterError when there is no transformation or a point has no place in the target.
+    """
+    if same_system(wkt, target_wkt) or not len(points):
+        return np.array(points[:, :2], float)
+    with quiet():
+        try:
+            transform = osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt))
+            moved = np.array(transform.TransformPoints(points[:, :2].tolist()), float)[:, :2]
+        except (RuntimeError, TypeError, AttributeError, ValueError):
+            moved = np.full((1, 2), np.nan)
+    if not np.isfinite(moved).all():
+        raise RasterError(messages.POINTS_NOT_TRANSFORMED())
+    return moved
+
+
+def vertical_part(wkt: str) -> str:
+    """The name of a compound or three-dimensional system's heights; empty where the system names none."""
+    system = _system(wkt)
+    if system.IsCompound():
+        return str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
+    return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
+
+
+def vertical_code(wkt: str) -> str:
+    """The vertical part of a compound system, as ``heights_above_ellipsoid`` takes it."""
+    code = _system(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
+    return f"EPSG:{code}" if code else wkt
+
+
+def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
+    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
+
+    ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
+    """
+    source, target = osr.SpatialReference(), osr.SpatialReference()
+    with quiet():
+        try:
+            named = f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical
+            source.SetFromUserInput(named)
+            target.ImportFromEPSG(4979)
+            for system in (source, target):
+                system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+            options = osr.CoordinateTransformationOptions()
+            options.SetBallparkAllowed(False)
+            transform = osr.CoordinateTransformation(source, target, options)
+            moved = np.array(transform.TransformPoints(geographic.tolist()), float)[:, 2]
+        except (RuntimeError, TypeError, AttributeError, ValueError, IndexError):
+            moved = np.full(1, np.nan)
+    if not np.isfinite(moved).all():
+        raise RasterError(messages.NO_GEOID_GRID(vertical=source.GetName() or vertical))
+    return moved
+
+
+def is_geographic(wkt: str) -> bool:
+    """Whether coordinates are degrees of longitude and latitude."""
+    return bool(_system(wkt).IsGeographic())
+
+
+def utm_wkt(longitude: float, latitude: float) -> str:
+    """The UTM zone (WGS 84) of a place."""
+    system = osr.SpatialReference()
+    system.ImportFromEPSG((32600 if latitude >= 0 else 32700) + int((longitude + 180) % 360 // 6) + 1)
+    return str(system.ExportToWkt())
+
+
+def horizontal_wkt(wkt: str) -> str:
+    """A reference system without its heights."""
+    return str(_horizontal(wkt).ExportToWkt())
+
+
+def _horizontal(wkt: str) -> osr.SpatialReference:
+    system = _system(wkt)
+    if system.IsCompound():
+        system.StripVertical()
+    if system.GetAxesCount() == 3:
+        system.DemoteTo2D()
+    system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return system

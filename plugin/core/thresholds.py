@@ -227,3 +227,66 @@ PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
 MAX_FILTER_PX = 101  # a wider one wants another tool
 DEFAULT_FILTER_PX = 3.0  # the usual 3 x 3
 MARK_ROOM = 0.05  # of the frame: around a search area, so that a mark at its edge is seen whole
+
+# Sensor models
+WGS84_WKT_CODE = "EPSG:4326"
+WGS84_SEMI_MAJOR_M = 6378137.0
+WGS84_FLATTENING = 1 / 298.257223563
+EGM96, EGM2008 = "EPSG:5773", "EPSG:3855"
+MAX_NEWTON_ITERATIONS = 30  # the inverse of a smooth model takes four or five
+MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
+MAX_RATIONAL_STEP_PX = 1e-7  # below a tenth of the accuracy that exact points have to be recovered with
+MIN_DENOMINATOR = 1e-6  # a quotient is kept away from its poles while it is iterated
+MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
+DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
+MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
+# blunders
+BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
+RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates of standard deviation 1
+MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
+TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
+MIN_SIGMA_PX = 1e-7  # rounding: no measured coordinate is better
+ROBUST_STEPS = 15  # of each stage; the weights have settled before
+# how points lie
+MIN_SPREAD = 0.05  # of their shorter extent to the longer one: narrower ones lie on a line
+MAX_EXTRAPOLATED = 0.5  # share of the image outside the control points' outline
+MIN_HEIGHT_SPAN = 0.01  # of the horizontal extent: below it terms in Z are hardly determined
+MAX_LINEAR_CONDITION = 1e6  # of the affine camera through the points, its columns scaled
+MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
+# the parametric model: nominal orbit and priors (standard deviations)
+DEFAULT_ORBIT_HEIGHT_KM = 694.0  # Pleiades; IKONOS 681, QuickBird 450, EROS-A1 480, WorldView-3 617
+ORBIT_HEIGHTS_KM = {  # by the satellite's name in the image's metadata; the operators' data sheets
+    "PHR": 694.0, "PLEIADES": 694.0, "SPOT": 694.0, "PNEO": 620.0, "IK": 681.0, "QB": 450.0, "WV01": 496.0,
+    "WV02": 770.0, "WV03": 617.0, "WV04": 617.0, "GE01": 681.0, "GEOEYE": 681.0, "EROS": 480.0, "KOMPSAT": 685.0,
+}  # fmt: skip
+PUSHBROOM_POSITION_SIGMAS_M = (5e3, 5e3, 5e4)  # along, across, away: the affine camera's view, the orbit's height
+PUSHBROOM_MOTION_SIGMAS_M = (1e3, 1e3, 300.0)  # over half the lines: the orbit is near circular
+PUSHBROOM_ROTATION_SIGMAS = (  # rad about each axis: attitude, its rate, acceleration and jerk over half the lines
+    (1e-2, 1e-2, 1e-2),
+    (2e-3, 2e-3, 2e-3),  # agile satellites pitch while they scan
+    (1e-5, 1e-5, 1e-5),  # 2": what star trackers resolve (Fraser 2000, cited by Kurczynski and Wolniewicz)
+    (3e-6, 3e-6, 3e-6),
+)
+PUSHBROOM_SCALE_SIGMA = 5e-3
+PRINCIPAL_SIGMA_PX = 50.0  # of the principal column around the image's middle
+PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
+PUSHBROOM_DIFFERENCE = 1e-2  # of a prior: derivatives good to 1e-7 px
+MAX_PUSHBROOM_ITERATIONS = 25
+MAX_PUSHBROOM_STEP_PX = 1e-6
+MIN_REDUNDANCY = 1e-9  # where the points determine as much as they can
+MAX_SIGMA_ROUNDS = 12
+MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has settled
+DEFAULT_SIGMA_PX = 0.5  # a point identified in an image
+MAX_LINE_ITERATIONS = 30  # the line that sees a point: Newton's method, three steps suffice on real scenes
+MAX_LINE_STEP_PX = 1e-7
+# RPC
+RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
+MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
+RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
+# orthorectification
+MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
+ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
+UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
+# the recommendation
+MAX_WORSE = 1.25  # a model that the paper prefers may be this much worse than the best, relative
+FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain

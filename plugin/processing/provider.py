@@ -9,11 +9,14 @@ from .calibratethreshold import CalibrateThreshold
 from .checknoise import CheckNoise
 from .checkradiometry import CheckRadiometry
 from .comparemarks import CompareMarks
+from .comparesensormodels import CompareSensorModels
 from .enhancephoto import EnhancePhoto
+from .fitsensormodel import FitSensorModel
 from .inspectwindows import InspectWindows
 from .interiororientation import InteriorOrientation
 from .measureresolution import MeasureResolution
 from .minimumheight import MinimumHeight
+from .orthorectify import Orthorectify
 from .placewindows import PlaceWindows
 from .predictloss import PredictLoss
 from .report import Report
@@ -33,6 +36,9 @@ ALGORITHMS = (
     InteriorOrientation,
     CompareMarks,
     EnhancePhoto,
+    FitSensorModel,
+    CompareSensorModels,
+    Orthorectify,
 )
 
 

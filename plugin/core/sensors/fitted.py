@@ -1,0 +1,32 @@
+"""What every fit of a model to points gives back."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Protocol
+
+import numpy as np
+
+
+class SensorModel(Protocol):
+    """From the ground to the image."""
+
+    GEOGRAPHIC: ClassVar[bool]
+    """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        """(n, 3) x, y, ellipsoidal height -> (n, 2) column, row in px."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A model as fitted."""
+
+    model: SensorModel
+    condition: float
+    """Condition number of the last design matrix, its columns scaled to length 1."""
+    iterations: int
+    """How many it took; 1 for a linear model."""
+    converged: bool
+    """Whether the last iteration changed the image coordinates by less than the limit."""
+    unknowns: float
+    """How many the points have determined: all of a free model, less where priors hold some."""

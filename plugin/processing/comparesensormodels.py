@@ -1,0 +1,108 @@
+"""``seaminspector:comparesensormodels``: the same points through every model."""
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingOutputString,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import sentence, tr
+from . import sensors
+from .sensors import SensorAlgorithm, image_box, warn
+
+OUTPUT, REPORT = "OUTPUT", "REPORT"
+RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
+
+
+class CompareSensorModels(SensorAlgorithm):
+    """Every model that the points allow, in one table, with a recommendation."""
+
+    ID = "comparesensormodels"
+    NAME = QT_TRANSLATE_NOOP("@default", "Compare sensor models")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Fits every sensor model that the points allow and judges each on points that its fit has not seen: check "
+        "points, or, where they are fewer than five, every point predicted from the others. The table is that of "
+        "Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the "
+        "vendor's RPC with a correction before quotients, polynomials for small and flat areas only.",
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(*sensors.gcps())
+        self.addDescribed(*sensors.image())
+        self.addDescribed(*sensors.image_rpc())
+        self.addDescribed(*sensors.dem(tr("Gives heights to points that have none.")))
+        self.addDescribed(*sensors.heights(sensors.HEIGHTS, tr("Heights of the points")))
+        self.addDescribed(*sensors.heights(sensors.DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(*sensors.check_share())
+        self.addDescribed(*sensors.robust())
+        self.addDescribed(*sensors.gcps_crs(), advanced=True)
+        self.addDescribed(*sensors.orbit_height(), advanced=True)
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Models"), QgsProcessing.SourceType.TypeVector),
+            tr("One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFileDestination(
+                REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=False
+            ),
+            tr("The table with a chart and the recommendation."),
+        )
+        self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
+        self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
+        self.addOutput(QgsProcessingOutputNumber(MODEL_COUNT, tr("Models judged")))
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters import sensor_points
+        from ..core.sensors import comparison, heights, layout
+
+        image = self._image()
+        rpc = self._rpc(parameters, sensors.IMAGE_RPC, context, feedback, image)
+        points = self._points(parameters, context, feedback, image, True)
+        size = (float(image.columns), float(image.rows)) if image is not None else None
+        notices = layout.layout_warnings(layout.layout(points.image[~points.check], image_box(image, points)))
+        warn(feedback, notices)
+        result = comparison.compare(
+            points,
+            comparison.candidates(rpc, self._orbit_height_m(parameters, context, image), size),
+            self.parameterAsBool(parameters, sensors.ROBUST, context),
+            heights.is_flat(points),
+            lambda share: feedback.setProgress(100 * share),
+            feedback.isCanceled,
+        )
+        sink, output = self.sink(
+            parameters,
+            OUTPUT,
+            context,
+            sensor_points.comparison_fields(),
+            QgsWkbTypes.Type.NoGeometry,
+            QgsCoordinateReferenceSystem(),
+        )
+        self.write(sink, sensor_points.comparison_features(result))
+        said = sentence(result.reason)
+        feedback.pushInfo(said)
+        results: dict[str, Any] = {
+            OUTPUT: output,
+            RECOMMENDED: result.recommended.wanted.name if result.recommended is not None else "",
+            RECOMMENDATION: said,
+            MODEL_COUNT: sum(row.errors is not None for row in result.rows),
+        }
+        path = self.file_path(parameters, REPORT, context)
+        if path is not None:
+            from ..adapters.sensor_reports import save_comparison_report
+
+            save_comparison_report(result, notices, path)
+            results[REPORT] = str(path)
+        return results

@@ -1,0 +1,185 @@
+"""``seaminspector:orthorectify``: an image over a terrain model."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..adapters.text import sentence, tr
+from ..core import messages
+from ..core.errors import CancelledError, RasterError, SensorModelError, SettingsError
+from . import sensors
+from .sensors import SensorAlgorithm, warn
+
+if TYPE_CHECKING:
+    from ..core.rasters import Image
+    from ..core.sensors.fitted import SensorModel
+    from ..core.sensors.rpc import Domain
+
+MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
+RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
+ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
+METHODS = ("nearest", "bilinear", "cubic", "cubicspline", "lanczos", "average")
+FORMATS = ("GTiff", "COG")
+
+
+class Orthorectify(SensorAlgorithm):
+    """An orthoimage from an image, its model and terrain heights."""
+
+    ID = "orthorectify"
+    RASTER_LISTS = (sensors.DEM,)
+    NAME = QT_TRANSLATE_NOOP("@default", "Orthorectify")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Puts an image on the map over a terrain model, by a model file of Fit sensor model, an RPC file or the "
+        "image's own RPC. GDAL's warper does it with all cores; how far it is from the exact model is measured on a "
+        "grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.",
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(*sensors.image(optional=False))
+        self.addDescribed(
+            QgsProcessingParameterFile(MODEL_FILE, tr("Model file"), optional=True),
+            tr("As Fit sensor model writes it."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(RPC, tr("RPC file"), optional=True),
+            tr("_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC."),
+        )
+        self.addDescribed(*sensors.dem(tr("Terrain heights under the whole image, in any reference system.")))
+        self.addDescribed(*sensors.heights(sensors.DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                HEIGHT,
+                tr("Constant height (metres)"),
+                QgsProcessingParameterNumber.Type.Double,
+                None,
+                optional=True,
+            ),
+            tr("Above the ellipsoid, instead of a terrain model: only where the terrain is flat."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True),
+            tr("Of the orthoimage. Empty: the UTM zone of the image's centre."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                PIXEL_SIZE, tr("Pixel size"), QgsProcessingParameterNumber.Type.Double, None, True, 0
+            ),
+            tr("In units of the reference system. Empty: that of the image on the ground."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True),
+            tr("Empty: the whole image. It is widened to whole pixels."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterEnum(
+                RESAMPLING, tr("Resampling"), list(METHODS), defaultValue="cubic", usesStaticStrings=True
+            ),
+            tr("How pixels are interpolated."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterEnum(
+                FORMAT, tr("Format"), list(FORMATS), defaultValue="GTiff", usesStaticStrings=True
+            ),
+            tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage")),
+            tr("A GeoTIFF; empty where the image or the terrain model ends."),
+        )
+        self.addOutput(QgsProcessingOutputNumber(ERROR_RMS, tr("Root mean square against the exact model (px)")))
+        self.addOutput(QgsProcessingOutputNumber(ERROR_MAX, tr("Largest error against the exact model (px)")))
+        self.addOutput(QgsProcessingOutputNumber(UNCOVERED, tr("Share of the image without terrain heights")))
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..core.rasters import describe_image
+
+        image = self._raster(parameters, sensors.IMAGE, context)
+        if image is None:
+            raise RasterError(messages.NOT_A_RASTER_LAYER(name=sensors.IMAGE))
+        describe_image(image)
+        given = parameters.get(HEIGHT) not in (None, "")
+        if given == bool(parameters.get(sensors.DEM)):
+            raise SettingsError(messages.DEM_AND_HEIGHT() if given else messages.NO_DEM())
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..adapters.layers import box_extent, system_wkt
+        from ..core.sensors.ortho import Request, orthorectify
+
+        self.check(parameters, context)
+        assert self._image_ref is not None
+        image = self._image()
+        assert image is not None
+        model, wkt, domain = self._model(parameters, context, feedback, image)
+        target = self.parameterAsCrs(parameters, CRS, context)
+        extent = None
+        if parameters.get(EXTENT):
+            if not target.isValid():
+                raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
+            extent = box_extent(self.parameterAsExtent(parameters, EXTENT, context, target))
+        size = parameters.get(PIXEL_SIZE)
+        height = parameters.get(HEIGHT)
+        output = Path(self.parameterAsOutputLayer(parameters, OUTPUT, context))
+        request = Request(
+            self._image_ref,
+            model,
+            wkt,
+            domain,
+            self._dem,
+            self.parameterAsString(parameters, sensors.DEM_HEIGHTS, context),
+            None if height in (None, "") else self.parameterAsDouble(parameters, HEIGHT, context),
+            output,
+            system_wkt(target),
+            None if size in (None, "") else self.parameterAsDouble(parameters, PIXEL_SIZE, context),
+            extent,
+            self.parameterAsString(parameters, RESAMPLING, context),
+            self.parameterAsString(parameters, FORMAT, context),
+        )
+        try:
+            made = orthorectify(request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled)
+        except CancelledError as stopped:
+            feedback.pushWarning(sentence(stopped.message))
+            return {}
+        warn(feedback, made.notices)
+        feedback.pushInfo(
+            tr(
+                "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."
+            ).format(
+                columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px
+            )
+        )
+        return {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
+
+    def _model(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback, image: Image
+    ) -> tuple[SensorModel, str, Domain]:
+        """The model in the image's own pixels, the system it is in, and where it is used."""
+        from ..core.sensors.ground import WGS84
+        from ..core.sensors.model_file import load_model
+        from ..core.sensors.ortho import rpc_domain
+
+        path = self.parameterAsFile(parameters, MODEL_FILE, context)
+        if path and self.parameterAsFile(parameters, RPC, context):
+            raise SettingsError(messages.MODEL_AND_RPC())
+        if path:
+            file = load_model(Path(path))
+            return file.model, file.wkt, file.domain
+        rpc = self._rpc(parameters, RPC, context, feedback, image)
+        if rpc is None:
+            raise SensorModelError(messages.NO_RPC())
+        return rpc, WGS84, rpc_domain(rpc, image)
