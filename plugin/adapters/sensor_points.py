@@ -11,9 +11,9 @@ from qgis.core import NULL, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsP
 from ..core import messages
 from ..core.errors import SensorModelError
 from ..core.messages import Message
-from ..core.rasters import Image
 from ..core.sensors.adjustment import Adjustment
 from ..core.sensors.comparison import Comparison
+from ..core.sensors.images import Image
 from ..core.sensors.point_files import image_coordinates, read_point_file
 from ..core.sensors.points import CHECK, CONTROL, Points
 from .compat import field

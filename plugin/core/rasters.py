@@ -673,42 +673,6 @@ def _gdal(call: Callable[[], Any], ref: RasterRef, failure: Message | None = Non
     return result
 
 
-@dataclass(frozen=True)
-class Image:
-    """An image as a sensor took it, which may have no place on the map yet."""
-
-    ref: RasterRef
-    columns: int
-    rows: int
-    geotransform: GeoTransform | None
-    """None where the file has none."""
-    georeferenced: bool
-    """Whether a reference system goes with the geotransform."""
-    rpc: dict[str, str]
-    """GDAL's metadata domain RPC; empty where the image has none."""
-    satellite: str
-    """What the metadata call the satellite; may be empty."""
-
-
-def describe_image(ref: RasterRef) -> Image:
-    """What there is to know about an image before it is georeferenced. Raises RasterError."""
-    dataset = open_dataset(ref)
-    if dataset.RasterCount == 0:
-        raise RasterError(messages.NO_BANDS(name=ref.name))
-    transform = dataset.GetGeoTransform(can_return_null=True)
-    about = {**(dataset.GetMetadata() or {}), **(dataset.GetMetadata("IMAGERY") or {})}
-    named = next((str(about[key]) for key in ("SATELLITEID", "NITF_ISORCE") if key in about), "")
-    return Image(
-        ref,
-        dataset.RasterXSize,
-        dataset.RasterYSize,
-        tuple(transform) if transform is not None else None,
-        bool(dataset.GetProjection()),
-        dict(dataset.GetMetadata("RPC") or {}),
-        named,
-    )
-
-
 def open_dataset(ref: RasterRef) -> gdal.Dataset:
     """The dataset itself, for GDAL's own operations. Raises RasterError when it can't be opened."""
     return _open(ref)

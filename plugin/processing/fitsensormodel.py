@@ -28,8 +28,8 @@ from .sensors import SensorAlgorithm, image_box, warn
 
 if TYPE_CHECKING:
     from ..core.messages import Message
-    from ..core.rasters import Image
     from ..core.sensors.adjustment import Accuracy, Adjustment
+    from ..core.sensors.images import Image
     from ..core.sensors.kinds import Wanted
     from ..core.sensors.rpc import Domain
 

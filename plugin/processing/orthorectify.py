@@ -24,8 +24,8 @@ from . import sensors
 from .sensors import SensorAlgorithm, warn
 
 if TYPE_CHECKING:
-    from ..core.rasters import Image
     from ..core.sensors.fitted import SensorModel
+    from ..core.sensors.images import Image
     from ..core.sensors.rpc import Domain
 
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
@@ -105,7 +105,7 @@ class Orthorectify(SensorAlgorithm):
         self.addOutput(QgsProcessingOutputNumber(UNCOVERED, tr("Share of the image without terrain heights")))
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ..core.rasters import describe_image
+        from ..core.sensors.images import describe_image
 
         image = self._raster(parameters, sensors.IMAGE, context)
         if image is None:

@@ -28,7 +28,8 @@ from .parameters import Described
 
 if TYPE_CHECKING:
     from ..core.messages import Message
-    from ..core.rasters import Image, RasterRef
+    from ..core.rasters import RasterRef
+    from ..core.sensors.images import Image
     from ..core.sensors.layout import Box
     from ..core.sensors.points import Points
     from ..core.sensors.rational import Rational
@@ -64,7 +65,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return raster_ref(value, context) if value else None
 
     def _image(self) -> Image | None:
-        from ..core.rasters import describe_image
+        from ..core.sensors.images import describe_image
 
         return describe_image(self._image_ref) if self._image_ref is not None else None
 

@@ -11,8 +11,9 @@ import pytest
 from osgeo import gdal, osr
 from scipy.ndimage import map_coordinates
 from seam_inspector.plugin.core.errors import CancelledError, RasterError, SeamInspectorError, SettingsError
-from seam_inspector.plugin.core.rasters import RasterRef, describe_image
+from seam_inspector.plugin.core.rasters import RasterRef
 from seam_inspector.plugin.core.sensors import rpc
+from seam_inspector.plugin.core.sensors.images import describe_image
 from seam_inspector.plugin.core.sensors.ortho import Ortho, Request, of_part, orthorectify, rpc_domain
 from seam_inspector.plugin.core.sensors.terrain import load_terrain
 

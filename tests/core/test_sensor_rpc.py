@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.core.errors import SensorModelError
-from seam_inspector.plugin.core.rasters import RasterRef, describe_image
+from seam_inspector.plugin.core.rasters import RasterRef
 from seam_inspector.plugin.core.sensors import kinds, rpc
 from seam_inspector.plugin.core.sensors.adjustment import adjust
 from seam_inspector.plugin.core.sensors.bias import BiasedRpc
 from seam_inspector.plugin.core.sensors.fitted import SensorModel
 from seam_inspector.plugin.core.sensors.ground import Frame
+from seam_inspector.plugin.core.sensors.images import describe_image
 from seam_inspector.plugin.core.sensors.kinds import Wanted
 from seam_inspector.plugin.core.sensors.model_file import FORMAT, ModelFile, load_model, save_model
 from seam_inspector.plugin.core.sensors.point_files import image_coordinates, read_point_file

@@ -16,11 +16,12 @@ from .. import messages, thresholds
 from ..errors import CancelledError, RasterError, SensorModelError, SettingsError
 from ..messages import Message
 from ..quiet import quiet
-from ..rasters import Image, RasterRef, describe_image, open_dataset
+from ..rasters import RasterRef, open_dataset
 from ..systems import extent_on, horizontal_wkt, transform_points, utm_wkt
 from ..windows import Extent
 from .fitted import SensorModel
 from .ground import GEOGRAPHIC, WGS84, Frame
+from .images import Image, describe_image
 from .locating import locate
 from .rational import Rational
 from .rpc import Domain, RpcOfModel, rpc_of, to_metadata

@@ -10,10 +10,10 @@ import numpy as np
 
 from .. import messages, thresholds
 from ..errors import SensorModelError, SettingsError
-from ..rasters import Image
 from .bias import BiasedRpc
 from .fitted import SensorModel
 from .ground import GEOGRAPHIC, Frame
+from .images import Image
 from .locating import locate
 from .polynomials import Polynomial2D, Polynomial3D
 from .rational import Dlt, Rational, fit_rational
