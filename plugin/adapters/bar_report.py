@@ -30,13 +30,17 @@ def resolution_page(raster: Mosaic, resolution: Resolution, target: Target) -> s
         "{criterion:.0%} of the full amplitude away from the weakest bar. Grey lines: the ends of the line as drawn."
     ).format(criterion=target.criterion)
     parts.append(report.heading(tr("Profiles")))
-    parts.append(report.drawing(svg_text(group_chart(resolution.results, target.criterion)), words, width_mm=170))
+    parts.append(report.drawing(svg_text(group_chart(resolution.results, target.criterion)), words))
     parts.append(report.heading(tr("Measurements")))
     headings = (
         tr("group"), tr("direction"), tr("band"), tr("distance, cm"), tr("bars"), tr("amplitude, DN"),
-        tr("full amplitude, DN"), tr("modulation"), tr("shift, px"), tr("verdict"), tr("reason"),
+        tr("full amplitude, DN"), tr("modulation"), tr("shift, px"), tr("verdict"),
     )
     parts.append(report.table(headings, [_row(result) for result in resolution.results]))
+    reasons = [(*_names(result), sentence(result.reason)) for result in resolution.results if result.reason is not None]
+    if reasons:
+        parts.append(report.heading(tr("Reasons")))
+        parts.append(report.table((tr("group"), tr("direction"), tr("band"), tr("reason")), reasons))
     return report.page(title, parts)
 
 
@@ -52,15 +56,13 @@ def _summary(resolution: Resolution) -> str:
 
 
 def _row(result: GroupResult) -> tuple[object, ...]:
-    line, reading = result.measured.line, result.reading
+    reading = result.reading
 
     def rounded(value: float | None, digits: int) -> str:
         return "" if value is None else f"{value:.{digits}f}"
 
     return (
-        "" if line.group is None else line.group,
-        line.direction,
-        band_title(result.band) if result.band else "",
+        *_names(result),
         rounded(result.grd_cm, 2),
         "" if reading is None else len(reading.bars),
         rounded(None if reading is None else reading.amplitude, 1),
@@ -68,5 +70,11 @@ def _row(result: GroupResult) -> tuple[object, ...]:
         rounded(None if reading is None else reading.modulation, 3),
         rounded(result.measured.shifts.get(result.band), 2),
         verdict_word(verdict_of([result])),
-        "" if result.reason is None else sentence(result.reason),
     )
+
+
+def _names(result: GroupResult) -> tuple[object, str, str]:
+    """Group, direction and band."""
+    line = result.measured.line
+    group = "" if line.group is None else line.group
+    return group, line.direction, band_title(result.band) if result.band else ""

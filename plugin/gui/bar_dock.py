@@ -305,4 +305,6 @@ def _verdict(resolution: Resolution) -> str:
     words = "" if grd is None else f"{grd:.2f} cm"
     if results and all(result.resolved for result in results):
         words += ", " + tr("resolved")
+    if resolution.scale_notice is not None:
+        reasons.append(sentence(resolution.scale_notice))
     return ": ".join(part for part in (words, " ".join(reasons)) if part)

@@ -15,7 +15,7 @@ from seam_inspector.plugin.core.resolution.groups import BarLine, MeasuredLine, 
 from seam_inspector.plugin.core.resolution.profiles import Segment
 from seam_inspector.plugin.core.resolution.target import Target
 
-from tests.core.bar_targets import STEP, Bars, Ends, coverage, image, theoretical_cycle
+from tests.core.bar_targets import STEP, Bars, Ends, coverage, image, theoretical_cycle, theoretical_share
 
 MakeRaster = Callable[..., str]
 PIXEL_CM = 10.0
@@ -164,6 +164,38 @@ def test_the_shift_of_a_band_against_green(make_raster: MakeRaster, shift: float
     assert line.shifts["red"] == pytest.approx(shift, abs=0.05)
     assert line.shifts["green"] == 0
     assert line.shifts["blue"] == pytest.approx(-shift, abs=0.05)
+
+
+@pytest.mark.parametrize("half", [1.25, 1.6, 2.6])
+def test_how_long_the_line_is_hardly_matters(make_raster: MakeRaster, half: float) -> None:
+    """From the edges of the outer bars to far beyond them."""
+    shape, groups = row_of_groups([9.0], 0.05, np.random.default_rng(8))
+    path = make_raster("t.tif", image(shape, groups, 1.6, 1.0), gsd=0.1)
+    (line,) = measured(path, {1: groups[0].line(half)})
+    assert len(line.readings["band_1"].bars) == 3
+    assert line.readings["band_1"].share == pytest.approx(theoretical_share(9.0, 1.6), abs=0.06)
+
+
+@pytest.mark.parametrize("noise", [1.0, 3.0, 9.0])
+def test_the_noise_is_that_of_the_ground(make_raster: MakeRaster, noise: float) -> None:
+    shape, groups = row_of_groups([9.0, 9.0, 9.0], 0.05, np.random.default_rng(8))
+    path = make_raster("t.tif", image(shape, groups, 0.8, noise), gsd=0.1)
+    for line in measured(path, {group: bars.line() for group, bars in enumerate(groups)}):
+        assert line.readings["band_1"].profile.noise == pytest.approx(noise, rel=0.3)
+
+
+def test_bars_that_do_not_exceed_the_noise_are_not_resolved(make_raster: MakeRaster) -> None:
+    shape, groups = row_of_groups([12.0], 0.05, np.random.default_rng(8))
+    scene = 100 + 20 * coverage(shape, groups, 0.8)
+    verdicts = []
+    for noise in (2.0, 9.0):
+        pixels = scene + np.random.default_rng(9).normal(0, noise, shape)
+        path = make_raster("t.tif", pixels.astype(np.float32), gsd=0.1)
+        target = Target(reference_group=1, reference_grd_cm=120)
+        (result,) = resolution(path, {1: groups[0].line()}, target).results
+        verdicts.append(result.resolved)
+    assert verdicts == [True, False]
+    assert "does not exceed three times the noise" in str(result.reason)
 
 
 def test_five_bars(make_raster: MakeRaster) -> None:

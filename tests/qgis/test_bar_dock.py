@@ -179,6 +179,14 @@ def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
     assert operator.dock.profile.bands_shown == 0
 
 
+def test_a_line_over_another_group_than_its_number_says_is_told(operator: Operator) -> None:
+    start, end = operator.ends(3)
+    operator.press(start)
+    operator.move(end)
+    wait_until(lambda: operator.dock.results)
+    assert "0.63 times as far apart" in operator.dock.verdict.text()
+
+
 def test_a_layer_without_the_fields_is_told(operator: Operator, qgis_iface: QgisInterface,
                                             monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []

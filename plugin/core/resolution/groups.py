@@ -86,6 +86,8 @@ class Resolution:
     """Ground resolved distance by direction and band; None where no group is resolved."""
     notices: tuple[Message, ...]
     """What the user should know of the target as a whole."""
+    scale_notice: Message | None = None
+    """The one of them that says that the bars do not lie as the group numbers and the pixel size say."""
 
     def worst(self, direction: str) -> float | None:
         """The largest distance of a direction over its bands; None unless every band resolves a group."""
@@ -134,13 +136,14 @@ def measure_line(
 def judge(raster: Mosaic, measured: Sequence[MeasuredLine], target: Target) -> Resolution:
     """The verdicts on all lines of a target, and its ground resolved distance by direction and band."""
     measured = _without_twins(measured)
-    scale, notices = _pixels_per_cm(raster, measured, target)
+    scale, off_scale = _pixels_per_cm(raster, measured, target)
+    notices = [] if off_scale is None else [off_scale]
     results = [result for line in measured for result in _line_results(line, target, scale)]
     results, distances = _without_spurious(results)
     for (direction, band), distance in distances.items():
         if distance is None:
             notices.append(messages.NO_GRD(direction=direction, band=band))
-    return Resolution(tuple(results), distances, tuple(notices))
+    return Resolution(tuple(results), distances, tuple(notices), off_scale)
 
 
 def _without_twins(measured: Sequence[MeasuredLine]) -> list[MeasuredLine]:
@@ -184,14 +187,14 @@ def _weakness(reading: BarReading, target: Target) -> Message | None:
     found, noise = len(reading.bars), reading.profile.noise
     if reading.is_flat or found == 0:
         return messages.NO_BARS()
-    if found > target.bars:
-        return messages.TOO_MANY_BARS(found=found, bars=target.bars)
     if found < target.bars or reading.amplitude is None:
         return messages.BARS_MERGED(found=found, bars=target.bars)
-    if reading.amplitude < target.criterion * reading.full_amplitude:
-        return messages.BARS_TOO_WEAK(share=reading.share, criterion=target.criterion)
     if reading.amplitude <= thresholds.MIN_NOISE_RATIO * noise:
         return messages.BARS_IN_NOISE(amplitude=reading.amplitude, noise=noise)
+    if found > target.bars:
+        return messages.TOO_MANY_BARS(found=found, bars=target.bars)
+    if reading.amplitude < target.criterion * reading.full_amplitude:
+        return messages.BARS_TOO_WEAK(share=reading.share, criterion=target.criterion)
     return None
 
 
@@ -211,7 +214,7 @@ def _aliasing(reading: BarReading, cycle: float | None) -> Message | None:
 
 def _pixels_per_cm(
     raster: Mosaic, measured: Sequence[MeasuredLine], target: Target
-) -> tuple[float | None, list[Message]]:
+) -> tuple[float | None, Message | None]:
     """How many pixels a centimetre of the target covers, from the pixel size and from the bars themselves.
 
     The bars are believed where both differ: a photograph may have no scale, or a target another number for its
@@ -228,16 +231,16 @@ def _pixels_per_cm(
         if spacings and float(np.median(spacings)) >= thresholds.MIN_ALIAS_FREE_PX:
             seen.append((target.grd_cm(group), float(np.median(spacings))))
     if not seen:
-        return ground, []
+        return ground, None
     seen.sort(reverse=True)
     if _runs_backwards(seen):
-        return None, [messages.TARGET_REVERSED()]
+        return None, messages.TARGET_REVERSED()
     scale = float(np.median([spacing / grd for grd, spacing in seen[:3]]))
     if ground is None:
-        return scale, []
+        return scale, None
     if abs(scale / ground - 1) > thresholds.MAX_TARGET_SCALE_DIFFERENCE:
-        return scale, [messages.TARGET_SCALE_DIFFERS(ratio=scale / ground)]
-    return ground, []
+        return scale, messages.TARGET_SCALE_DIFFERS(ratio=scale / ground)
+    return ground, None
 
 
 def _runs_backwards(seen: Sequence[tuple[float, float]]) -> bool:
