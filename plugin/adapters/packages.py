@@ -8,9 +8,14 @@ from importlib.util import find_spec
 
 from .text import tr
 
-_MEASUREMENT = {"numpy": "numpy", "pywt": "PyWavelets"}
+_MEASUREMENT = {"numpy": "numpy", "pywt": "PyWavelets", "scipy": "scipy"}
 _DESK = {**_MEASUREMENT, "matplotlib": "matplotlib"}
-_DEBIAN = {"numpy": "python3-numpy", "PyWavelets": "python3-pywt", "matplotlib": "python3-matplotlib"}
+_DEBIAN = {
+    "numpy": "python3-numpy",
+    "PyWavelets": "python3-pywt",
+    "scipy": "python3-scipy",
+    "matplotlib": "python3-matplotlib",
+}
 
 
 def missing_packages(desk: bool = False) -> list[str]:
