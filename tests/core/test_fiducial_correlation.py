@@ -11,7 +11,12 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.core.errors import PhotoError
 from seam_inspector.plugin.core.fiducials.correlation import Field, correlate, peaks
 from seam_inspector.plugin.core.fiducials.measuring import (
-    Found, Lost, Surface, Template, Window, measure,
+    Found,
+    Lost,
+    Surface,
+    Template,
+    Window,
+    measure,
 )
 from seam_inspector.plugin.core.fiducials.surface import SurfaceError, extremum, fit_surface, surface_extremum
 from seam_inspector.plugin.core.fiducials.templates import Kind, Shape, all_shapes, chosen_shapes, cut_out, draw
