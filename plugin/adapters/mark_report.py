@@ -12,7 +12,7 @@ from ..core.fiducials.results import Mark, Orientation, Status
 from ..core.rasters import Photo
 from .text import sentence, tr
 
-_COLOURS = {Status.MEASURED: (0, 158, 115), Status.GIVEN: (230, 159, 0)}
+_COLOURS = {Status.MEASURED: (0, 230, 130), Status.GIVEN: (255, 170, 0)}
 
 
 def orientation_page(photo: Photo, made: Orientation) -> str:
@@ -107,13 +107,12 @@ def marked(mark: Mark, view: Window) -> np.ndarray:
     picture = np.repeat(np.rint(shown)[..., np.newaxis], 3, axis=2).astype(np.uint8)
     x = round((mark.place[0] - view.left) * times / step - 0.5)
     y = round((mark.place[1] - view.top) * times / step - 0.5)
-    arm, gap = 3 * times, times // 2
+    arm, gap, thin = 3 * times, times // 2, slice(-1, 2)
     for rows, columns in (
-        (slice(y, y + 1), slice(x - arm, x - gap)), (slice(y, y + 1), slice(x + gap + 1, x + arm + 1)),
-        (slice(y - arm, y - gap), slice(x, x + 1)), (slice(y + gap + 1, y + arm + 1), slice(x, x + 1)),
-        (slice(y, y + 1), slice(x, x + 1)),
+        (thin, slice(-arm, -gap)), (thin, slice(gap + 1, arm + 1)), (slice(-arm, -gap), thin),
+        (slice(gap + 1, arm + 1), thin), (slice(0, 1), slice(0, 1)),
     ):
-        picture[rows, columns] = _COLOURS.get(mark.status, (213, 94, 0))
+        picture[y + rows.start : y + rows.stop, x + columns.start : x + columns.stop] = _COLOURS[mark.status]
     return picture
 
 

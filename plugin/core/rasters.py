@@ -461,8 +461,7 @@ class RasterWriter:
         if invalid is None and self._mask is None:
             return
         if self._mask is None:
-            with gdal.config_option("GDAL_TIFF_INTERNAL_MASK", "YES"):
-                self._dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
+            self._dataset.CreateMaskBand(gdal.GMF_PER_DATASET)  # a file beside the TIFF
             self._mask = self._dataset.GetRasterBand(1).GetMaskBand()
             self._mask.Fill(255)
         if invalid is not None:

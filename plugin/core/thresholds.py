@@ -219,6 +219,7 @@ TELLING_PIXEL_MM = 0.2  # a ring of 2 mm is ten pixels wide
 REFINED_ARRANGEMENTS = 5  # looked at closely, of one for each figure
 WORTH_A_LOOK = 0.75  # of the best arrangement's sum of correlations
 DISTINCT_SHARE = 1.5  # of a mark's size: so far around it nothing may look alike
+DISTINCT_FRAME_SHARE = 0.03  # of the frame: 6 mm on 23 cm, so that an arm's end is told from its counterpart
 SMOOTHING_PX = 0.5  # standard deviation of the blur against grain before a mark is measured: the lines are wider
 NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one that explains most pixels is the mark
 MIN_SUPPORT = 3  # marks that have to agree where no position is given: two lie right for any scale and rotation

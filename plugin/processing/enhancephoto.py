@@ -33,8 +33,8 @@ class EnhancePhoto(SeamInspectorAlgorithm):
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "
-        "against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map "
-        "and invalid pixels are kept. Marks are measured on the photo itself, not on this copy."
+        "against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the "
+        "map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy."
     )
     RASTER_LISTS = ()
 

@@ -61,7 +61,8 @@ def test_invalid_pixels_stay_invalid(tmp_path: Path) -> None:
     pixels = orthoimage((40, 50))
     pixels[:, 30:, :20] = 0
     path = write_raster(tmp_path / "photo.tif", pixels, nodata=0)
-    mask = enhanced(path, tmp_path, Operation.MEAN).GetRasterBand(1).GetMaskBand().ReadAsArray()
+    made = enhanced(path, tmp_path, Operation.MEAN)
+    mask = made.GetRasterBand(1).GetMaskBand().ReadAsArray()
     assert ((mask == 0) == (pixels == 0).all(axis=0)).all()
 
 

@@ -139,7 +139,7 @@ def unbc(data_folder: Path) -> Path:
 
 
 def test_a_whole_scanned_frame(unbc: Path) -> None:
-    """No positions, no kind of mark given. The published places were set by hand: one is visibly 0.9 px off the mark."""
+    """No positions, no kind of mark given. The published places were set by hand, one visibly 0.9 px off."""
     calibration = read_calibration(unbc / "MeasuresCamera.xml")
     published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
     started = time.process_time()
@@ -162,7 +162,9 @@ def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:
     assert made.count(Status.MEASURED) == 4
 
 
-@pytest.mark.parametrize(("strip", "place"), [("T", (894, 290)), ("L", (287, 895)), ("B", (894, 170)), ("R", (159, 894))])
+@pytest.mark.parametrize(
+    ("strip", "place"), [("T", (894, 290)), ("L", (287, 895)), ("B", (894, 170)), ("R", (159, 894))]
+)
 def test_a_mark_in_every_strip(data_folder: Path, strip: str, place: Place) -> None:
     """Seen by eye, to the pixel. Without a position the strip does not tell which mark it has, and it says so."""
     photo = Photo(RasterRef(str(data_folder / "fiducials" / "hipp" / "arc" / f"{strip}.jpg")))

@@ -34,7 +34,7 @@ from .search import (
     whole_photo,
     windows_only,
 )
-from .templates import CutOut, Shape, all_shapes
+from .templates import CutOut, Kind, Shape, all_shapes
 from .transformations import Model, fit
 
 
@@ -189,10 +189,10 @@ class _Run:
         worth = thresholds.WORTH_A_LOOK * found[0][1].score
         for one in [one for one in found if one[1].score >= worth][: thresholds.REFINED_ARRANGEMENTS]:
             shape, fitness = self._refined(*one, one[1].shape, thresholds.GLANCING_SIZE_PX)
-            looked_at.append((fitness, shape, one))
+            looked_at.append((fitness * len(one[1].values) / len(one[0].marks), shape, one))
         best = max(fitness for fitness, _, _ in looked_at)
         likely = [one for one in looked_at if one[0] >= best - thresholds.NEARLY_AS_FIT]
-        _, shape, chosen = max(likely, key=lambda one: _weight(one[0], one[1]) * len(one[2][1].values))
+        _, shape, chosen = max(likely, key=lambda one: _weight(one[0], one[1]))
         self._template = self._refined(*chosen, shape, thresholds.REFINING_SIZE_PX)[0]
         return chosen
 
@@ -308,6 +308,8 @@ class _Run:
             mark = aimed(mark, place, found.angle)
         template = Template(mark, found.sign)
         around = max(reach, thresholds.DISTINCT_SHARE * template.size)
+        if not (isinstance(mark, Shape) and mark.kind is Kind.DOT):  # dots there are in every picture
+            around = max(around, thresholds.DISTINCT_FRAME_SHARE * self._calibration.span * self._scale)
         half = math.ceil(around) + max(template.at((0.0, 0.0)).shape) // 2 + 1
         try:
             window = self._window(near, half)
