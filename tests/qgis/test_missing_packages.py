@@ -93,7 +93,7 @@ def test_how_to_get_it_depends_on_the_system(
 @pytest.mark.skipif(shutil.which("apt") is None, reason="another system gives other advice")
 def test_all_that_is_missing_is_in_one_message(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(packages, "find_spec", lambda _name: None)
-    words = "numpy, PyWavelets, matplotlib.*apt install python3-numpy python3-pywt python3-matplotlib"
+    words = "numpy, PyWavelets, scipy, matplotlib.*install python3-numpy python3-pywt python3-scipy python3-matplotlib"
     assert_sentence(packages.missing_packages_sentence(desk=True), words)
 
 
