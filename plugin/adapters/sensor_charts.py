@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ..core.sensors.adjustment import Adjustment
 from ..core.sensors.comparison import Comparison
@@ -35,6 +36,7 @@ def residual_chart(done: Adjustment, found: Layout, box: Box) -> Figure:
         (tr("Check points"), points.check & ~done.blunder, _CHECK, "^"),
         (tr("Blunders"), done.blunder, _BLUNDER, "x"),
     )
+    reach = [np.array([[box[0], box[1]], [box[2], box[3]]])]  # what has to be in the picture
     for label, group, colour, marker in groups:
         if not group.any():
             continue
@@ -42,21 +44,24 @@ def residual_chart(done: Adjustment, found: Layout, box: Box) -> Figure:
         longest = 3 * _ARROW_SHARE * max(width, height)
         length = np.linalg.norm(arrows, axis=1, keepdims=True)
         arrows = arrows * np.minimum(1, longest / np.maximum(length, 1e-12))
+        reach += [places, places + arrows]
         axes.plot(*places.T, marker, color=colour, ms=4, label=label, ls="none")
         axes.quiver(
             *places.T, *arrows.T, angles="xy", scale_units="xy", scale=1, color=colour, width=0.0032, headwidth=3.5
         )
     step = _round(usual)
     if step > 0:
-        corner = ([box[0]], [box[3]], [0], [0])
+        corner = ([box[0]], [box[1]], [0], [0])
         key = axes.quiver(*corner, angles="xy", scale_units="xy", scale=1, color=_QUIET, width=0.0032, headwidth=3.5)
-        axes.quiverkey(key, 0.04, 1.03, step * factor, f"{step:g} px", labelpos="E", coordinates="axes", color=_QUIET)
-    margin = 0.04 * max(width, height)
-    axes.set_xlim(box[0] - margin, box[2] + margin)
-    axes.set_ylim(box[3] + margin, box[1] - margin)
+        axes.quiverkey(key, 0.85, 0.04, step * factor, f"{step:g} px", labelpos="E", coordinates="figure", color=_QUIET)
+    margin = 0.02 * max(width, height)
+    low, high = np.concatenate(reach).min(axis=0) - margin, np.concatenate(reach).max(axis=0) + margin
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(high[1], low[1])
     axes.set_xlabel(tr("Column (px)"))
     axes.set_ylabel(tr("Row (px)"))
-    axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=3, frameon=False, fontsize=9, handletextpad=0.2)
+    axes.xaxis.set_major_locator(MaxNLocator(5))
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3, frameon=False, fontsize=9, handletextpad=0.2)
     for side in ("top", "right", "left", "bottom"):
         axes.spines[side].set_visible(False)
     return figure

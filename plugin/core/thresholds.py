@@ -251,7 +251,6 @@ ROBUST_STEPS = 15  # of each stage; the weights have settled before
 # how points lie
 MIN_SPREAD = 0.05  # of their shorter extent to the longer one: narrower ones lie on a line
 MAX_EXTRAPOLATED = 0.5  # share of the image outside the control points' outline
-MIN_HEIGHT_SPAN = 0.01  # of the horizontal extent: below it terms in Z are hardly determined
 MAX_LINEAR_CONDITION = 1e6  # of the affine camera through the points, its columns scaled
 MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 # the parametric model: nominal orbit and priors (standard deviations)

@@ -70,7 +70,7 @@ class CompareSensorModels(SensorAlgorithm):
 
         image = self._image()
         rpc = self._rpc(parameters, sensors.IMAGE_RPC, context, feedback, image)
-        points = self._points(parameters, context, feedback, image, True)
+        points = self._points(parameters, context, feedback, image)
         size = (float(image.columns), float(image.rows)) if image is not None else None
         notices = layout.layout_warnings(layout.layout(points.image[~points.check], image_box(image, points)))
         warn(feedback, notices)

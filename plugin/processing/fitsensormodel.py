@@ -126,7 +126,7 @@ class FitSensorModel(SensorAlgorithm):
 
         image = self._image()
         wanted = self._wanted(parameters, context, feedback, image)
-        points = self._points(parameters, context, feedback, image, wanted.spatial)
+        points = self._points(parameters, context, feedback, image, wanted)
         done = adjust(wanted, points, self.parameterAsBool(parameters, sensors.ROBUST, context))
         box = image_box(image, points)
         found = layout.layout(points.image[~points.check & ~done.blunder], box)

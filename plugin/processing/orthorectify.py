@@ -72,7 +72,7 @@ class Orthorectify(SensorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True),
-            tr("Of the orthoimage. Empty: the UTM zone of the image's centre."),
+            tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."),
         )
         self.addDescribed(
             QgsProcessingParameterNumber(
@@ -129,6 +129,8 @@ class Orthorectify(SensorAlgorithm):
         target = self.parameterAsCrs(parameters, CRS, context)
         extent = None
         if parameters.get(EXTENT):
+            if not target.isValid():
+                target = self.parameterAsExtentCrs(parameters, EXTENT, context)
             if not target.isValid():
                 raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
             extent = box_extent(self.parameterAsExtent(parameters, EXTENT, context, target))

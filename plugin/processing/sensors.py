@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from ..core.messages import Message
     from ..core.rasters import RasterRef
     from ..core.sensors.images import Image
+    from ..core.sensors.kinds import Wanted
     from ..core.sensors.layout import Box
     from ..core.sensors.points import Points
     from ..core.sensors.rational import Rational
@@ -75,9 +76,9 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
         image: Image | None,
-        spatial: bool,
+        wanted: Wanted | None = None,
     ) -> Points:
-        """The points with roles, and heights where the model needs them."""
+        """The points with roles, and heights where the model (None: any model) needs them."""
         from ..adapters import sensor_points
         from ..adapters.layers import system_wkt
         from ..core.sensors.heights import with_heights
@@ -90,14 +91,20 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         else:
             points, with_roles, notices = sensor_points.layer_points(self.source(parameters, GCPS, context))
         warn(feedback, notices)
-        if spatial:
+        if wanted is None or wanted.spatial:
             datum, dem_datum = (self.parameterAsString(parameters, name, context) for name in (HEIGHTS, DEM_HEIGHTS))
             points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))
             warn(feedback, notices)
         if not len(points):
             raise SettingsError(messages.NO_POINTS())
-        share = self.parameterAsDouble(parameters, CHECK_SHARE, context)
-        return points if with_roles else split(points, share)
+        if with_roles:
+            return points
+        total, points = len(points), split(points, self.parameterAsDouble(parameters, CHECK_SHARE, context))
+        count = total - int(points.check.sum())
+        if wanted is not None and count < wanted.fewest <= total:
+            few = {"total": total, "count": count, "model": wanted.name, "fewest": wanted.fewest}
+            raise SettingsError(messages.TOO_FEW_AFTER_SPLIT(**few))
+        return points
 
     def _rpc(
         self,

@@ -175,6 +175,7 @@ def test_bad_input_is_a_sentence(data_folder: Path, tmp_path: Path) -> None:
     assert_refused("fitsensormodel", "Some points have no height", GCPS=gcps(image, without))
     flat = ground * [1, 1, 0]
     assert_refused("fitsensormodel", "on one plane", GCPS=gcps(image, flat), CHECK_SHARE=0)
+    assert_refused("fitsensormodel", "Of 12 points 6 are left .* at least 7", GCPS=layer, CHECK_SHARE=0.5)
     assert_refused("comparesensormodels", "no field 'column'", GCPS=plain)
     folder = data_folder / "sensors" / "pleiades"
     left = str(folder / "left_image.tif")
