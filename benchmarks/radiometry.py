@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
+from seam_inspector.plugin.core.pixels import Pixels
 from seam_inspector.plugin.core.radiometry.assessment import assess
 from seam_inspector.plugin.core.radiometry.rules import default_rules
 from seam_inspector.plugin.core.radiometry.statistics import stream
-from seam_inspector.plugin.core.rasters import Pixels, RasterRef
+from seam_inspector.plugin.core.rasters import RasterRef
 
 from .ground import COMPRESSED, FORMATS, TILES, Ground
 from .timing import Goal, interleaved, print_table

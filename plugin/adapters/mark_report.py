@@ -9,7 +9,7 @@ from scipy import ndimage
 from ..core import report, thresholds
 from ..core.fiducials.measuring import Window
 from ..core.fiducials.results import Mark, Orientation, Status
-from ..core.rasters import Photo
+from ..core.photos import Photo
 from .text import sentence, tr
 
 _COLOURS = {Status.MEASURED: (0, 230, 130), Status.GIVEN: (255, 170, 0)}

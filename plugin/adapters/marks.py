@@ -10,7 +10,8 @@ from ..core import messages
 from ..core.errors import PhotoError
 from ..core.fiducials.comparison import Measured, Statistics
 from ..core.fiducials.results import Mark, Position
-from ..core.rasters import GeoTransform, Photo
+from ..core.photos import Photo
+from ..core.rasters import GeoTransform
 from .tables import feature, table_fields
 from .text import sentence
 

@@ -20,8 +20,9 @@ from ..core.errors import SeamInspectorError
 from ..core.inspection import Settings, WindowRequest
 from ..core.messages import Message
 from ..core.nearest import SeamIndex
+from ..core.pixels import validity_check
 from ..core.placing import place_windows
-from ..core.rasters import Mosaic, validity_check
+from ..core.rasters import Mosaic
 from ..core.runs import inspect_windows
 from ..core.seamlines import find_seams
 from .courtesy import courteous

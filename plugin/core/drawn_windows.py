@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from . import messages
 from .errors import RasterError, WindowError
-from .rasters import Image
+from .pixels import Image
 from .systems import extent_on
 from .windows import Extent, Grid, PixelWindow, snap_window
 

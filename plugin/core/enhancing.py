@@ -9,7 +9,9 @@ from scipy import ndimage
 
 from . import messages, thresholds
 from .errors import SettingsError
-from .rasters import Photo, RasterRef
+from .photos import Photo
+from .raster_writing import RasterWriter
+from .rasters import RasterRef
 
 
 class Operation(Enum):
@@ -44,7 +46,7 @@ def enhance(
     grey = operation is Operation.GREY
     kind = _data_type(operation, photo.dtype)
     largest = photo.largest
-    with photo.writer(path, kind, 1 if grey else photo.bands) as writer:
+    with RasterWriter(path, photo, kind, 1 if grey else photo.bands) as writer:
         for strip in photo.strips(margin, grey):
             if cancelled():
                 return

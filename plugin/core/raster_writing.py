@@ -2,13 +2,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 from osgeo import gdal, gdal_array
 
 from . import messages
+from .datasets import RasterRef, gdal_call
 from .errors import RasterError
+from .photos import Photo
 from .quiet import quiet
 from .rasters import Mosaic
 
@@ -61,3 +64,46 @@ def _driver_name(path: str) -> str:
         if ending in endings and driver.GetMetadataItem(gdal.DCAP_RASTER) and driver.GetMetadataItem(gdal.DCAP_CREATE):
             return str(driver.ShortName)
     return _GEOTIFF
+
+
+class RasterWriter:
+    """A GeoTIFF on another raster's grid, written strip by strip. Used with ``with``, which closes it."""
+
+    def __init__(self, path: str, like: Photo, dtype: np.dtype, bands: int) -> None:
+        """Raises RasterError where no file can be."""
+        self._ref = RasterRef(path)
+        kind = gdal_array.NumericTypeCodeToGDALTypeCode(dtype.type)
+        options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER"]
+        self._dataset = gdal_call(
+            lambda: gdal.GetDriverByName("GTiff").Create(path, like.columns, like.rows, bands, kind, options),
+            self._ref, messages.RASTER_NOT_WRITTEN(path=path),
+        )
+        if like.is_referenced:
+            self._dataset.SetGeoTransform(like.geotransform)
+        if like.wkt:
+            self._dataset.SetProjection(like.wkt)
+        self._mask: gdal.Band | None = None
+
+    def __enter__(self) -> RasterWriter:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        with quiet():
+            self._dataset.FlushCache()
+        self._mask = self._dataset = None
+
+    def write(self, row: int, pixels: np.ndarray, invalid: np.ndarray | None) -> None:
+        """(bands, rows, columns) from a row on; invalid pixels are masked. Raises RasterError when the disk is full."""
+        failure = messages.RASTER_NOT_WRITTEN(path=self._ref.path)
+        for number, band in enumerate(pixels, 1):
+            write = self._dataset.GetRasterBand(number).WriteArray
+            if gdal_call(partial(write, band, 0, row), self._ref, failure) != 0:
+                raise RasterError(failure)
+        if invalid is None and self._mask is None:
+            return
+        if self._mask is None:
+            self._dataset.CreateMaskBand(gdal.GMF_PER_DATASET)  # a file beside the TIFF
+            self._mask = self._dataset.GetRasterBand(1).GetMaskBand()
+            self._mask.Fill(255)
+        if invalid is not None:
+            self._mask.WriteArray(np.where(invalid, 0, 255).astype(np.uint8), 0, row)

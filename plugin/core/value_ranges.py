@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import thresholds
-from .rasters import Image
+from .pixels import Image
 
 ValueRange = tuple[float, float]
 """The lowest and the highest value that a pixel can hold."""

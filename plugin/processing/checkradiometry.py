@@ -28,9 +28,10 @@ from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
 if TYPE_CHECKING:
     from ..core.drawn_windows import DrawnWindow
     from ..core.messages import Message
+    from ..core.pixels import Image
     from ..core.radiometry.assessment import Assessment
     from ..core.radiometry.rules import RuleSet
-    from ..core.rasters import Image, RasterRef
+    from ..core.rasters import RasterRef
     from ..core.seamlines import Seam
     from ..core.windows import PixelWindow
 
@@ -152,7 +153,7 @@ class CheckRadiometry(RasterListAlgorithm):
         return load_rules(Path(path)) if path else default_rules()
 
     def _image(self, ref: RasterRef) -> Image | None:
-        from ..core.rasters import Pixels
+        from ..core.pixels import Pixels
 
         try:
             return Pixels(ref).image()
@@ -211,8 +212,8 @@ class CheckRadiometry(RasterListAlgorithm):
         place: tuple[int, int],
         feedback: QgsProcessingFeedback,
     ) -> Assessment | None:
+        from ..core.pixels import Pixels
         from ..core.radiometry.assessment import assess
-        from ..core.rasters import Pixels
 
         done, count = place
 

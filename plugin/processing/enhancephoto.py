@@ -60,7 +60,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ..core.rasters import Photo
+        from ..core.photos import Photo
 
         Photo(self._ref(parameters, context))
 

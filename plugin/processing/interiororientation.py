@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from ..core.fiducials.calibration import Calibration
     from ..core.fiducials.results import Orientation, Position, Settings
     from ..core.fiducials.templates import CutOut, Shape
-    from ..core.rasters import Photo, RasterRef
+    from ..core.photos import Photo
+    from ..core.rasters import RasterRef
 
 PHOTO, CALIBRATION, TEMPLATE, POSITIONS, MEASURE = "PHOTO", "CALIBRATION", "TEMPLATE", "POSITIONS", "MEASURE"
 TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE = (
@@ -173,7 +174,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     @staticmethod
     def _open(ref: RasterRef) -> Photo:
-        from ..core.rasters import Photo
+        from ..core.photos import Photo
 
         return Photo(ref)
 

@@ -78,8 +78,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         from ..adapters import layers, tables
+        from ..core.pixels import validity_check
         from ..core.placing import place_windows
-        from ..core.rasters import validity_check
         from ..core.seamlines import find_seams
 
         seamlines = self.source(parameters, SEAMLINES, context)

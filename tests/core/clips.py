@@ -7,12 +7,7 @@ from typing import Any
 
 import numpy as np
 from osgeo import gdal, osr
-from seam_inspector.plugin.core.rasters import (
-    Clip,
-    Mosaic,
-    RasterRef,
-    read_clip,
-)
+from seam_inspector.plugin.core.rasters import Clip, Mosaic, RasterRef, read_clip
 from seam_inspector.plugin.core.windows import PixelWindow
 
 from tests.core.synthetic import ORIGIN, UTM33

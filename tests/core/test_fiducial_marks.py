@@ -15,7 +15,8 @@ from seam_inspector.plugin.core.fiducials.interior import orient
 from seam_inspector.plugin.core.fiducials.lying import LYINGS, Evidence, Lying
 from seam_inspector.plugin.core.fiducials.results import Orientation, Position, Settings, Status
 from seam_inspector.plugin.core.fiducials.templates import chosen_shapes
-from seam_inspector.plugin.core.rasters import Photo, RasterRef
+from seam_inspector.plugin.core.photos import Photo
+from seam_inspector.plugin.core.rasters import RasterRef
 
 from tests.core.photos import CAMERA, Frame, Look, Place, make_frame
 from tests.core.synthetic import write_plain

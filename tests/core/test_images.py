@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.core.errors import RasterError
-from seam_inspector.plugin.core.rasters import Image, Pixels, RasterRef
+from seam_inspector.plugin.core.pixels import Image, Pixels
+from seam_inspector.plugin.core.rasters import RasterRef
 from seam_inspector.plugin.core.value_ranges import is_range_known, value_range
 from seam_inspector.plugin.core.windows import Grid, PixelWindow
 

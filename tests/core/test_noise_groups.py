@@ -13,7 +13,8 @@ from seam_inspector.plugin.core.noise import comparison, planning
 from seam_inspector.plugin.core.noise.choice import choose_windows
 from seam_inspector.plugin.core.noise.comparison import ClipNoise
 from seam_inspector.plugin.core.noise.requests import GroupedImage, Plan, describe_images
-from seam_inspector.plugin.core.rasters import Pixels, RasterRef
+from seam_inspector.plugin.core.pixels import Pixels
+from seam_inspector.plugin.core.rasters import RasterRef
 from seam_inspector.plugin.core.windows import PixelWindow
 
 from tests.core.synthetic import ORIGIN, decompose, orthoimage, texture, wkt, write_raster

@@ -12,11 +12,12 @@ from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.core import thresholds
 from seam_inspector.plugin.core.errors import RasterError
+from seam_inspector.plugin.core.pixels import Pixels
 from seam_inspector.plugin.core.radiometry.areas import sample_areas
 from seam_inspector.plugin.core.radiometry.assessment import Assessment, Finding, assess
 from seam_inspector.plugin.core.radiometry.rules import Rule, RuleSet, default_rules
 from seam_inspector.plugin.core.radiometry.statistics import Statistics, stream
-from seam_inspector.plugin.core.rasters import Pixels, RasterRef
+from seam_inspector.plugin.core.rasters import RasterRef
 from seam_inspector.plugin.core.seamlines import Seam
 from seam_inspector.plugin.core.windows import PixelWindow
 

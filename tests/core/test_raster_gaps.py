@@ -10,13 +10,8 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.core.errors import NotCoveredError
-from seam_inspector.plugin.core.rasters import (
-    Mosaic,
-    RasterRef,
-    describe,
-    describe_mosaic,
-    validity_check,
-)
+from seam_inspector.plugin.core.pixels import validity_check
+from seam_inspector.plugin.core.rasters import Mosaic, RasterRef, describe, describe_mosaic
 from seam_inspector.plugin.core.windows import PixelWindow
 
 from tests.core.clips import (

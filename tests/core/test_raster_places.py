@@ -9,12 +9,7 @@ import numpy as np
 import pytest
 from osgeo import gdal, osr
 from seam_inspector.plugin.core.errors import NotCoveredError, RasterError
-from seam_inspector.plugin.core.rasters import (
-    Mosaic,
-    RasterRef,
-    describe,
-    describe_mosaic,
-)
+from seam_inspector.plugin.core.rasters import Mosaic, RasterRef, describe, describe_mosaic
 from seam_inspector.plugin.core.systems import extent_on
 from seam_inspector.plugin.core.windows import PixelWindow, standard_side_px
 

@@ -8,12 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from seam_inspector.plugin.core.errors import NotCoveredError
-from seam_inspector.plugin.core.rasters import (
-    Mosaic,
-    RasterRef,
-    describe,
-    describe_mosaic,
-)
+from seam_inspector.plugin.core.rasters import Mosaic, RasterRef, describe, describe_mosaic
 from seam_inspector.plugin.core.windows import PixelWindow
 
 from tests.core.clips import (

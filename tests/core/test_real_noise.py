@@ -9,9 +9,10 @@ from osgeo import ogr
 from seam_inspector.plugin.core.noise import comparison, planning
 from seam_inspector.plugin.core.noise.comparison import ClipNoise
 from seam_inspector.plugin.core.noise.requests import describe_images
+from seam_inspector.plugin.core.pixels import Pixels
 from seam_inspector.plugin.core.radiometry.assessment import Assessment, assess
 from seam_inspector.plugin.core.radiometry.rules import default_rules
-from seam_inspector.plugin.core.rasters import Pixels, RasterRef
+from seam_inspector.plugin.core.rasters import RasterRef
 from seam_inspector.plugin.core.seamlines import find_seams
 
 from tests.core.synthetic import decompose, luminance, read_pixels

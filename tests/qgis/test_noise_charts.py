@@ -12,9 +12,10 @@ from seam_inspector.plugin.adapters.noise_charts import draw_noise_clip
 from seam_inspector.plugin.adapters.radiometry_charts import balance_figure, histogram_figure
 from seam_inspector.plugin.core.noise.comparison import measure_window
 from seam_inspector.plugin.core.noise.measurement import measure_noise
+from seam_inspector.plugin.core.pixels import Pixels
 from seam_inspector.plugin.core.radiometry.assessment import assess
 from seam_inspector.plugin.core.radiometry.rules import default_rules
-from seam_inspector.plugin.core.rasters import Pixels, RasterRef
+from seam_inspector.plugin.core.rasters import RasterRef
 from seam_inspector.plugin.core.windows import PixelWindow
 
 from tests.core.synthetic import decompose, orthoimage, read_pixels

@@ -12,7 +12,7 @@ from scipy import ndimage
 from .. import messages, thresholds
 from ..errors import PhotoError
 from ..messages import Message
-from ..rasters import Photo
+from ..photos import Photo
 from ..windows import PixelWindow
 from . import lying
 from .calibration import Calibration, check_calibration

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import messages
 from ..errors import PhotoError, SettingsError
-from ..rasters import Photo
+from ..photos import Photo
 from .calibration import Calibration
 from .results import Fitted, Orientation
 

@@ -9,7 +9,7 @@ from typing import Callable
 import numpy as np
 
 from .. import thresholds
-from ..rasters import Image, Pixels
+from ..pixels import Image, Pixels
 from ..value_ranges import value_range
 from ..windows import PixelWindow
 

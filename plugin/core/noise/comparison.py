@@ -13,7 +13,8 @@ from .. import messages, thresholds
 from ..drawn_windows import extent_on_image
 from ..errors import RasterError
 from ..messages import Message
-from ..rasters import Pixels, RasterRef
+from ..pixels import Pixels
+from ..rasters import RasterRef
 from ..windows import PixelWindow
 from .filling import filled
 from .measurement import BandNoise, measure_noise

@@ -8,7 +8,7 @@ from .. import messages, thresholds
 from ..drawn_windows import DrawnWindow, extent_on_image, shared_extent, shown_share
 from ..errors import RasterError, WindowError
 from ..messages import Message
-from ..rasters import Image, Pixels
+from ..pixels import Image, Pixels
 from ..windows import Extent, PixelWindow, snap_window
 from .choice import choose_windows
 from .requests import GroupedImage, NoiseRequest, Part, Plan

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from .. import messages
 from ..errors import RasterError
 from ..messages import Message
-from ..rasters import Image, Pixels, RasterRef
+from ..pixels import Image, Pixels
+from ..rasters import RasterRef
 from ..windows import PixelWindow
 
 

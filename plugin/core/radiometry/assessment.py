@@ -9,7 +9,7 @@ from typing import Callable
 from .. import messages, thresholds
 from ..errors import RasterError
 from ..messages import Message
-from ..rasters import Image, Pixels
+from ..pixels import Image, Pixels
 from ..seamlines import Seam
 from ..value_ranges import ValueRange, is_range_known, value_range
 from ..windows import PixelWindow

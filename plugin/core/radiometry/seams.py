@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import thresholds
-from ..rasters import Image, Pixels
+from ..pixels import Image, Pixels
 from ..seamlines import Seam
 from ..windows import Grid, PixelWindow
 

@@ -10,7 +10,7 @@ from typing import Callable, Optional
 import numpy as np
 
 from .. import thresholds
-from ..rasters import Image, Pixels
+from ..pixels import Image, Pixels
 from ..value_ranges import ValueRange
 from ..windows import PixelWindow
 from .areas import Areas, joined, sample_areas

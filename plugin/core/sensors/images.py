@@ -4,8 +4,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .. import messages
+from ..datasets import open_dataset
 from ..errors import RasterError
-from ..rasters import GeoTransform, RasterRef, open_dataset
+from ..rasters import GeoTransform, RasterRef
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,11 @@ import numpy as np
 from osgeo import gdal
 
 from .. import messages, thresholds
+from ..datasets import open_dataset
 from ..errors import CancelledError, RasterError, SensorModelError, SettingsError
 from ..messages import Message
 from ..quiet import quiet
-from ..rasters import RasterRef, open_dataset
+from ..rasters import RasterRef
 from ..systems import extent_on, horizontal_wkt, transform_points, utm_wkt
 from ..windows import Extent
 from .fitted import SensorModel

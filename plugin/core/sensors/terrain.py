@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import messages, thresholds
+from ..datasets import open_dataset
 from ..errors import RasterError
 from ..messages import Message
-from ..rasters import RasterRef, open_dataset
+from ..rasters import RasterRef
 from ..systems import extent_on, heights_above_ellipsoid, transform_points, vertical_code, vertical_part
 from ..windows import Extent
 from .ground import WGS84
