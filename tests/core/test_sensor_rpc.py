@@ -192,7 +192,8 @@ def test_points_files_old_and_new(tmp_path: Path, layout: str, wkt: str) -> None
     assert file.wkt == wkt
     assert file.ground == ((7.1, 43.6), (7.3, 43.8))
     assert (file.numbers, file.disabled) == ((1, 3), 1)
-    assert image_coordinates(file.source, None) == [(120.5, 30.25), (0.0, 1.0)]
+    for plain in (None, (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)):
+        assert image_coordinates(file.source, plain) == [(120.5, 30.25), (0.0, 1.0)]
     placed = image_coordinates([(5010.0, 4980.0)], (5000.0, 2.0, 0.0, 5000.0, 0.0, -2.0))
     assert placed == [(5.0, 10.0)]
 

@@ -69,7 +69,7 @@ def image_coordinates(
     source: Sequence[tuple[float, float]], geotransform: Sequence[float] | None
 ) -> list[tuple[float, float]]:
     """Column and row of source coordinates: minus y is the row, unless the image has a geotransform of its own."""
-    if geotransform is None:
+    if geotransform is None or tuple(geotransform) == (0.0, 1.0, 0.0, 0.0, 0.0, 1.0):
         return [(x, -y) for x, y in source]
     left, across, skew_x, top, skew_y, down = geotransform
     determinant = across * down - skew_x * skew_y
