@@ -30,7 +30,9 @@ def main() -> int:
     with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
         ground = make_ground(Path(folder))
         goals += curves.run(ground.pixels()[1], quick)
-        for part in (windows.run_against_read, windows.run_threads, windows.run_memory, windows.run_selection):
+        parts = (windows.run_against_read, windows.run_explanation, windows.run_threads, windows.run_memory,
+                 windows.run_selection)
+        for part in parts:
             goals += part(ground, quick)
     print_table("Goals", ["figure", "wanted", "measured", ""], [goal.cells for goal in goals])
     print(f"\n{sum(goal.met for goal in goals)} of {len(goals)} goals met, {time.perf_counter() - started:.0f} s")
