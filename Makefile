@@ -11,10 +11,10 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-core test-qgis test-desktop demo benchmark translate package icon clean
+.PHONY: help install link lint test test-core test-qgis test-desktop demo benchmark benchmark-detection translate package icon clean
 
 help: ## Show this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 22
 
 install: ## Install what the other targets need; does nothing when it is all there
 	@tools/install.sh
@@ -53,6 +53,9 @@ demo: link ## Inspect a generated block, or with DATA=folder your own rasters; r
 
 benchmark: link ## Measure the speed, on one core
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run
+
+benchmark-detection: link ## Measure how well lost contrast and its causes are found; real data by SEAM_INSPECTOR_DATA
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.detection
 
 translate: link ## Collect new texts into the translations, then compile them
 	pylupdate5 -noobsolete -tr-function Message $$(find plugin -name '*.py') -ts i18n/seam_inspector_pl.ts

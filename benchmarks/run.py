@@ -33,6 +33,7 @@ def main() -> int:
         goals += curves.run(ground.pixels()[1], quick)
         for part in (
             windows.run_against_read,
+            windows.run_explanation,
             windows.run_threads,
             windows.run_memory,
             windows.run_selection,

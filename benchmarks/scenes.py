@@ -14,15 +14,16 @@ import numpy as np
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.core.causes import Cause
+from seam_inspector.plugin.core.errors import NotCoveredError
 from seam_inspector.plugin.core.explanation import Explanation, explain
 from seam_inspector.plugin.core.inspection import Block, make_block
 from seam_inspector.plugin.core.measuring import measure_bands
-from seam_inspector.plugin.core.rasters import Clip, Mosaic, NotCoveredError, RasterRef, describe_mosaic, read_clip
+from seam_inspector.plugin.core.rasters import Clip, Mosaic, RasterRef, describe, describe_mosaic, read_clip
 from seam_inspector.plugin.core.thresholds import DEFAULT_LEVELS, DEFAULT_WAVELET
 from seam_inspector.plugin.core.wavelets import Curve
 from seam_inspector.plugin.core.windows import PixelWindow
 
-STEP_PX = 64
+STEP_PX = 24
 """Raster of the windows that are looked at."""
 MIN_SECOND_SHARE = 0.1
 """Of a window's pixels that come from the source it has second most of."""
@@ -95,23 +96,29 @@ def scenes_of(mosaic: Path, sources: Sequence[Path], labels: np.ndarray, side: i
     ``labels`` (rows, columns) of the whole mosaic: number of each pixel's source from 1, 0 for none. A window counts
     where the second source has a tenth of it and all its sources cover it.
     """
-    described = describe_mosaic(RasterRef(str(mosaic)))
-    block, _ = make_block(described, [RasterRef(str(path)) for path in sources])
+    block, _ = make_block(describe_mosaic(RasterRef(str(mosaic))), [RasterRef(str(path)) for path in sources])
+    valid = np.stack([_valid(path, block.mosaic) for path in sources])
     places = [
         PixelWindow(column, row, side, side)
         for row in range(0, labels.shape[0] - side + 1, STEP_PX)
         for column in range(0, labels.shape[1] - side + 1, STEP_PX)
-        if _lies_on_a_seam(labels[row : row + side, column : column + side])
+        if _lies_on_a_covered_seam(labels[row : row + side, column : column + side],
+                                   valid[:, row : row + side, column : column + side])
     ]
     names = [path.name for path in sources]
-    found: list[Scene] = []
-    for number in _spread(len(places)):
-        scene = _scene(block, places[number], labels, names)
-        if scene is not None:
-            found.append(scene)
-        if len(found) == count:
-            break
-    return found
+    return [_scene(block, places[number], labels, names) for number in _spread(len(places))[:count]]
+
+
+def _valid(path: Path, mosaic: Mosaic) -> np.ndarray:
+    """Where a source has pixels, (rows, columns) bool of the mosaic, to the nearest pixel."""
+    grid, own = mosaic.grid, describe(RasterRef(str(path))).grid
+    assert own is not None
+    row, column = round((grid.top - own.top) / grid.pixel_height), round((own.left - grid.left) / grid.pixel_width)
+    found = (gdal.Open(str(path)).ReadAsArray() > 0).any(axis=0)
+    found = found[max(-row, 0) : grid.rows - row, max(-column, 0) : grid.columns - column]
+    row, column = max(row, 0), max(column, 0)
+    margins = ((row, grid.rows - row - found.shape[0]), (column, grid.columns - column - found.shape[1]))
+    return np.pad(found, margins)
 
 
 def _spread(count: int) -> list[int]:
@@ -119,25 +126,24 @@ def _spread(count: int) -> list[int]:
     return sorted(range(count), key=lambda number: number * 0.6180339887498949 % 1)
 
 
-def _lies_on_a_seam(labels: np.ndarray) -> bool:
-    shares = np.sort(np.bincount(labels.ravel(), minlength=2)) / labels.size
-    return bool(labels.min() > 0 and shares[-2] >= MIN_SECOND_SHARE)
+def _lies_on_a_covered_seam(labels: np.ndarray, valid: np.ndarray) -> bool:
+    shares = np.bincount(labels[::8, ::8].ravel(), minlength=2) / labels[::8, ::8].size
+    if shares[0] > 0 or np.sort(shares)[-2] < MIN_SECOND_SHARE or labels.min() == 0:
+        return False
+    return all(valid[number - 1].all() for number in np.unique(labels))
 
 
-def _scene(block: Block, window: PixelWindow, labels: np.ndarray, names: Sequence[str]) -> Scene | None:
-    clips = []
+def _scene(block: Block, window: PixelWindow, labels: np.ndarray, names: Sequence[str]) -> Scene:
+    clips: list[Clip] = []
+    places = np.zeros(256, np.uint8)
     for source in block.sources_over(window):
         try:
             clip = read_clip(source.ref, block.mosaic, window)
         except NotCoveredError:
             continue
+        places[names.index(source.ref.name) + 1] = len(clips)
         clips.append(replace(clip, offset_x=0.0, offset_y=0.0))  # the mosaic is made of these very pixels
     own = labels[window.row : window.row + window.height, window.column : window.column + window.width]
-    numbers = [names.index(clip.raster.ref.name) + 1 for clip in clips]
-    if not set(np.unique(own).tolist()) <= set(numbers):
-        return None
-    places = np.zeros(256, np.uint8)
-    places[numbers] = range(len(numbers))
     return Scene(window, places[own], tuple(clips), block.mosaic)
 
 

@@ -15,6 +15,7 @@ from statistics import median
 
 import numpy as np
 from osgeo import gdal
+from seam_inspector.plugin.core.explanation import explain
 from seam_inspector.plugin.core.inspection import (
     Settings,
     Source,
@@ -23,8 +24,10 @@ from seam_inspector.plugin.core.inspection import (
     make_block,
     window_request,
 )
-from seam_inspector.plugin.core.rasters import RasterRef, describe, read_clip
+from seam_inspector.plugin.core.measuring import measure_clip
+from seam_inspector.plugin.core.rasters import Clip, RasterRef, describe, read_clip
 from seam_inspector.plugin.core.runs import inspect_windows
+from seam_inspector.plugin.core.wavelets import Curve
 from seam_inspector.plugin.core.windows import Grid, PixelWindow
 
 from .ground import COMPRESSED, FORMATS, SIDE, Ground
@@ -32,6 +35,9 @@ from .timing import Goal, Spread, Timing, interleaved, print_table
 
 Place = tuple[str, PixelWindow]
 """A raster and the pixels of it that a window needs."""
+
+Curves = dict[str, Curve]
+"""By band."""
 
 MOST_OF_BARE_READ = 2.0
 CLOSE_TO_TWO = 1.8
@@ -64,6 +70,20 @@ def clips_only(request: WindowRequest) -> list[np.ndarray]:
     return [read_clip(ref, request.mosaic, request.window).bands for ref in refs]
 
 
+def measured_only(request: WindowRequest) -> list[Curves]:
+    """The curves of a window's rasters from their files, without what explains them."""
+    assert request.window is not None
+    settings = request.settings
+    refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
+    clips = [read_clip(ref, request.mosaic, request.window) for ref in refs]
+    return [curves for curves, _ in measure_clips(clips, settings.wavelet, settings.levels)]
+
+
+def measure_clips(clips: Sequence[Clip], wavelet: str, levels: int) -> list[tuple[Curves, dict[str, np.ndarray]]]:
+    """Curves and coarse components of each."""
+    return [measure_clip(clip, wavelet, levels) for clip in clips]
+
+
 def check(requests: Sequence[WindowRequest]) -> None:
     """That both sides read the same pixels and that no raster is left out."""
     for request in requests:
@@ -86,7 +106,7 @@ def run_against_read(ground: Ground, quick: bool) -> list[Goal]:
         timings = []
         for request in requests:
             wanted = places(request)
-            calls = (partial(bare_read, wanted), partial(clips_only, request), partial(inspect_window, request))
+            calls = (partial(bare_read, wanted), partial(clips_only, request), partial(measured_only, request))
             timings.append(interleaved(calls, repetitions))
         bare, clip, whole = map(joined, zip(*timings))
         ratio = whole.over(bare)
@@ -104,6 +124,38 @@ def run_against_read(ground: Ground, quick: bool) -> list[Goal]:
         "  datasets, so tiles are decoded anew. CPU: the last ratio in processor time.",
     )
     return goals
+
+
+def run_explanation(ground: Ground, quick: bool) -> list[Goal]:
+    """Print what it costs to explain windows as a multiple of their curves, both from clips in memory."""
+    repetitions = 3 if quick else 9
+    rows = []
+    for side in (SIDE // 2, SIDE):
+        timings = []
+        for request in ground.requests("uncompressed"):
+            assert request.window is not None
+            window = replace(request.window, width=side, height=side)
+            refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
+            clips = [read_clip(ref, request.mosaic, window) for ref in refs]
+            wavelet, levels = request.settings.wavelet, request.settings.levels
+            (curves, coarse), *others = measure_clips(clips, wavelet, levels)
+            sources = [(clip, own) for clip, (own, _) in zip(clips[1:], others)]
+            calls = (
+                partial(measure_clips, clips, wavelet, levels),
+                partial(explain, clips[0], curves, coarse, sources, wavelet, levels),
+            )
+            timings.append(interleaved(calls, repetitions))
+        of_curves, explanation = map(joined, zip(*timings))
+        rows.append([f"{side} px", of_curves.milliseconds, explanation.milliseconds, str(explanation.over(of_curves)),
+                     f"{explanation.cpu_over(of_curves):.2f}"])
+    print_table(
+        "Explanation of windows, a mosaic and two sources, RGB with luminance, against their curves",
+        ["window", "curves", "explanation", "ratio (least-most)", "CPU"],
+        rows,
+        f"Medians of {repetitions} interleaved repetitions of 4 windows, clips in memory. CPU: the ratio in processor\n"
+        "  time. The explanation has the curves of two forms of the composite in it.",
+    )
+    return []
 
 
 def inspect_many(requests: Sequence[WindowRequest], count: int, threads: int) -> None:

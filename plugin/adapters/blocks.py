@@ -1,13 +1,23 @@
-"""The block under inspection from the project's layers. No source is opened; mosaic and index are, in a task."""
+"""The block under inspection from the project's layers. No source is opened; the others are, in a task."""
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from qgis.core import QgsCoordinateTransform, QgsProject, QgsRasterLayer, QgsVectorLayer, QgsVectorLayerFeatureSource
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsFeatureIterator,
+    QgsMapLayer,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+    QgsVectorLayerFeatureSource,
+)
 
 from ..core import messages
+from ..core.cells import Cell
 from ..core.errors import RasterError, SeamInspectorError, SettingsError
 from ..core.inspection import Source
 from ..core.rasters import Mosaic, RasterRef, describe_mosaic
@@ -24,6 +34,9 @@ class BlockFiles:
     index: str = ""
     """Where the source index comes from; empty without one."""
     index_wkt: str = ""
+    cells: str = ""
+    """Where the seam cells come from; empty without any."""
+    cells_wkt: str = ""
 
 
 @dataclass(frozen=True)
@@ -33,6 +46,8 @@ class OpenedFiles:
     mosaic: Mosaic
     indexed: tuple[Source, ...]
     """The orthoimages of the source index."""
+    cells: tuple[Cell, ...] = ()
+    """Which source each part of the mosaic was cut from."""
 
 
 def block_files(project: QgsProject, inputs: Inputs) -> BlockFiles:
@@ -40,25 +55,55 @@ def block_files(project: QgsProject, inputs: Inputs) -> BlockFiles:
     mosaic = project.mapLayer(inputs.mosaic)
     if not isinstance(mosaic, QgsRasterLayer):
         raise SettingsError(messages.NO_MOSAIC())
-    ref, index = layers.layer_ref(mosaic), project.mapLayer(inputs.source_index)
-    if not isinstance(index, QgsVectorLayer):
-        return BlockFiles(ref)
-    return BlockFiles(ref, index.source(), layers.system_wkt(index.crs()))
+    places = [_origin(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells)]
+    return BlockFiles(layers.layer_ref(mosaic), *places[0], *places[1])
+
+
+def _origin(layer: QgsMapLayer | None) -> tuple[str, str]:
+    """Source and reference system of a vector layer; empty without one."""
+    return (layer.source(), layers.system_wkt(layer.crs())) if isinstance(layer, QgsVectorLayer) else ("", "")
+
+
+@dataclass(frozen=True)
+class _Features:
+    """A vector layer as another thread may read it."""
+
+    source: QgsVectorLayerFeatureSource
+    names: list[str]
+    path: str
+    crs: QgsCoordinateReferenceSystem
+
+    @staticmethod
+    def of(layer: QgsMapLayer | None) -> _Features | None:
+        """None when it is no vector layer."""
+        if not isinstance(layer, QgsVectorLayer):
+            return None
+        source = QgsVectorLayerFeatureSource(layer)
+        return _Features(source, source.fields().names(), layers.layer_path(layer), layer.crs())
+
+    def rows(self) -> QgsFeatureIterator:
+        """All features."""
+        return self.source.getFeatures()
 
 
 def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
     """Opens them; yields the OpenedFiles, or the Message why there are none."""
-    index, context = project.mapLayer(inputs.source_index), project.transformContext()
-    source = QgsVectorLayerFeatureSource(index) if isinstance(index, QgsVectorLayer) else None
-    path, crs = (layers.layer_path(index), index.crs()) if source is not None else ("", None)
+    context = project.transformContext()
+    index, cells = (_Features.of(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells))
 
     def opened() -> OpenedFiles:
         mosaic = describe_mosaic(files.mosaic)
-        if source is None:
-            return OpenedFiles(mosaic, ())
-        transform = QgsCoordinateTransform(crs, layers.mosaic_crs(mosaic), context)
-        indexed = layers.indexed_sources(source.getFeatures(), source.fields().names(), path, transform)
-        return OpenedFiles(mosaic, tuple(indexed))
+        crs = layers.mosaic_crs(mosaic)
+        indexed: list[Source] = []
+        known: list[Cell] = []
+        if index is not None:
+            transform = QgsCoordinateTransform(index.crs, crs, context)
+            indexed = layers.indexed_sources(index.rows(), index.names, index.path, transform)
+        if cells is not None:
+            if layers.CELL_FIELD not in cells.names:
+                raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
+            known = layers.seam_cells(cells.rows(), QgsCoordinateTransform(cells.crs, crs, context))
+        return OpenedFiles(mosaic, tuple(indexed), tuple(known))
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         try:

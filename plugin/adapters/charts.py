@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from typing import Union
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -18,14 +19,17 @@ __all__ = [
     "PAPER",
     "ChartCurve",
     "ChartStyle",
+    "curve_look",
     "draw_curves",
     "draw_frame",
     "draw_lines",
     "level_labels",
+    "numbered",
     "share_range",
     "source_look",
 ]
 
+COMPOSITE_DASHES = (0, (4.0, 2.0))
 _LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used up
 _LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
 _DIGITS = (1, 2, 5)
@@ -61,10 +65,30 @@ DARK = ChartStyle(
 )
 
 
+LineStyle = Union[str, tuple[int, tuple[float, ...]]]
+"""As matplotlib takes it: a word, or an offset with lengths of dashes and gaps in widths of the line."""
+
+
 def source_look(number: int, style: ChartStyle) -> tuple[str, str]:
     """Colour and line style of a source."""
     count = len(style.sources)
     return style.sources[number % count], _LINE_STYLES[number // count % len(_LINE_STYLES)]
+
+
+def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, LineStyle]:
+    """Colour and line style of a curve; ``number`` counts the sources, for one that has no colour of its own."""
+    if curve.is_mosaic:
+        return style.text, "-"
+    if curve.is_composite:
+        return style.text, COMPOSITE_DASHES
+    return source_look(number if curve.colour is None else curve.colour, style)
+
+
+def numbered(curves: Sequence[ChartCurve]) -> list[tuple[int, ChartCurve]]:
+    """The curves with their numbers among the sources."""
+    sources = [curve for curve in curves if not (curve.is_mosaic or curve.is_composite)]
+    places = {curve.key: number for number, curve in enumerate(sources)}
+    return [(places.get(curve.key, 0), curve) for curve in curves]
 
 
 def draw_curves(
@@ -118,19 +142,11 @@ def draw_lines(
         drawn.append(axes.fill_between(reach, limit, limit * 1e-9, color=style.limit, alpha=0.15, linewidth=0))
         label = tr("significant loss below")
         drawn += axes.plot(reach, [limit, limit], color=style.limit, linewidth=2 * style.scale, label=label)
-    places = iter(range(len(curves)))
-    line: str | tuple[int, tuple[int, ...]]
-    for curve in sorted(curves, key=lambda curve: curve.is_mosaic):
-        number = 0 if curve.is_mosaic else next(places)
+    for number, curve in sorted(numbered(curves), key=lambda one: one[1].is_mosaic):
         if curve.key in hidden:
             continue
-        if curve.is_mosaic:
-            colour, line, width, size, order = style.text, "-", 2.6, 5.0, 4
-        elif curve.is_composite:
-            colour, line, width, size, order = style.text, (0, (4, 2)), 1.2, 3.0, 3
-        else:
-            colour, line = source_look(number if curve.colour is None else curve.colour, style)
-            width, size, order = 1.2, 3.0, 3
+        colour, line = curve_look(curve, number, style)
+        width, size, order = (2.6, 5.0, 4) if curve.is_mosaic else (1.2, 3.0, 3)
         x = range(len(curve.values))
         if curve.spread:
             low, high = zip(*curve.spread)

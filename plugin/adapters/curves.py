@@ -31,6 +31,8 @@ class ChartCurve:
     """Lowest and highest value of each component when the curve is a mean, else empty."""
     is_composite: bool = False
     """Whether it is the hard-cut composite of the sources, which is none of them."""
+    is_reference: bool = False
+    """Whether the verdict is taken against it alone, and not against the sources."""
 
     @property
     def key(self) -> tuple[bool, str]:
@@ -62,8 +64,13 @@ def band_title(name: str) -> str:
     return titles.get(name) or tr("band {number}").format(number=name[len("band_") :])
 
 
-def window_curves(result: WindowResult, band: str, colours: Mapping[str, int]) -> list[ChartCurve]:
-    """The curves of one window and band, the mosaic's first. ``colours``: numbers by file name."""
+def window_curves(
+    result: WindowResult, band: str, colours: Mapping[str, int], reference: str = "sources"
+) -> list[ChartCurve]:
+    """The curves of one window and band, the mosaic's first, the sources' composite last.
+
+    ``colours``: numbers by file name. ``reference``: what the verdict is taken against, as in ``Settings``.
+    """
     curves = []
     seen: Counter[str] = Counter()
     for clip in result.with_composite:
@@ -74,8 +81,8 @@ def window_curves(result: WindowResult, band: str, colours: Mapping[str, int]) -
         twin = f" ({seen[clip.raster]})" if seen[clip.raster] > 1 and not is_mosaic else ""
         curve = clip.curves[band]
         if clip.role == "composite":
-            label = tr("composite of the sources")
-            curves.append(ChartCurve(label, False, curve.detail, curve.background, is_composite=True))
+            label, is_reference = tr("composite of the sources"), reference == clip.role
+            curves.append(ChartCurve(label, False, curve.detail, curve.background, None, (), True, is_reference))
             continue
         colour = None if is_mosaic else colours.get(clip.raster)
         curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
@@ -106,10 +113,14 @@ def _mean(clips: Sequence[ClipResult], band: str, label: str) -> ChartCurve:
     return ChartCurve(label, clips[0].role == "mosaic", tuple(means[:-1]), means[-1], 0, spread)
 
 
-def least_of_sources(curves: Iterable[ChartCurve], component: int) -> float | None:
-    """The lowest share of a component among the sources: of the least sharp one, where it is a detail."""
-    shares = (curve.values[component] for curve in curves if not (curve.is_mosaic or curve.is_composite))
-    return min((share for share in shares if share > 0), default=None)
+def least_of_sources(curves: Sequence[ChartCurve], component: int) -> float | None:
+    """The lowest share of a component among the sources: of the least sharp one, where it is a detail.
+
+    That of the composite, where the verdict is taken against it.
+    """
+    rivals = [curve for curve in curves if curve.is_reference]
+    rivals = rivals or [curve for curve in curves if not (curve.is_mosaic or curve.is_composite)]
+    return min((share for curve in rivals if (share := curve.values[component]) > 0), default=None)
 
 
 def significance_limit(curves: Sequence[ChartCurve], max_ratio: float) -> float | None:
@@ -133,9 +144,12 @@ def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tup
     mosaic = next((other.values[component] for other in curves if other.is_mosaic), math.nan)
     least = least_of_sources(curves, component)
     if curve.is_mosaic and least is not None and value == value:
-        template = tr(" ({percent:.0f} % of the lowest source)") if is_background else tr(
-            " ({percent:.0f} % of the least sharp source)"
-        )
+        if any(other.is_reference for other in curves):
+            template = tr(" ({percent:.0f} % of the composite)")
+        elif is_background:
+            template = tr(" ({percent:.0f} % of the lowest source)")
+        else:
+            template = tr(" ({percent:.0f} % of the least sharp source)")
         return curve.label, words + template.format(percent=100 * value / least)
     if not curve.is_mosaic and value > 0 and mosaic == mosaic:
         return curve.label, words + tr(" (mosaic: {percent:.0f} % of it)").format(percent=100 * mosaic / value)

@@ -8,6 +8,7 @@ from typing import Any, Callable
 from qgis.core import QgsProject
 
 from ..core import thresholds
+from ..core.inspection import REFERENCES
 
 _SCOPE, _KEY = "SeamInspector", "inputs"
 
@@ -33,6 +34,10 @@ class Inputs:
     wavelet: str = thresholds.DEFAULT_WAVELET
     levels: int = thresholds.DEFAULT_LEVELS
     max_ratio: float = thresholds.MAX_SIGNIFICANT_RATIO
+    reference: str = REFERENCES[0]
+    """What the verdict is taken against, one of ``REFERENCES``."""
+    cells: str = ""
+    """Polygon layer with a field ``source``: which source the mosaic was cut from, where that is known."""
 
 
 def load_inputs(project: QgsProject) -> Inputs:
@@ -68,10 +73,15 @@ def _whole(value: object) -> int | None:
     return value if isinstance(value, int) and not isinstance(value, bool) else None
 
 
+def _reference(value: object) -> str | None:
+    return value if isinstance(value, str) and value in REFERENCES else None
+
+
 _READERS: dict[str, Callable[[object], Any]] = {
-    **dict.fromkeys(("mosaic", "source_index", "seamlines", "windows", "wavelet"), _text),
+    **dict.fromkeys(("mosaic", "source_index", "seamlines", "windows", "wavelet", "cells"), _text),
     **dict.fromkeys(("side_m", "spacing_m", "max_ratio"), _number),
     "sources": _texts,
     "levels": _whole,
+    "reference": _reference,
 }
 """How each value is understood; what is another kind of thing is left out."""

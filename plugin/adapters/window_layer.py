@@ -6,7 +6,7 @@ QGIS's own.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -69,10 +69,19 @@ class WindowRow:
     """In the layer's reference system."""
     stale: bool
     """Whether it or the inputs changed after it was inspected."""
+    composite_ratio: float | None = None
+    """composite_ratio_1."""
+    cause: str = ""
+    """Word of what explains the loss; empty in layers of earlier versions."""
 
 
 def create_window_layer(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> QgsVectorLayer:
     """A new, empty GeoPackage in a folder. Raises WindowLayerError when it can't be written there."""
+    return open_window_layer(write_window_file(crs, levels, folder))
+
+
+def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> Path:
+    """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder."""
     path = _free_path(folder)
     options = QgsVectorFileWriter.SaveVectorOptions()
     options.driverName, options.layerName, options.fileEncoding = "GPKG", _LAYER_NAME, "UTF-8"
@@ -81,9 +90,16 @@ def create_window_layer(crs: QgsCoordinateReferenceSystem, levels: int, folder: 
     )
     failed = writer.hasError() != QgsVectorFileWriter.WriterError.NoError
     del writer  # closes the file
-    layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Windows"), "ogr")
-    if failed or not layer.isValid():
+    if failed:
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=folder))
+    return path
+
+
+def open_window_layer(path: Path) -> QgsVectorLayer:
+    """The layer of such a file, styled. Raises WindowLayerError when it can't be opened."""
+    layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Windows"), "ogr")
+    if not layer.isValid():
+        raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=path.parent))
     layer.loadNamedStyle(style_path("windows"))
     return layer
 
@@ -149,17 +165,23 @@ def read_shapes(layer: QgsVectorLayer, fids: Iterable[int]) -> dict[int, QgsGeom
     return {feature.id(): QgsGeometry(feature.geometry()) for feature in layer.getFeatures(request)}
 
 
-def add_windows(layer: QgsVectorLayer, outlines: Iterable[QgsGeometry], first: int) -> list[int]:
-    """Add windows, numbered from ``first`` on, as one step of undo; their feature ids."""
-    fids = []
+def add_windows(
+    layer: QgsVectorLayer, outlines: Sequence[QgsGeometry], first: int, at_once: int = 0
+) -> Iterator[list[int]]:
+    """Add windows, numbered from ``first`` on, as one step of undo, so many of them ``at_once`` (0: all).
+
+    Yields the feature ids each time; a generator that is closed before its end takes all of them back.
+    """
+    index, part = layer.fields().indexOf("window_id"), at_once or max(len(outlines), 1)
     with edit_step(layer, tr("Add windows")):
-        index = layer.fields().indexOf("window_id")
-        for number, outline in enumerate(outlines, first):
-            feature = QgsVectorLayerUtils.createFeature(layer, outline, {index: number})
-            if not layer.addFeature(feature):
-                raise WindowLayerError(messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
-            fids.append(feature.id())
-    return fids
+        for start in range(0, len(outlines), part):
+            fids = []
+            for number, outline in enumerate(outlines[start : start + part], first + start):
+                feature = QgsVectorLayerUtils.createFeature(layer, outline, {index: number})
+                if not layer.addFeature(feature):
+                    raise WindowLayerError(messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
+                fids.append(feature.id())
+            yield fids
 
 
 def write_numbers(layer: QgsVectorLayer, numbers: Mapping[int, int]) -> None:
@@ -242,6 +264,8 @@ def _row(feature: QgsFeature, places: Mapping[str, int], ratios: list[str]) -> W
         value("observer", ""),
         extent(feature.geometry()),
         False,
+        value("composite_ratio_1"),
+        value("cause", ""),
     )
 
 

@@ -47,17 +47,20 @@ class Evidence:
 def find_cause(evidence: Evidence) -> Cause:
     """The first that holds, from the grossest interference with grey values down to the finest with detail.
 
-    A mosaic whose detail none of the sources explains was not made from them, or not in a way we know: unclear.
+    A mosaic whose detail none of the sources explains was not made from them, or not in a way we know: unclear. Where
+    most of it is a mixture, its tone lies between those of two sources, and small differences to one say nothing.
     """
     if evidence.fit < thresholds.MIN_CAUSE_FIT or evidence.gain is None:
         return Cause.UNCLEAR
     if evidence.clipped >= thresholds.MIN_CLIPPED_SHARE:
         return Cause.CLIPPING
-    if abs(np.log(evidence.gamma)) >= np.log(thresholds.MIN_GAMMA_CHANGE):
-        return Cause.GAMMA
-    if evidence.colour_shift is not None and evidence.colour_shift >= thresholds.MIN_COLOUR_SHIFT:
-        return Cause.COLOUR_SHIFT
-    if abs(evidence.gain) <= thresholds.MAX_NARROWED_GAIN:
+    mostly_mixed = evidence.mixed_share >= thresholds.MIN_MOSTLY_MIXED
+    if not mostly_mixed:
+        if abs(np.log(evidence.gamma)) >= np.log(thresholds.MIN_GAMMA_CHANGE):
+            return Cause.GAMMA
+        if evidence.colour_shift is not None and evidence.colour_shift >= thresholds.MIN_COLOUR_SHIFT:
+            return Cause.COLOUR_SHIFT
+    if abs(evidence.gain) <= (thresholds.MAX_MIXED_NARROWED_GAIN if mostly_mixed else thresholds.MAX_NARROWED_GAIN):
         return Cause.NARROWED_HISTOGRAM
     if evidence.misregistration >= thresholds.MIN_MISREGISTRATION_PX:
         return Cause.MISREGISTRATION

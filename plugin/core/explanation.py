@@ -17,7 +17,7 @@ from .causes import Cause, Evidence, find_cause
 from .cells import UNKNOWN
 from .composite import Composite, follows_at, make_composite
 from .contrast import Ratios, curve_ratios
-from .following import Following, Planes, follow, refined
+from .following import Following, follow, refined
 from .measuring import LUMINANCE, correlation, judged_plane, measure_bands
 from .prediction import expected_ratios, feathers
 from .rasters import Clip
@@ -120,20 +120,20 @@ def explain(
     shape = image.bands.shape[1:]
     following = _follow(image, images)
     if labels is not None:
-        labels = np.where(labels == UNKNOWN, following.labels, labels)
-        shares = np.bincount(labels.ravel(), minlength=len(images)) / labels.size
-        following = replace(following, labels=labels, shares=tuple(shares.tolist()))
+        following = _decided(following, labels)
     whole = np.ones((shape[0] >> levels, shape[1] >> levels), bool)
     followed = [follows_at(following, i, levels) if i in following.followed else whole for i in range(len(images))]
     tones = [_tones(image, other, where) for other, where in zip(images, followed)]
-    if labels is None:
-        following = refined(following, image.plane, _levelled_planes(images, tones, following))
+    following = refined(following, image.plane, _levelled_planes(images, tones, following))
+    if labels is not None:
+        following = _decided(following, labels)
     composite = make_composite([other.bands for other in images], names, following, tones)
     reference = _image_of(composite, levels)
     levelled_curves, levelled_coarse = measure_bands(composite.levelled, names, wavelet, levels)
     plain_curves, _ = measure_bands(composite.bands, names, wavelet, levels)
     shifts = [_shift(image, other, clip, following, i) for i, (other, (clip, _)) in enumerate(zip(images, sources))]
-    reference_tones = _tones(image, reference, whole)
+    unmixed = coarse_means(following.clear, levels) > 1 - 1e-6
+    reference_tones = _tones(image, reference, unmixed if unmixed.sum() >= thresholds.MIN_UNMIXED_SQUARES else whole)
     reference_shift = find_shift(image.plane, reference.plane)
     changes = [
         _changes(image, other, curves, of_source, tone, shift)
@@ -173,35 +173,47 @@ def _with_coarse(bands: np.ndarray, names: tuple[str, ...], levels: int) -> _Ima
 
 
 def _follow(image: _Image, images: Sequence[_Image]) -> Following:
-    """What the mosaic follows; where that explains it badly, once more with the sources moved to where it lies."""
+    """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
     shape = (image.bands.shape[1], image.bands.shape[2])
+    count = len(images)
 
     def planes(start: int, stop: int) -> list[np.ndarray]:
         return [image.plane[start:stop], *(other.plane[start:stop] for other in images)]
 
-    plain = follow(planes, shape, len(images))
-    if plain.fit >= thresholds.MIN_SOURCE_FIT:
+    plain = follow(planes, shape, count)
+    unexplained = float(plain.unexplained.mean())
+    if plain.fit >= thresholds.MIN_SOURCE_FIT and unexplained < thresholds.MIN_UNEXPLAINED_SHARE:
         return plain
-    target = image.plane
-    shifts = [find_shift(target, other.plane) for other in images]
-    if all(shift is None or shift.length < thresholds.MIN_MISREGISTRATION_PX for shift in shifts):
+    shifts = {i: _shift_where(image.plane, other.plane, plain.unexplained) for i, other in enumerate(images)}
+    moved = {i: s for i, s in shifts.items() if s is not None and s.length >= thresholds.MIN_MISREGISTRATION_PX}
+    if not moved:
         return plain
-    moved = follow(_moved(planes, shifts), shape, len(images))
-    return moved if moved.fit >= plain.fit + thresholds.MIN_FIT_GAIN else plain
+
+    def with_moved(start: int, stop: int) -> list[np.ndarray]:
+        known = planes(start, stop)
+        return known + [ndimage.shift(known[1 + i], (s.y, s.x), order=3, mode="nearest") for i, s in moved.items()]
+
+    found = follow(with_moved, shape, count + len(moved))
+    better = found.fit >= plain.fit + thresholds.MIN_FIT_GAIN or found.unexplained.mean() <= unexplained / 2
+    return _merged(found, [*range(count), *moved], count) if better else plain
 
 
-def _moved(planes: Planes, shifts: Sequence[Shift | None]) -> Planes:
-    def moved(start: int, stop: int) -> list[np.ndarray]:
-        mosaic, *others = planes(start, stop)
-        return [
-            mosaic,
-            *(
-                other if shift is None else ndimage.shift(other, (shift.y, shift.x), order=3, mode="nearest")
-                for other, shift in zip(others, shifts)
-            ),
-        ]
+def _shift_where(image: np.ndarray, reference: np.ndarray, where: np.ndarray) -> Shift | None:
+    """In the part where it matters; in the whole window where that part is too small or shows nothing."""
+    return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)
 
-    return moved
+
+def _merged(following: Following, source_of: Sequence[int], count: int) -> Following:
+    """The same with the moved sources under the numbers of those that they were made from."""
+    shares = np.bincount(source_of, weights=following.shares, minlength=count)
+    return replace(following, labels=np.array(source_of, np.uint8)[following.labels], shares=tuple(shares.tolist()))
+
+
+def _decided(following: Following, labels: np.ndarray) -> Following:
+    """What is known of where pixels were taken from goes before the estimate."""
+    labels = np.where(labels == UNKNOWN, following.labels, labels)
+    shares = np.bincount(labels.ravel(), minlength=len(following.shares)) / labels.size
+    return replace(following, labels=labels, shares=tuple(shares.tolist()))
 
 
 def _tones(image: _Image, other: _Image, where: np.ndarray) -> dict[str, Tone | None]:

@@ -43,7 +43,9 @@ class Following:
     fit: float
     """Share of the mosaic's fine detail that its sources explain, 0 to 1, the mean over the window."""
     kept: float | None
-    """Fine contrast of the mosaic as a multiple of its sources', outside the mixtures; None where there is none."""
+    """Fine contrast of the mosaic as a multiple of its sources', outside the mixtures; None if that is hardly any."""
+    unexplained: np.ndarray
+    """(rows, columns) bool: where the sources explain less than half of the mosaic's fine detail."""
 
     @property
     def unclear_share(self) -> float:
@@ -84,7 +86,7 @@ def follow(planes: Planes, shape: tuple[int, int], count: int) -> Following:
     winner, clear, mixed, fit, own, of_winner = (np.concatenate(parts) for parts in zip(*strips))
     textured = own > _LEAST_ENERGY * CELL_PX**2
     outside = ~mixed & textured
-    total = of_winner[outside].sum()
+    total = of_winner[outside].sum() if outside.mean() >= thresholds.MIN_UNMIXED_SHARE else 0.0
     return Following(
         _to_pixels(winner, rows, columns),
         _to_pixels(clear, rows, columns),
@@ -92,6 +94,7 @@ def follow(planes: Planes, shape: tuple[int, int], count: int) -> Following:
         tuple((np.bincount(winner.ravel(), minlength=count) / winner.size).tolist()),
         float(fit[textured].mean()) if textured.any() else 0.0,
         float(np.sqrt(own[outside].sum() / total)) if total > 0 else None,
+        _to_pixels(uniform_filter(np.where(textured, fit, 1), _WIDE) < thresholds.MIN_EXPLAINED, rows, columns),
     )
 
 

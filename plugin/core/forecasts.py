@@ -5,6 +5,7 @@ and among the finest; the others are clipped to it as they would be to a mosaic.
 """
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
@@ -91,15 +92,16 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     if request.extent is None:
         return not_foretold(request, request.reason)
     rasters, unreadable = _described(request.sources)
+    band = _most_common_band(rasters)
     try:
-        place, unfit = _place(request, rasters)
+        place, unfit = _place(request, [raster for raster in rasters if judged_band(raster) == band])
     except WindowError as error:
         return replace(not_foretold(request, error.message), notices=tuple(unreadable))
     if place is None:
         why = tuple([*unreadable, *unfit][: thresholds.MAX_REASONS])
         reason = messages.NO_SOURCE_COMPARABLE(why=why) if why else messages.NO_SOURCES()
         return replace(not_foretold(request, reason), notices=tuple(unreadable))
-    clips, refused = _comparable_clips(place, rasters)
+    clips, refused = _comparable_clips(place, rasters, band)
     notices = (*unreadable, *refused)
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     found = feathers(planes, request.wavelet, request.levels)
@@ -108,7 +110,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
         request.window_id,
         extent_on(place.extent, place.mosaic.wkt, request.wkt or place.mosaic.wkt),
         len(clips),
-        judged_band(place.mosaic),
+        band,
         tuple(_pair(clips, planes, feather) for feather in found),
         expected,
         _reason(len(clips), expected, notices),
@@ -147,6 +149,12 @@ def _described(sources: Sequence[Source]) -> tuple[list[Raster], list[Message]]:
     return rasters, notices
 
 
+def _most_common_band(rasters: Sequence[Raster]) -> str | None:
+    """The band that most sources are judged by, so that one of other bands does not cost all the others."""
+    counts = Counter(judged_band(raster) for raster in rasters)
+    return counts.most_common(1)[0][0] if counts else None
+
+
 def _place(request: ForecastRequest, rasters: Sequence[Raster]) -> tuple[_Place | None, list[Message]]:
     """The window on the first of the finest sources that covers it north-up, and why those before it did not do.
 
@@ -180,9 +188,10 @@ def _place_on(raster: Raster, request: ForecastRequest) -> _Place:
     return _Place(mosaic, window, read_clip(raster.ref, mosaic, window))
 
 
-def _comparable_clips(place: _Place, rasters: Sequence[Raster]) -> tuple[list[Clip], list[Message]]:
+def _comparable_clips(
+    place: _Place, rasters: Sequence[Raster], band: str | None
+) -> tuple[list[Clip], list[Message]]:
     """The clips of the sources that cover the window, and why others that do can't be compared."""
-    band = judged_band(place.mosaic)
     clips: list[Clip] = []
     notices: list[Message] = []
     for raster in rasters:
@@ -199,7 +208,7 @@ def _comparable_clips(place: _Place, rasters: Sequence[Raster]) -> tuple[list[Cl
     return clips, notices
 
 
-def _check_comparable(clip: Clip, band: str) -> None:
+def _check_comparable(clip: Clip, band: str | None) -> None:
     name, bands = clip.raster.ref.name, clip.raster.band_names
     if judged_band(clip.raster) != band:
         raise RasterError(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)))

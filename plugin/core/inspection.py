@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from . import messages, thresholds
-from .cells import Cell, cell_labels, cells_over
+from .cells import UNKNOWN, Cell, cell_labels, cells_over
 from .contrast import Judgement, Ratios, Verdict, check_max_ratio, curve_ratios, judge
 from .errors import NotCoveredError, RasterError, WindowError
 from .explanation import COMPOSITE, Change, Explanation, explain
@@ -243,7 +243,8 @@ def _explain(request: WindowRequest, mosaic: _Measured, sources: Sequence[_Measu
     labels = None
     if request.cells and request.window is not None:
         names = [one.clip.raster.ref.name for one in sources]
-        labels = cell_labels(request.cells, names, request.mosaic.grid, request.window)
+        known = cell_labels(request.cells, names, request.mosaic.grid, request.window)
+        labels = known if (known != UNKNOWN).any() else None
     return explain(
         mosaic.clip,
         mosaic.curves,

@@ -11,6 +11,7 @@ from itertools import combinations
 
 import numpy as np
 
+from . import thresholds
 from .wavelets import component_products
 
 
@@ -39,7 +40,8 @@ def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Fe
     found = []
     for (i, j), shared in zip(pairs, products.cross):
         energy = products.own[i] + products.own[j]
-        rho = tuple(2 * s / e if e > 0 else None for s, e in zip(shared[:-1].tolist(), energy[:-1].tolist()))
+        least = thresholds.MIN_SHARE * (products.own_totals[i] + products.own_totals[j])
+        rho = tuple(2 * s / e if e > least else None for s, e in zip(shared[:-1].tolist(), energy[:-1].tolist()))
         found.append(Feather(i, j, rho))
     return found
 

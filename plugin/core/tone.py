@@ -19,6 +19,7 @@ _GAMMA_POINTS = 512
 _FEWEST_POINTS = 16
 _TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
 _LEAST_SCALE = 1e-9
+_FOUR_FIFTHS = 1.2816  # standard deviations within which 80 % of a normal distribution lie
 _LEAST_PILE = 1e-4  # of the pixels: fewer are not worth a second look
 
 
@@ -123,7 +124,7 @@ def _linear(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
         fitted = (weights * off * (y - y_mean[:, np.newaxis])).sum(axis=1) / np.maximum(spread, _LEAST_SCALE)
         gain = np.where(spread > _LEAST_SCALE, fitted, gain)
         bias = np.where(spread > _LEAST_SCALE, y_mean - gain * x_mean, bias)
-    return gain, bias, _scale_of(y - gain[:, np.newaxis] * x - bias[:, np.newaxis])
+    return gain, bias, _reach_of(y - gain[:, np.newaxis] * x - bias[:, np.newaxis])
 
 
 def _gamma(
@@ -167,7 +168,7 @@ def _bends(x: np.ndarray, y: np.ndarray, linear_spreads: np.ndarray) -> np.ndarr
         right = np.einsum("bpi,bp->bi", weighted, y)
         residuals = y - np.einsum("bpi,bi->bp", terms, (np.linalg.pinv(normal) @ right[..., np.newaxis])[..., 0])
         weights = _weights(residuals)
-    better: np.ndarray = _scale_of(residuals) <= (1 - thresholds.MIN_GAMMA_GAIN / 2) * linear_spreads
+    better: np.ndarray = _reach_of(residuals) <= (1 - thresholds.MIN_GAMMA_GAIN / 2) * linear_spreads
     return better
 
 
@@ -179,6 +180,13 @@ def _weights(residuals: np.ndarray) -> np.ndarray:
 
 def _scale_of(residuals: np.ndarray) -> np.ndarray:
     return 1.4826 * _median(np.abs(residuals))
+
+
+def _reach_of(residuals: np.ndarray) -> np.ndarray:
+    """Standard deviation by what four fifths stay within: a bend shows in dark and bright parts, which are few."""
+    last = int(0.8 * residuals.shape[1])
+    reach: np.ndarray = np.partition(np.abs(residuals), last, axis=1)[:, last] / _FOUR_FIFTHS
+    return reach
 
 
 def _median(values: np.ndarray) -> np.ndarray:

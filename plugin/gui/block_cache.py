@@ -1,8 +1,9 @@
 """The block under inspection, made from the project's layers, and windows on its pixels."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
+from typing import Any
 
 from qgis.core import (
     QgsCoordinateTransform,
@@ -23,6 +24,7 @@ from ..adapters.tasks import Outcome
 from ..adapters.text import tr
 from ..adapters.window_layer import WindowRow
 from ..core import messages
+from ..core.cells import Cell
 from ..core.errors import SeamInspectorError, SettingsError, WindowError
 from ..core.inspection import Block, Settings, Source, WindowRequest, make_block, window_request
 from ..core.messages import Message
@@ -45,6 +47,7 @@ class BlockCache(QObject):
         self._turn = 0  # counts what was opened, so that only the last one is taken
         self._seen: dict[str, tuple[str, str]] = {}
         self._indexed: dict[str, tuple[Source, ...]] = {}  # of source indexes, which may vanish
+        self._cells: dict[str, tuple[Cell, ...]] = {}  # likewise
         self._states: dict[object, int] = {}
         self.forget()
 
@@ -75,7 +78,8 @@ class BlockCache(QObject):
         self._turn += 1
         self._background.cancel_others({self._turn})
         job = opening_job(self._project, self.inputs, files)
-        take = partial(self._take, self._turn, self.inputs.source_index if files.index else "")
+        ids = self.inputs.source_index if files.index else "", self.inputs.cells if files.cells else ""
+        take = partial(self._take, self._turn, ids)
         self._background.start(tr("Open the mosaic"), job, take, self._turn)
 
     def mosaic_layer(self) -> QgsRasterLayer | None:
@@ -85,7 +89,8 @@ class BlockCache(QObject):
 
     def settings(self) -> Settings:
         """How windows are measured."""
-        return Settings(self.inputs.wavelet, self.inputs.levels, self.inputs.max_ratio)
+        inputs = self.inputs
+        return Settings(inputs.wavelet, inputs.levels, inputs.max_ratio, inputs.reference)
 
     def problem(self) -> Message | None:
         """Why there is no block; None when there is one."""
@@ -95,7 +100,7 @@ class BlockCache(QObject):
             mosaic = self._opened.mosaic
             try:
                 sources = layer_sources(self._project, self.inputs, mosaic)
-                self._block = make_block(mosaic, [], [*sources, *self._opened.indexed])[0]
+                self._block = make_block(mosaic, [], [*sources, *self._opened.indexed], self._opened.cells)[0]
             except SeamInspectorError as error:
                 self._failure = error.message
         return self._failure
@@ -119,15 +124,20 @@ class BlockCache(QObject):
         vanished counts as it was.
         """
         inputs = self.inputs
-        indexed = self._indexed.get(inputs.source_index)
-        if indexed is None and self._project.mapLayer(inputs.source_index) is None:
-            indexed = ()
-        if not inputs.mosaic or indexed is None:
+        indexed = self._of_layer(self._indexed, inputs.source_index)
+        cells = self._of_layer(self._cells, inputs.cells)
+        if not inputs.mosaic or indexed is None or cells is None:
             return None
         sources = tuple(map(self.seen, inputs.sources))
         _, windows_crs = self.seen(inputs.windows)
-        state = self.seen(inputs.mosaic), sources, indexed, self.settings(), windows_crs
+        state = self.seen(inputs.mosaic), sources, indexed, cells, self.settings(), windows_crs
         return self._states.setdefault(state, len(self._states))
+
+    def _of_layer(self, found: Mapping[str, tuple[Any, ...]], layer_id: str) -> tuple[Any, ...] | None:
+        """What was read from a layer, nothing where there is none; None while it is not read yet."""
+        if layer_id not in found and self._project.mapLayer(layer_id) is None:
+            return ()
+        return found.get(layer_id)
 
     def seen(self, layer_id: str) -> tuple[str, str]:
         """Data source and reference system of a layer, as they were last seen; its id when it never was."""
@@ -137,12 +147,12 @@ class BlockCache(QObject):
             self._seen[layer_id] = layer.source(), crs.authid() or layers.system_wkt(crs)
         return self._seen.get(layer_id, (layer_id, ""))
 
-    def _take(self, turn: int, index: str, found: object) -> None:
+    def _take(self, turn: int, ids: tuple[str, str], found: object) -> None:
         if turn != self._turn:
             return
         if isinstance(found, OpenedFiles):
             self._opened = found
-            self._indexed[index] = found.indexed
+            self._indexed[ids[0]], self._cells[ids[1]] = found.indexed, found.cells
         else:
             self._opened = None
             self._unopened = found if isinstance(found, Message) else messages.MOSAIC_NOT_OPENED()
@@ -152,7 +162,7 @@ class BlockCache(QObject):
     def _ended(self, key: object, outcome: Outcome) -> None:
         """A task that was cancelled in QGIS, or failed, must not leave us waiting."""
         if key == self._turn and self._unopened == messages.MOSAIC_OPENING() and self._opened is None:
-            self._take(self._turn, "", outcome.message)
+            self._take(self._turn, ("", ""), outcome.message)
 
     def seamlines(self, block: Block) -> Iterator[bytes | None] | None:
         """The seamlines' geometries in the mosaic's reference system, to be read in any thread."""

@@ -27,11 +27,11 @@ class ClippedLabel(QWidget):
         """All of the text."""
         return self._text
 
-    def setText(self, text: str) -> None:
-        """Say something else."""
+    def setText(self, text: str, tip: str = "") -> None:
+        """Say something else; ``tip``: more than that, as rich text, for the tooltip."""
+        self.setToolTip(tip or (rich_tip(text) if text else ""))
         if text != self._text:
             self._text = text
-            self.setToolTip(rich_tip(text) if text else "")
             self.setAccessibleName(text)
             self.update()
 

@@ -17,7 +17,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ..adapters.charts import ChartStyle, source_look
+from ..adapters.charts import ChartStyle, LineStyle, curve_look, numbered
 from ..adapters.curves import ChartCurve
 from ..adapters.text import tr
 from .theme import ReadableItems, blended
@@ -130,17 +130,17 @@ class CurvesLegend(QListWidget):
         if keys != [self.item(row).data(_KEY) for row in range(self.count())]:
             self.clear()
             for curve in curves:
-                item = QListWidgetItem(curve.label, self)
+                item = QListWidgetItem(tr("composite") if curve.is_composite else curve.label, self)
                 item.setData(_KEY, curve.key)
             if has_limit:
                 item = QListWidgetItem(tr("limit"), self)
                 item.setToolTip(
-                    tr("On or below this line the mosaic has lost significantly against the least sharp source")
+                    tr("On or below this line the mosaic has lost significantly against what the verdict is taken from")
                 )
-        for row, curve in enumerate(curves):
-            self._look(self.item(row), curve, row, curve.key in hidden, style)
+        for row, (number, curve) in enumerate(numbered(curves)):
+            self._look(self.item(row), curve, number, curve.key in hidden, style)
         if has_limit:
-            self.item(len(curves)).setIcon(self._piece(QColor(style.limit), Qt.PenStyle.SolidLine, 0.15, 0))
+            self.item(len(curves)).setIcon(self._piece(QColor(style.limit), "-", 0.15, 0))
         self.updateGeometry()
 
     def mark(self, key: tuple[bool, str] | None) -> None:
@@ -162,22 +162,22 @@ class CurvesLegend(QListWidget):
         self.entered.emit(None)
         super().leaveEvent(event)
 
-    def _look(self, item: QListWidgetItem, curve: ChartCurve, row: int, is_hidden: bool, style: ChartStyle) -> None:
-        if curve.is_mosaic:
-            colour, line = style.text, "-"
-        else:
-            colour, line = source_look(row - 1 if curve.colour is None else curve.colour, style)
+    def _look(self, item: QListWidgetItem, curve: ChartCurve, number: int, is_hidden: bool, style: ChartStyle) -> None:
+        colour, line = curve_look(curve, number, style)
         font = item.font()
         font.setBold(curve.is_mosaic)
         item.setFont(font)
         item.setData(_IS_HIDDEN, is_hidden)
         width, radius = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
         piece = blended(QColor(style.text), QColor(style.background), 0.3) if is_hidden else QColor(colour)
-        item.setIcon(self._piece(piece, _PENS[line], width, radius))
+        item.setIcon(self._piece(piece, line, width, radius))
         click = tr("Click to show this curve") if is_hidden else tr("Click to hide this curve")
-        item.setToolTip(f"{curve.label}\n{click}")
+        label = curve.label
+        if curve.is_composite:
+            label = tr("What a hard cut of the sources along the seam, levelled to the mosaic's tone, would have")
+        item.setToolTip(f"{label}\n{click}")
 
-    def _piece(self, colour: QColor, pen: Qt.PenStyle, width: float, radius: float) -> QIcon:
+    def _piece(self, colour: QColor, line: LineStyle, width: float, radius: float) -> QIcon:
         """A piece of a line with one of its points, sizes in heights of the icon."""
         size, ratio = self.iconSize(), self.devicePixelRatioF()
         pixmap = QPixmap(size * ratio)
@@ -186,7 +186,13 @@ class CurvesLegend(QListWidget):
         height, middle = size.height(), size.height() / 2
         painter = QPainter(pixmap)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(colour, width * height, pen, Qt.PenCapStyle.FlatCap))
+        pen = QPen(colour, width * height, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
+        if isinstance(line, str):
+            pen.setStyle(_PENS[line])
+        else:
+            pen.setDashOffset(line[0])
+            pen.setDashPattern(line[1])
+        painter.setPen(pen)
         painter.drawLine(QPointF(0, middle), QPointF(size.width(), middle))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
@@ -208,7 +214,7 @@ class CurvesLegend(QListWidget):
         item = self.itemAt(position)
         menu = QMenu(self)
         is_source = item is not None and item.data(_KEY) is not None and not item.data(_KEY)[0]
-        alone = menu.addAction(tr("Show only this source")) if is_source else None
+        alone = menu.addAction(tr("Show only this curve")) if is_source else None
         everything = menu.addAction(tr("Show all curves"))
         chosen = menu.exec(self.mapToGlobal(position))
         menu.deleteLater()

@@ -208,7 +208,7 @@ class CurvesPanel(QWidget):
             return tuple(mean_curves(results, band))
         for clip in results[0].clips[1:]:
             self._colours.setdefault(clip.raster, len(self._colours))
-        return tuple(window_curves(results[0], band, self._colours))
+        return tuple(window_curves(results[0], band, self._colours, self._session.inputs.reference))
 
     def _draw(self, results: list[WindowResult], curves: tuple[ChartCurve, ...]) -> None:
         from .curves_chart import Chart, chart_style

@@ -23,6 +23,7 @@ from .curves_panel import CurvesPanel
 from .images_panel import ImagesPanel
 from .inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
+from .scroll_body import ScrollBody
 from .session import Session
 from .window_tool import WindowTool
 from .windows_panel import WindowsPanel
@@ -192,7 +193,7 @@ class InspectionDock(QgsDockWidget):
         layout.addWidget(self.progress)
         body.setLayout(layout)
         body.addActions([*self.judge.actions_for_dock(), self.undo])
-        self.setWidget(body)
+        self.setWidget(ScrollBody(body))
 
     def _toggle_tool(self, checked: bool) -> None:
         if checked:

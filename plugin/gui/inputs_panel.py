@@ -4,7 +4,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
+from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
@@ -14,7 +14,7 @@ from ..core import messages, thresholds
 from ..core.errors import SettingsError
 from ..core.placing import window_side_px
 from .layer_box import LayerBox
-from .more_box import MoreBox, add_field, metres_box, show_value
+from .more_box import MoreBox, add_field, metres_box, show_value, vectors_without
 from .source_list import SourceList, Sources, file_rasters, overlapping
 from .summary_box import SummaryBox
 
@@ -59,7 +59,7 @@ class InputsPanel(QWidget):
         inputs = self._session.inputs
         self._is_following = True
         try:
-            self.index.leave_out(_without_location())
+            self.index.leave_out(vectors_without(LOCATION_FIELD))
             self.mosaic.show_layer(inputs.mosaic)
             self.sources.show_sources(inputs.mosaic, inputs.sources)
             self.index.show_layer(inputs.source_index)
@@ -254,10 +254,3 @@ class InputsPanel(QWidget):
             aside = self.sources.minimumSizeHint().width() + self._grid.horizontalSpacing()
             self.box.spared_width = aside if is_wide else 0  # so that the panel can get narrow again
             self.box.updateGeometry()
-
-
-def _without_location() -> list[QgsVectorLayer]:
-    """The vector layers that are no tile index."""
-    found = QgsProject.instance().mapLayers().values()
-    vectors = [layer for layer in found if isinstance(layer, QgsVectorLayer)]
-    return [layer for layer in vectors if LOCATION_FIELD not in layer.fields().names()]

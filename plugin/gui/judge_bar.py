@@ -9,15 +9,16 @@ from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QKeySequence, QResizeEvent
 from qgis.PyQt.QtWidgets import QAction, QBoxLayout, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
 
+from ..adapters.sentences import window_sentence
 from ..adapters.text import tr
 from .clipped_label import ClippedLabel
-from .verdicts import rich_tip, verdict_chip, window_sentence, windows_sentence
+from .verdicts import rich_tip, verdict_chip, window_tip, windows_sentence
 
 if TYPE_CHECKING:
     from ..adapters.window_layer import WindowRow
     from .session import Session
 
-_SENTENCE_LINES = 2
+_SENTENCE_LINES = 3
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 
 
@@ -173,17 +174,22 @@ class JudgeBar(QWidget):
         return None
 
     def _say(self, selected: Sequence[WindowRow], any_windows: bool) -> None:
+        tip = ""
         if len(selected) == 1:
-            is_pending = self._session.is_pending(selected[0].fid)
-            sentence = tr("Measuring ...") if is_pending else window_sentence(selected[0])
+            row = selected[0]
+            if self._session.is_pending(row.fid):
+                sentence = tr("Measuring ...")
+            else:
+                result = self._session.result(row.fid)
+                sentence, tip = window_sentence(row, result), window_tip(row, result)
             side = self.fontMetrics().ascent()
-            self._chip.setPixmap(verdict_chip(selected[0].verdict, selected[0].stale).pixmap(side, side))
+            self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
         elif selected:
             sentence = windows_sentence(selected)
         else:
             sentence = tr("Select a window to judge it.") if any_windows else ""
         self._chip.setVisible(len(selected) == 1)
-        self._sentence.setText(sentence)
+        self._sentence.setText(sentence, tip)
         place = str(self._place + 1) if len(selected) == 1 and self._place >= 0 else "-"
         count = len(self._fids)
         self._position.setText(tr("{place} of {count}").format(place=place, count=count) if count else "")

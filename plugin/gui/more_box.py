@@ -1,14 +1,18 @@
-"""The inputs that are seldom changed: spacing, wavelet, levels, limit."""
+"""The inputs that are seldom changed: spacing, wavelet, levels, limit, what the verdict is against, seam cells."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
 from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QComboBox, QGridLayout, QLabel, QWidget
 
+from ..adapters.layers import CELL_FIELD
 from ..adapters.text import tr
 from ..core import thresholds
+from ..core.inspection import REFERENCES
+from .layer_box import LayerBox
 
 if TYPE_CHECKING:
     from ..adapters.inputs import Inputs
@@ -22,7 +26,10 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("More"), parent)
-        self.setToolTip(tr("Spacing of placed windows, wavelet, levels and the limit of a significant loss"))
+        self.setToolTip(
+            tr("Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken "
+               "against, seam cells")
+        )
         self.spacing = metres_box(thresholds.STANDARD_SPACING_M, 50, self)
         self.spacing.setToolTip(tr("Metres along the seam from one placed window to the next"))
         self.wavelet = QComboBox(self)
@@ -45,6 +52,18 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         self.max_ratio.setToolTip(
             tr("A loss is significant when the mosaic keeps at most this share of the sources' detail at level 1")
         )
+        self.reference = QComboBox(self)
+        for reference, text in zip(REFERENCES, (tr("the sources"), tr("their composite"))):
+            self.reference.addItem(text, reference)
+        self.reference.setToolTip(
+            tr("What the verdict is taken against: each source's whole clip, as in Pyka's papers, or the hard cut of "
+               "the sources that the mosaic follows, which tells loss from content")
+        )
+        self.cells = LayerBox(QgsMapLayerProxyModel.Filter.PolygonLayer, tr("none"), self)
+        self.cells.setToolTip(
+            tr("Polygons that say in a field 'source' which orthoimage the mosaic was cut from; without them that is "
+               "found from the pixels")
+        )
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setVerticalSpacing(3)
@@ -53,15 +72,19 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         add_field(layout, 1, tr("Wa&velet"), self.wavelet)
         add_field(layout, 2, tr("L&evels"), self.levels)
         add_field(layout, 3, tr("Significant up to &ratio"), self.max_ratio)
+        add_field(layout, 4, tr("Verdict &against"), self.reference)
+        add_field(layout, 5, tr("Seam &cells"), self.cells)
         self.setCollapsed(True)
         self.spacing.valueChanged.connect(self._change_spacing)
         self.wavelet.activated.connect(self._choose_wavelet)
         self.levels.valueChanged.connect(self._change_levels)
         self.max_ratio.valueChanged.connect(self._change_max_ratio)
+        self.reference.activated.connect(self._choose_reference)
+        self.cells.chosen.connect(self._choose_cells)
 
     def fields(self) -> tuple[QWidget, ...]:
         """In tab order."""
-        return self.spacing, self.wavelet, self.levels, self.max_ratio
+        return self.spacing, self.wavelet, self.levels, self.max_ratio, self.reference, self.cells
 
     def show_inputs(self, inputs: Inputs) -> None:
         """Show the values of the inputs; ``changed`` is emitted for those that differ."""
@@ -69,6 +92,9 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         show_value(self.levels, inputs.levels)
         show_value(self.max_ratio, inputs.max_ratio)
         self.wavelet.setCurrentIndex(self.wavelet.findText(inputs.wavelet))
+        self.reference.setCurrentIndex(self.reference.findData(inputs.reference))
+        self.cells.leave_out(vectors_without(CELL_FIELD))
+        self.cells.show_layer(inputs.cells)
 
     def _change_spacing(self, metres: float) -> None:
         self.changed.emit("spacing_m", metres)
@@ -81,6 +107,18 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
 
     def _change_max_ratio(self, ratio: float) -> None:
         self.changed.emit("max_ratio", ratio)
+
+    def _choose_reference(self, _index: int) -> None:
+        self.changed.emit("reference", self.reference.currentData())
+
+    def _choose_cells(self, layer_id: str) -> None:
+        self.changed.emit("cells", layer_id)
+
+
+def vectors_without(field: str) -> list[QgsVectorLayer]:
+    """The project's vector layers that lack a field."""
+    found = QgsProject.instance().mapLayers().values()
+    return [layer for layer in found if isinstance(layer, QgsVectorLayer) and field not in layer.fields().names()]
 
 
 def metres_box(usual: float, step: float, parent: QWidget) -> QgsDoubleSpinBox:

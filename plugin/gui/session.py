@@ -4,18 +4,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import partial
-from pathlib import Path
 from typing import Any
 
-from qgis.core import Qgis, QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ..adapters import layers, tasks, window_layer
+from ..adapters import window_layer
 from ..adapters.inputs import Inputs, load_inputs, save_inputs
-from ..adapters.log import write_log
 from ..adapters.pictures import Picture
-from ..adapters.text import sentence, tr
+from ..adapters.text import sentence
 from ..adapters.window_layer import WindowRow
 from ..core import messages
 from ..core.errors import SeamInspectorError
@@ -25,12 +22,11 @@ from ..core.windows import Grid, PixelWindow
 from .background import Background
 from .block_cache import BlockCache
 from .inputs_watch import InputsWatch
+from .new_windows import NewWindows
 from .seam_finder import SeamFinder
 from .window_pictures import WindowPictures
 from .window_results import WindowResults
 from .window_watch import WindowWatch
-
-_PLACING = "placing"
 
 
 class Session(QObject):
@@ -65,6 +61,10 @@ class Session(QObject):
         self._results = WindowResults(self._block, self._watch, self._background, self)
         self._results.arrived.connect(self.resultArrived)
         self._results.failed.connect(self._failed)
+        self._new = NewWindows(self._project, self._block, self._watch, self._background, self)
+        self._new.layerMade.connect(self._take_layer)
+        self._new.drawn.connect(self._take_drawn)
+        self._new.said.connect(self._say)
         self._pictures = WindowPictures(self._block, self._watch, self._background, self)
         self._pictures.arrived.connect(self.picturesArrived)
         self._background.progressChanged.connect(self.progressChanged)  # after the results, which write the last ones
@@ -78,6 +78,7 @@ class Session(QObject):
         while self._connections:
             signal, slot = self._connections.pop()
             signal.disconnect(slot)
+        self._new.abandon()
         self._layers.close()
         self._inputs_background.close()
         self._background.close()
@@ -110,6 +111,10 @@ class Session(QObject):
         """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
         block = self._block.silent()
         return block.mosaic.grid if block is not None else None
+
+    def block(self) -> Block | None:
+        """Mosaic and sources under inspection; None while there are none, or they are being opened."""
+        return self._block.silent()
 
     def problem(self) -> Message | None:
         """Why nothing can be inspected now: an input is missing or can't be used, or the mosaic is being opened."""
@@ -146,14 +151,9 @@ class Session(QObject):
         """Select windows, on the map and in the table alike."""
         self._watch.select(fids)
 
-    def add_window(self, window: PixelWindow) -> int | None:
-        """A new window, inspected at once in the background; its feature id, or None when there can't be one."""
-        with self._raised():
-            fids = self._add(self._block.required(), [window])
-            self.select(fids)
-            self.inspect(fids)
-            return fids[0]
-        return None
+    def add_window(self, window: PixelWindow) -> None:
+        """A new window, selected and inspected at once in the background; the first one waits for its layer."""
+        self._new.draw(window)
 
     def remove(self, fids: Sequence[int]) -> None:
         """Remove windows; undo brings them back."""
@@ -168,25 +168,12 @@ class Session(QObject):
                 fids = self._watch.prepare(fids, self.inputs.levels)
                 window_layer.write_observer(self._watch.layer, fids, observer)
 
-    def _add(self, block: Block, windows: Sequence[PixelWindow]) -> list[int]:
-        """Add windows to the layer, which is made and added to the project when there is none."""
-        if self._watch.layer is None:
-            folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
-            made = window_layer.create_window_layer(layers.mosaic_crs(block.mosaic), self.inputs.levels, folder)
-            self._project.addMapLayer(made)
-            self.set_inputs(replace(self.inputs, windows=made.id()))
-        layer = self._watch.layer
-        assert layer is not None
-        outlines = self._block.outlines(block, layer, windows)
-        self._watch.prepare([], self.inputs.levels)
-        return window_layer.add_windows(layer, outlines, self._watch.next_number)
-
     # Work in the background
 
     @property
     def is_busy(self) -> bool:
-        """Whether windows are being placed or inspected."""
-        return self._background.is_busy
+        """Whether windows are being made, placed or inspected."""
+        return self._background.is_busy or self._new.is_busy
 
     def is_pending(self, fid: int) -> bool:
         """Whether a window is being inspected, or its result not written yet."""
@@ -196,17 +183,7 @@ class Session(QObject):
     def place_windows(self) -> None:
         """Place windows along the seamlines; they are added when all are found, and not inspected yet."""
         with self._raised():
-            block = self._block.required()
-            lines = self._block.seamlines(block)
-            if lines is None:
-                raise SeamInspectorError(messages.NO_SEAMLINES())
-            if self._background.is_under_way(_PLACING):
-                return
-            inputs, settings = self.inputs, self._block.settings()
-            job = tasks.placing_job(lines, block.mosaic, inputs.side_m, inputs.spacing_m, settings)
-            self._background.start(
-                tr("Place windows"), job, partial(self._take_placement, inputs.mosaic), _PLACING, steps=1
-            )
+            self._new.place()
 
     def inspect(self, fids: Sequence[int]) -> None:
         """Inspect windows, those left out that are being inspected already."""
@@ -231,20 +208,13 @@ class Session(QObject):
         """The clips of a window as pictures; when they are not there yet they are read in the background."""
         return self._pictures.pictures(fid)
 
-    def _take_placement(self, mosaic: str, placement: Any) -> None:
-        if mosaic != self.inputs.mosaic:
-            return
-        with self._raised():
-            windows = [placed.window for placed in placement.windows]
-            if windows:
-                self._add(self._block.required(), windows)
-            write_log(placement.dropped)
-            if windows:
-                placed = messages.WINDOWS_PLACED_IN_PART if placement.dropped else messages.WINDOWS_PLACED
-                self._say(placed(count=len(windows), notes=len(placement.dropped)), Qgis.MessageLevel.Success)
-            else:
-                why = placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED()
-                self._say(why, Qgis.MessageLevel.Warning)
+    def _take_layer(self, layer_id: str) -> None:
+        """A window layer was made for new windows."""
+        self.set_inputs(replace(self.inputs, windows=layer_id))
+
+    def _take_drawn(self, fids: list[int]) -> None:
+        self.select(fids)
+        self.inspect(fids)
 
     # The project
 
@@ -308,6 +278,7 @@ class Session(QObject):
 
     def _forget_windows(self) -> None:
         """What is of the window layer so far; nothing of it may reach another one."""
+        self._new.abandon()
         self._background.abandon()
         self._watch.watch(None)
         self._pictures.forget()

@@ -1,4 +1,4 @@
-"""Verdicts for the eye: their words, meanings and colours, the same as on the map (resources/styles/windows.qml)."""
+"""Verdicts for the eye: chips and tooltips. The colours are those on the map (resources/styles/windows.qml)."""
 from __future__ import annotations
 
 from collections import Counter
@@ -6,40 +6,20 @@ from collections.abc import Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QLocale, QPointF, QRectF, Qt
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
+from ..adapters.sentences import cause_numbers, explanation_of, window_sentence
 from ..adapters.text import tr
+from ..adapters.words import VERDICT_COLOURS, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
     from ..adapters.window_layer import WindowRow
+    from ..core.inspection import WindowResult
 
-COLOURS = {
-    "significant": "#d55e00",
-    "reduced": "#f0c800",
-    "preserved": "#0072b2",
-    "not_comparable": "#8a8a8a",
-    "": "#e8e8e8",
-}
-"""By verdict, worst first; the empty one is that of a window not inspected."""
-VERDICTS = tuple(COLOURS)
+VERDICTS = tuple(VERDICT_COLOURS)
+"""Worst first; the empty one is that of a window not inspected."""
 _CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one and scales it down
-
-
-def verdict_word(verdict: str) -> str:
-    """What the table calls a verdict."""
-    return {
-        "significant": tr("significant"),
-        "reduced": tr("reduced"),
-        "preserved": tr("preserved"),
-        "not_comparable": tr("not comparable"),
-        "": tr("not inspected"),
-    }.get(verdict, verdict)
-
-
-def observer_word(observer: str) -> str:
-    """What the table calls the observer's word."""
-    return {"visible": tr("visible"), "invisible": tr("invisible")}.get(observer, observer)
 
 
 def verdict_chip(verdict: str, stale: bool = False) -> QIcon:
@@ -55,17 +35,6 @@ def verdict_chip(verdict: str, stale: bool = False) -> QIcon:
     return icon
 
 
-def window_sentence(row: WindowRow) -> str:
-    """What was found in a window, in plain words."""
-    if not row.verdict:
-        return tr("Not inspected yet.")
-    if row.verdict == "not_comparable":
-        found = row.reason or tr("The mosaic could not be compared with a source here.")
-    else:
-        found = _detail_sentence(row)
-    return tr("{finding} Changed since: inspect it again.").format(finding=found) if row.stale else found
-
-
 def windows_sentence(rows: Sequence[WindowRow]) -> str:
     """What was found in several windows, in plain words."""
     counts = Counter(row.verdict for row in rows)
@@ -77,35 +46,16 @@ def windows_sentence(rows: Sequence[WindowRow]) -> str:
     return tr("{count} windows selected: {verdicts}.").format(count=len(rows), verdicts=", ".join(parts))
 
 
-def window_tip(row: WindowRow) -> str:
-    """The same as rich text that wraps, for a tooltip."""
-    return rich_tip(window_sentence(row))
+def window_tip(row: WindowRow, result: WindowResult | None = None) -> str:
+    """The sentence about a window, and the numbers behind it, as rich text that wraps, for a tooltip."""
+    found = explanation_of(row, result)
+    return rich_tip(window_sentence(row, result), *(cause_numbers(found) if found is not None else ()))
 
 
-def rich_tip(text: str) -> str:
-    """Qt breaks the lines of a tooltip only when it is rich text."""
-    return f"<p>{escape(text)}</p>"
-
-
-def percent(ratio: float) -> str:
-    """Whole per cents; one decimal where they would hide that a ratio is not 1, or is small."""
-    decimals = 1 if ratio < 0.1 or (0.99 < ratio < 1.01 and ratio != 1) else 0
-    share = 100 * ratio
-    if ratio < 1:
-        share = min(share, 99.9)
-    return QLocale().toString(share, "f", decimals)
-
-
-def _detail_sentence(row: WindowRow) -> str:
-    ratio = row.ratios[0] if row.ratios else None
-    if ratio is None:
-        return f"{verdict_word(row.verdict).capitalize()}."
-    if row.sources == 1:
-        against = tr("Detail at level 1 is {percent} % of the source's: {verdict}.")
-    else:
-        against = tr("Detail at level 1 is {percent} % of the least sharp source's: {verdict}.")
-    verdict = tr("significant loss") if row.verdict == "significant" else verdict_word(row.verdict)
-    return against.format(percent=percent(ratio), verdict=verdict)
+def rich_tip(text: str, *lines: str) -> str:
+    """Qt breaks the lines of a tooltip only when it is rich text; ``lines`` stand below it."""
+    below = f"<p>{'<br>'.join(map(escape, lines))}</p>" if lines else ""
+    return f"<p>{escape(text)}</p>{below}"
 
 
 def _unknown(counts: Counter[str]) -> list[str]:
@@ -113,7 +63,7 @@ def _unknown(counts: Counter[str]) -> list[str]:
 
 
 def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
-    colour = QColor(COLOURS.get(verdict, COLOURS["not_comparable"]))
+    colour = QColor(verdict_colour(verdict))
     pixmap = QPixmap(side, side)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
@@ -129,7 +79,7 @@ def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
     elif verdict:
         painter.drawRoundedRect(square, side / 6, side / 6)
     else:  # nothing known: an empty box, to be seen on light and on dark rows
-        edge = QColor(COLOURS["not_comparable"])
+        edge = QColor(verdict_colour("not_comparable"))
         painter.setBrush(QColor(232, 232, 232, 90))
         painter.drawRect(square)
     painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -260,5 +260,5 @@ class WindowWatch(QObject):
 
 def _finding(row: WindowRow) -> object:
     """What was found in a window, as far as every format keeps it."""
-    ratios = [f"{ratio:.9g}" for ratio in (*row.ratios, row.background_ratio) if ratio is not None]
-    return row.verdict, row.reason[:_SHORTEST_TEXT], row.sources, tuple(ratios)
+    ratios = [f"{ratio:.9g}" for ratio in (*row.ratios, row.background_ratio, row.composite_ratio) if ratio is not None]
+    return row.verdict, row.cause, row.reason[:_SHORTEST_TEXT], row.sources, tuple(ratios)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
 
-from .verdicts import observer_word, verdict_word
+from ..adapters.words import cause_word, observer_word, verdict_word
 from .windows_model import WindowsModel
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ class WindowsFilter(QSortFilterProxyModel):
         self._model = model
         self._words: list[str] = []
         self._accepts: Callable[[WindowRow], bool] | None = None
-        self._told: dict[tuple[str, str], list[str]] = {}
+        self._told: dict[tuple[str, str, str], list[str]] = {}
         self._fids: list[int] | None = None
         self._shown: list[WindowRow] = []
         self._rows: dict[int, int] = {}
@@ -70,13 +70,14 @@ class WindowsFilter(QSortFilterProxyModel):
         return (self._accepts is None or self._accepts(row)) and all(self._matches(row, word) for word in self._words)
 
     def _matches(self, row: WindowRow, word: str) -> bool:
-        """Whether a word begins the number, the verdict or the observer's word ("visible" is not "invisible"), or is
+        """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
         anywhere in the reason, which names files. A number is a window's."""
         if word.isdigit():
             return str(row.window_id).startswith(word)
-        key = row.verdict, row.observer
+        key = row.verdict, row.cause, row.observer
         if key not in self._told:
-            self._told[key] = f"{verdict_word(row.verdict)} {observer_word(row.observer)}".casefold().split()
+            words = verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer)
+            self._told[key] = " ".join(words).casefold().split()
         return any(told.startswith(word) for told in self._told[key]) or word in row.reason.casefold()
 
     def _forget(self, *_: object) -> None:

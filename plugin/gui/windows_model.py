@@ -1,7 +1,7 @@
 """The windows as a sorted table, kept in step with the session row by row."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -9,11 +9,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qgis.PyQt.QtCore import QAbstractTableModel, QLocale, QModelIndex, QObject, Qt
 from qgis.PyQt.QtGui import QFont, QIcon
 
+from ..adapters.sentences import cause_numbers, explanation_of
 from ..adapters.text import tr
-from .verdicts import VERDICTS, observer_word, rich_tip, verdict_chip, verdict_word, window_tip
+from ..adapters.words import cause_sentence, cause_word, observer_word, verdict_word
+from .verdicts import VERDICTS, rich_tip, verdict_chip, window_tip
 
 if TYPE_CHECKING:
     from ..adapters.window_layer import WindowRow
+    from ..core.inspection import WindowResult
 
 _ALIGNED_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 _CENTRED = int(Qt.AlignmentFlag.AlignCenter)
@@ -34,6 +37,7 @@ class Kind(Enum):
     ID = "id"
     VERDICT = "verdict"
     RATIO = "ratio"
+    CAUSE = "cause"
     SOURCES = "sources"
     OBSERVER = "observer"
     REASON = "reason"
@@ -54,6 +58,8 @@ class Column(NamedTuple):
             return VERDICTS.index(row.verdict) if row.verdict in VERDICTS and row.verdict else None
         if self.kind is Kind.RATIO:
             return self.ratio(row)
+        if self.kind is Kind.CAUSE:
+            return cause_word(row.cause).casefold() or None
         if self.kind is Kind.SOURCES:
             return row.sources
         if self.kind is Kind.OBSERVER:
@@ -70,6 +76,8 @@ class Column(NamedTuple):
         if self.kind is Kind.RATIO:
             ratio = self.ratio(row)
             return "" if ratio is None else QLocale().toString(ratio, "f", 2)
+        if self.kind is Kind.CAUSE:
+            return cause_word(row.cause)
         if self.kind is Kind.SOURCES:
             return "" if row.sources is None else str(row.sources)
         if self.kind is Kind.OBSERVER:
@@ -80,11 +88,14 @@ class Column(NamedTuple):
         """The row's ratio at this column's level."""
         return row.ratios[self.level - 1] if self.level <= len(row.ratios) else None
 
-    def tip(self, row: WindowRow) -> str:
-        """The tooltip of the cell."""
+    def tip(self, row: WindowRow, result: WindowResult | None = None) -> str:
+        """The tooltip of the cell; ``result``: what was measured in the row's window."""
         ratio = self.ratio(row) if self.kind is Kind.RATIO else None
+        if self.kind is Kind.CAUSE and row.cause and not row.stale:
+            found = explanation_of(row, result)
+            return rich_tip(cause_sentence(row.cause), *(cause_numbers(found) if found is not None else ()))
         if ratio is None or row.stale:
-            return window_tip(row)
+            return window_tip(row, result)
         value = QLocale().toString(ratio, "f", 4)
         return rich_tip(tr("Ratio at level {level}: {ratio}").format(level=self.level, ratio=value))
 
@@ -95,6 +106,7 @@ class Column(NamedTuple):
         return {
             Kind.ID: tr("id"),
             Kind.VERDICT: tr("verdict"),
+            Kind.CAUSE: tr("cause"),
             Kind.SOURCES: tr("src.") if short else tr("sources"),
             Kind.OBSERVER: tr("observer"),
             Kind.REASON: tr("reason"),
@@ -108,6 +120,7 @@ class Column(NamedTuple):
         return rich_tip({
             Kind.ID: tr("Number of the window."),
             Kind.VERDICT: tr("What the ratio at level 1 says about the mosaic. Sorted by it, the worst comes first."),
+            Kind.CAUSE: tr("The step of production that explains what happened to the contrast."),
             Kind.SOURCES: tr("How many sources the mosaic was compared with."),
             Kind.OBSERVER: tr("Whether the operator saw the loss of detail at 2x magnification."),
             Kind.REASON: tr("Why the mosaic could not be compared with a source."),
@@ -117,8 +130,11 @@ class Column(NamedTuple):
 class WindowsModel(QAbstractTableModel):
     """The session's windows, in the order of one column. Views hear only of the rows that changed."""
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(
+        self, parent: QObject | None = None, result: Callable[[int], WindowResult | None] = lambda fid: None
+    ) -> None:
         super().__init__(parent)
+        self._result = result  # of a window, by its feature id: the numbers in tooltips
         self.columns = _columns(3)
         self._short_titles = False
         self.sorted_by: Column = Column(Kind.ID)
@@ -198,7 +214,7 @@ class WindowsModel(QAbstractTableModel):
         if role == _FONT and row.stale:
             return self._italic
         if role == _TOOL_TIP:
-            return column.tip(row)
+            return column.tip(row, self._result(row.fid))
         return None
 
     def headerData(
@@ -261,7 +277,8 @@ class WindowsModel(QAbstractTableModel):
 
 def _columns(levels: int) -> tuple[Column, ...]:
     ratios = (Column(Kind.RATIO, level) for level in range(1, levels + 1))
-    return (Column(Kind.ID), Column(Kind.VERDICT), *ratios, *map(Column, (Kind.SOURCES, Kind.OBSERVER, Kind.REASON)))
+    others = (Kind.CAUSE, Kind.SOURCES, Kind.OBSERVER, Kind.REASON)
+    return (Column(Kind.ID), Column(Kind.VERDICT), *ratios, *map(Column, others))
 
 
 def _alignment(column: Column) -> int:

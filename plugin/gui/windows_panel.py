@@ -23,7 +23,8 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..adapters.text import tr
-from .verdicts import VERDICTS, verdict_chip, verdict_word
+from ..adapters.words import verdict_word
+from .verdicts import VERDICTS, verdict_chip
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 from .windows_table import WindowsTable
@@ -47,7 +48,7 @@ class WindowsPanel(QWidget):
         super().__init__(parent)
         self._session = session
         self._is_following = False
-        self._windows = WindowsModel(self)
+        self._windows = WindowsModel(self, session.result)
         self._shown = WindowsFilter(self._windows, self)
         self._search = QgsFilterLineEdit(self)  # before the table, for Tab
         self._verdicts = QComboBox(self)
@@ -196,7 +197,7 @@ class WindowsPanel(QWidget):
         self._search.setShowSearchIcon(True)
         self._search.setShowClearButton(True)
         self._search.setPlaceholderText(tr("Filter windows"))
-        self._search.setToolTip(tr("Shows the windows whose number, verdict, observer or reason matches."))
+        self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
         choices: list[tuple[str, Callable[[WindowRow], bool] | None]] = [(tr("all"), None)]
         choices += [(verdict_word(verdict), partial(_has_verdict, verdict)) for verdict in VERDICTS]
         choices += [(tr("not judged"), _is_not_judged), (tr("changed"), _is_stale)]

@@ -8,13 +8,16 @@ from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPa
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
 
 from ..adapters.text import tr
+from ..adapters.words import cause_word, observer_word, verdict_word
+from ..core.causes import Cause
 from .theme import ReadableItems, readable_palette
-from .verdicts import VERDICTS, observer_word, verdict_word
+from .verdicts import VERDICTS
 from .windows_filter import WindowsFilter
 from .windows_model import Column, Kind, WindowsModel
 
 Widths = tuple[int, int, int]
 """Of a column, px: with words cut short, with all of them, with air."""
+_LEAST, _NATURAL, _AIRY = range(3)
 
 
 class WindowsTable(QTableView):
@@ -84,20 +87,48 @@ class WindowsTable(QTableView):
         self.setIconSize(QSize(side, side))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
         room = self.viewport().width()
-        short = room < sum(normal for _, normal, _ in self._all_widths(metrics, False)[:-1])
+        hidden, short, widths = self._choose(metrics, room)
         self._windows.set_short_titles(short)
-        widths = self._all_widths(metrics, short)
-        least, natural, airy = (sum(sizes) for sizes in zip(*widths[:-1]))
-        wide = room >= airy + widths[-1][0]  # the reasons are shown only where nothing has to give way to them
-        self.setColumnHidden(len(widths) - 1, not wide)
-        for section, (smallest, normal, largest) in enumerate(widths[:-1]):
-            if room < natural:
-                share = max(0.0, (room - least) / max(natural - least, 1))
-                size = smallest + share * (normal - smallest)
+        for section in range(len(widths)):
+            self.setColumnHidden(section, section in hidden)
+        shown = [section for section in range(len(widths)) if section not in hidden]
+        if shown[-1] == len(widths) - 1:  # the reasons take what is left
+            shown.pop()
+        cause = self._windows.columns.index(Column(Kind.CAUSE))
+        least, natural, airy = (sum(sizes) for sizes in zip(*(widths[section] for section in shown)))
+        for section in shown:
+            smallest, normal, largest = widths[section]
+            if room < natural and cause in shown:  # that alone gives way
+                size = normal if section != cause else room - natural + normal
+            elif room < least:  # the verdict's word ends in an ellipsis; its chip is still seen
+                size = smallest - (least - room) * (self._windows.columns[section].kind is Kind.VERDICT)
+            elif room < natural:
+                size = smallest + (room - least) / (natural - least) * (normal - smallest)
             else:
                 share = min(1.0, (room - natural) / max(airy - natural, 1))
                 size = normal + share * (largest - normal)
             self.setColumnWidth(section, int(size))
+
+    def _choose(self, metrics: QFontMetrics, room: int) -> tuple[set[int], bool, list[Widths]]:
+        """Which columns are hidden, whether headings are short, and the columns' widths.
+
+        Reasons and then causes are shown only where nothing else has to give way to them.
+        """
+        columns = self._windows.columns
+        reason = len(columns) - 1
+        cause = columns.index(Column(Kind.CAUSE))
+        long, brief = (self._all_widths(metrics, short) for short in (False, True))
+
+        def needed(widths: list[Widths], size: int, without: set[int]) -> int:
+            return sum(sizes[size] for section, sizes in enumerate(widths) if section not in without)
+
+        if room >= needed(long, _AIRY, set()):
+            return set(), False, long
+        for widths, short, size in ((long, False, _NATURAL), (brief, True, _NATURAL), (brief, True, _LEAST)):
+            if room >= needed(widths, _NATURAL, {reason, cause}) + widths[cause][size]:
+                return {reason}, short, widths
+        short = room < needed(long, _NATURAL, {reason, cause})
+        return {reason, cause}, short, brief if short else long
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -157,6 +188,9 @@ class WindowsTable(QTableView):
             words = [verdict_word(verdict) for verdict in VERDICTS]
             changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
             least, natural, airy = chip + width(words[0]), chip + width(*words), chip + width(*changed)
+        elif column.kind is Kind.CAUSE:
+            natural = width(*(cause_word(cause.value) for cause in Cause))
+            least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
         elif column.kind is Kind.OBSERVER:
             natural = width(observer_word("visible"), observer_word("invisible"))
             least, airy = natural, natural + em

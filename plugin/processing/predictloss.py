@@ -17,6 +17,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import RasterError, SettingsError
@@ -118,6 +119,7 @@ class PredictLoss(SeamInspectorAlgorithm):
                 feedback.setProgress(100 * count / drawn.count)
         if drawn.renumbered:
             feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
+        self.style(output_id, style_path("predicted_windows"), context)
         results = {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
         return {name: value for name, value in results.items() if value is not None}
 

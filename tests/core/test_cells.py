@@ -1,4 +1,4 @@
-"""Seam cells become labels: which source, by its name, and which pixels, by GDAL's and shapely-free arithmetic."""
+"""Seam cells become labels: which source by its name, which pixels by arithmetic."""
 from __future__ import annotations
 
 import numpy as np

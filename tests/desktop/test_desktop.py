@@ -73,7 +73,20 @@ def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: 
     for place in ("right", "right_images", "below", "below_images"):
         for defect in ("cut", "headings_cut", "no_tooltip", "steps_up", "no_focus_mark"):
             assert run.report[f"{place}_{defect}"] == [], f"{defect}, {place}"
+        assert run.report[f"{place}_table_overflow"] == 0, place
         contrasts = run.report[f"{place}_contrasts"]
         what = {words.split()[0] for words in contrasts}
         assert what >= {"heading", "label", "button", *(("title", "badge") if "images" in place else ("legend",))}
         assert {words: ratio for words, ratio in contrasts.items() if ratio < READABLE} == {}, place
+
+
+def test_low_screen(small_block: Path, tmp_path: Path, screenshots: Path) -> None:
+    """QGIS's window is no higher than a screen of 1000 x 700, and all of the dock can be reached there."""
+    parameters = {"block": str(small_block), "side_m": SMALL_SIDE_M, "screenshots": str(screenshots)}
+    run = play(SCENARIOS / "low.py", tmp_path, parameters, screen="1000x700")
+    say("low screen", run.seconds, run.report)
+    check(run)
+    assert run.report["window"][1] <= run.report["screen"][1]
+    assert run.report["dock"][0] <= 440  # QGIS's own status bar is wider than this screen
+    assert run.report["scrolls"]
+    assert run.report["reached"]

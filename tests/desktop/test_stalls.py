@@ -8,19 +8,18 @@ from tests.desktop.conftest import SCENARIOS, check, say
 from tests.large import BOXES, make_large_rasters
 
 STALL_MS = 50.0  # the interface's thread at work without a turn of its event loop
-FIRST_STALL_MS = 150.0  # the same with the first window, for which QGIS makes, styles and opens a GeoPackage
 LOADED_STALL_MS = 1000.0  # by the clock, which on a shared machine runs for others too
 
 
 def test_fifty_windows_of_1024_px(tmp_path: Path, screenshots: Path) -> None:
     rasters = [str(path) for path in make_large_rasters(tmp_path)]
     parameters = {"rasters": rasters, "boxes": BOXES, "screenshots": str(screenshots)}
-    run = play(SCENARIOS / "stalls.py", tmp_path, parameters, seconds=240)
+    run = play(SCENARIOS / "stalls.py", tmp_path, parameters, seconds=400)
     say("fifty windows of 1024 px", run.seconds, run.report)
     check(run)
     report = run.report
     assert report["windows"] == report["inspected"] == len(BOXES)
-    assert report["first_work_ms"] <= FIRST_STALL_MS
-    for step in ("drawing", "inspecting", "judging"):
+    assert report["placed"] > 200
+    for step in ("first", "drawing", "inspecting", "judging", "placing"):
         assert report[f"{step}_work_ms"] <= STALL_MS, step
         assert report[f"{step}_gap_ms"] <= LOADED_STALL_MS, step

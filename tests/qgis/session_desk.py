@@ -97,10 +97,11 @@ class Desk:
 
     def add(self, window: PixelWindow = BLURRED_WINDOW) -> int:
         """A window that is inspected, its result written."""
-        fid = self.session.add_window(window)
-        assert fid is not None, self.messages
+        before = set(self.rows())
+        self.session.add_window(window)
         self.wait()
-        return fid
+        (number,) = set(self.rows()) - before
+        return int(self.rows()[number].fid)
 
     def wait(self) -> None:
         """Until nothing is being placed or inspected, and all results are written."""

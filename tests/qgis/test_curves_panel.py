@@ -16,7 +16,7 @@ import pytest
 from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
-from seam_inspector.plugin.adapters.charts import DARK, PAPER
+from seam_inspector.plugin.adapters.charts import COMPOSITE_DASHES, DARK, PAPER, curve_look, numbered
 from seam_inspector.plugin.adapters.curves import ChartCurve, point_words, share_text, significance_limit
 from seam_inspector.plugin.core import messages
 from seam_inspector.plugin.core.contrast import Judgement, Ratios, Verdict, judge
@@ -43,6 +43,7 @@ class Inputs:
     """Of a session's inputs, what the panel reads."""
 
     max_ratio = 0.5
+    reference = "sources"
 
 
 class FakeSession(QObject):
@@ -626,3 +627,25 @@ def test_the_limit_is_that_of_the_least_sharp_source_with_detail() -> None:
     assert significance_limit(curves[:1], 0.5) is None
     assert point_words(curves[:1], 0, 0) == ("m", ", level 1: 0.100")
     assert point_words(curves, 0, 0)[1].endswith("(33 % of the least sharp source)")
+
+
+def test_the_composite_is_the_limit_where_the_verdict_is_taken_against_it() -> None:
+    mosaic, source = ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7)
+    beside = ChartCurve("c", False, (0.2,), 0.8, is_composite=True)
+    curves = [mosaic, source, beside]
+    assert significance_limit(curves, 0.5) == pytest.approx(0.15)
+    assert point_words(curves, 2, 0) == ("c", ", level 1: 0.200 (mosaic: 50 % of it)")
+    judged = [mosaic, source, replace(beside, is_reference=True)]
+    assert significance_limit(judged, 0.5) == pytest.approx(0.1)
+    assert point_words(judged, 0, 0)[1].endswith("(50 % of the composite)")
+
+
+def test_the_composite_is_dashed_in_the_colour_of_words() -> None:
+    curves = [
+        ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7), ChartCurve("b", False, (0.3,), 0.7),
+        ChartCurve("c", False, (0.2,), 0.8, is_composite=True),
+    ]  # fmt: skip
+    looks = [curve_look(curve, number, PAPER) for number, curve in numbered(curves)]
+    assert looks[0] == (PAPER.text, "-")
+    assert [look[0] for look in looks[1:3]] == list(PAPER.sources[:2])
+    assert looks[3] == (PAPER.text, COMPOSITE_DASHES)

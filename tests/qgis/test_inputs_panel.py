@@ -187,15 +187,28 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
         assert desk.session.inputs == expected
     more.wavelet.setCurrentText("db4")
     more.wavelet.activated.emit(more.wavelet.currentIndex())
-    assert desk.session.inputs == replace(expected, wavelet="db4")
+    expected = replace(expected, wavelet="db4")
+    assert desk.session.inputs == expected
+    more.reference.setCurrentIndex(1)
+    more.reference.activated.emit(1)
+    expected = replace(expected, reference="composite")
+    assert desk.session.inputs == expected
+    seam_cells = vector("Polygon", "seam cells", source=("string", ["a.tif"]))
+    assert offered(more.cells) == ["none", "seam cells"]
+    more.cells.setLayer(seam_cells)
+    more.cells.activated.emit(more.cells.currentIndex())
+    assert desk.session.inputs == replace(expected, cells=seam_cells.id())
 
 
 def test_following_the_session_changes_nothing(desk: Desk) -> None:
-    inputs = Inputs(desk.id("mosaic"), (desk.id("west"), GONE), side_m=51.25, spacing_m=0.04, wavelet="db2", levels=5)
+    inputs = Inputs(desk.id("mosaic"), (desk.id("west"), GONE), side_m=51.25, spacing_m=0.04, wavelet="db2", levels=5,
+                    reference="composite", cells=GONE)
     desk.session.set_inputs(inputs)
     assert desk.session.settings == [inputs]
     assert desk.panel.more.wavelet.currentText() == "db2"
     assert desk.panel.more.levels.value() == 5
+    assert desk.panel.more.reference.currentText() == "their composite"
+    assert desk.panel.more.cells.currentText() == "missing: sheet_144"
 
 
 @pytest.mark.parametrize(

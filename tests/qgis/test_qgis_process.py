@@ -13,7 +13,7 @@ import pytest
 from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
 
 from tests.qgis.runs import assert_sentence
-from tests.qgis.scenes import Scene, layer, line
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, windows
 
 # Debian 12's qgis_process is a script that can't start; the program itself is beside it.
 PROGRAM = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
@@ -62,8 +62,8 @@ def verdicts(path: Path | str) -> list[str]:
 def test_list_and_help(qgis_process: Process) -> None:
     said = qgis_process("list")
     assert said.returncode == 0
-    for name in ("seaminspector:placewindows", "seaminspector:inspectwindows", "seaminspector:inspect_mosaic"):
-        assert name in said.stdout
+    for name in ("placewindows", "inspectwindows", "predictloss", "inspect_mosaic"):
+        assert f"seaminspector:{name}" in said.stdout
     described = qgis_process("help", "seaminspector:inspectwindows").stdout
     names = "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO SCHEDULER".split()
     for name in (*names, "OUTPUT", "CURVES", "PAIRS"):
@@ -119,6 +119,25 @@ def test_report_and_calibrate(qgis_process: Process, scene: Scene, seamlines: st
     assert "MAX_RATIO" not in results
     assert chart.read_bytes().startswith(b"%PDF")
     assert "0 visible and 0 invisible verdicts" in (tmp_path / "calibration.csv").read_text(encoding="utf-8")
+
+
+def test_predict(qgis_process: Process, scene: Scene, tmp_path: Path) -> None:
+    drawn, predicted, pairs = tmp_path / "drawn.gpkg", tmp_path / "predicted.gpkg", tmp_path / "pairs.csv"
+    QgsVectorFileWriter.writeAsVectorFormatV3(
+        windows(SHARP, BLURRED), str(drawn), QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
+    )
+    run = qgis_process(
+        "run", "--json", "seaminspector:predictloss", f"--WINDOWS={drawn}",
+        *(f"--SOURCES={path}" for path in scene.sources), "--LEVELS=1", f"--OUTPUT={predicted}", f"--PAIRS={pairs}",
+    )
+    assert run.returncode == 0, run.stderr
+    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
+    assert (results["WINDOW_COUNT"], results["NOT_COMPARABLE_COUNT"]) == (2, 0)
+    opened = QgsVectorLayer(str(predicted), "result", "ogr")
+    assert [0.5 < feature["expected_ratio_1"] < 1 for feature in opened.getFeatures()] == [True, True]
+    header, *rows = pairs.read_text(encoding="utf-8").splitlines()
+    assert header == "window_id,source,other,band,rho_1,ratio_1,shift_x,shift_y,resampled"
+    assert len(rows) == 2
 
 
 @pytest.mark.parametrize("by", ["id", "file"])

@@ -4,7 +4,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsApplication, QgsVectorLayer
+from qgis.PyQt.QtCore import QEventLoop
 from seam_inspector.plugin.gui.curves_selection import selected_results
 from seam_inspector.plugin.gui.judge_bar import JudgeBar
 
@@ -18,13 +19,12 @@ from tests.qgis.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, 
 def test_a_new_window_is_inspected_in_the_background(desk: Desk) -> None:
     arrived: list[int] = []
     desk.session.resultArrived.connect(arrived.append)
-    fid = desk.session.add_window(BLURRED_WINDOW)
-    assert fid is not None
-    assert desk.session.selected() == [fid]
+    desk.session.add_window(BLURRED_WINDOW)
     assert desk.session.is_busy
-    assert desk.session.result(fid) is None
-    assert desk.rows()[1].verdict == ""
+    assert desk.session.windows() == []
     desk.wait()
+    fid = desk.rows()[1].fid
+    assert desk.session.selected() == [fid]
     assert arrived == [fid]
     result = desk.session.result(fid)
     assert result is not None
@@ -34,6 +34,9 @@ def test_a_new_window_is_inspected_in_the_background(desk: Desk) -> None:
     assert (row.window_id, row.verdict, row.sources, row.observer) == (1, "significant", 2, "")
     assert row.ratios == pytest.approx(result.judgement.ratios.detail)
     assert row.background_ratio == pytest.approx(result.judgement.ratios.background)
+    assert result.explanation is not None
+    assert row.cause == result.explanation.cause.value
+    assert row.composite_ratio == pytest.approx(result.explanation.ratios["luminance"].detail[0])
     assert pixel_box(desk.layer().getFeature(fid).geometry()) == BLURRED
     assert not row.stale
     assert desk.messages == []
@@ -98,14 +101,50 @@ def test_saving_keeps_results_selection_and_marks(desk: Desk) -> None:
 
 
 def test_a_window_that_is_saved_while_it_is_inspected_gets_its_result(desk: Desk) -> None:
+    desk.add(SHARP_WINDOW)
     desk.session.add_window(BLURRED_WINDOW)
     assert desk.layer().commitChanges()
     desk.wait()
-    assert [row.verdict for row in desk.session.windows()] == ["significant"]
+    assert [row.verdict for row in desk.session.windows()] == ["reduced", "significant"]
+
+
+def test_windows_that_are_drawn_while_the_layer_is_made_wait_for_it(desk: Desk) -> None:
+    for window in (BLURRED_WINDOW, SHARP_WINDOW):
+        desk.session.add_window(window)
+    assert desk.session.window_layer() is None
+    desk.wait()
+    assert [row.verdict for row in desk.session.windows()] == ["significant", "reduced"]
+    assert len([layer for layer in desk.project.mapLayers().values() if layer.name() == "Windows"]) == 1
+
+
+@pytest.mark.parametrize("danger", ["close the project", "close the session", "choose another layer"])
+def test_dangers_while_the_layer_is_made(desk: Desk, danger: str) -> None:
+    for steps in range(5):
+        desk.session.add_window(BLURRED_WINDOW)
+        for _ in range(steps):
+            QgsApplication.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, 1)
+        if danger == "close the project":
+            desk.project.clear()
+            assert not desk.session.is_busy
+            assert desk.session.windows() == []
+            break
+        if danger == "close the session":
+            desk.session.close()
+            assert not desk.session.is_busy
+            break
+        other = desk.use(windows(SHARP))
+        desk.wait()
+        assert desk.layer() is other
+        assert len(desk.session.windows()) in (1, 2)
+        desk.set(desk.inputs(windows=""))
+    settle(0.1)
+    assert desk.messages == []
 
 
 def test_a_window_is_not_inspected_twice_at_the_same_time(desk: Desk) -> None:
-    fid = desk.session.add_window(BLURRED_WINDOW)
+    desk.add(SHARP_WINDOW)
+    desk.session.add_window(BLURRED_WINDOW)
+    (fid,) = desk.session.selected()
     steps: list[int] = []
     desk.session.progressChanged.connect(lambda done, asked: steps.append(asked))
     desk.session.inspect_pending()
@@ -126,7 +165,7 @@ def test_results_are_written_together(desk: Desk) -> None:
 
 
 def test_stop_keeps_what_is_done(desk: Desk) -> None:
-    boxes = [(column, row, 64, 64) for row in range(0, 192, 8) for column in range(0, 448, 64)]
+    boxes = [(column, row, 64, 64) for row in range(0, 192, 32) for column in range(0, 448, 64)]
     desk.use(windows(*boxes))
     desk.session.inspect_pending()
     wait_until(lambda: desk.session.result(1) is not None)
@@ -224,7 +263,7 @@ def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None
     desk.session.select([1])
     desk.wait()
     assert not desk.session.is_pending(1)
-    assert "significant loss" in bar.sentence()
+    assert "Significant loss" in bar.sentence()
     desk.session.inspect([2])
     desk.session.stop()
     desk.wait()

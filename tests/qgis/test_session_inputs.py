@@ -25,7 +25,7 @@ from tests.qgis.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, 
 
 def test_the_inputs_come_back_with_the_project(desk: Desk, tmp_path: Path) -> None:
     desk.add()
-    wanted = replace(desk.session.inputs, wavelet="db4", levels=2)
+    wanted = replace(desk.session.inputs, wavelet="db4", levels=2, reference="composite", cells="gone")
     desk.session.set_inputs(wanted)
     path = str(tmp_path / "project.qgz")
     assert desk.project.write(path)
@@ -56,7 +56,9 @@ def test_vanished_layers_do_no_harm(desk: Desk) -> None:
     assert load_inputs(desk.project) == before
 
 
-@pytest.mark.parametrize("stored", ["", "no json", "[]", "3", '{"sources": 5}', '{"side_m": "wide", "levels": null}'])
+@pytest.mark.parametrize(
+    "stored", ["", "no json", "[]", "3", '{"sources": 5}', '{"side_m": "wide", "levels": null}', '{"reference": "x"}']
+)
 def test_inputs_that_make_no_sense_are_left_out(project: QgsProject, stored: str) -> None:
     project.writeEntry("SeamInspector", "inputs", stored)
     assert load_inputs(project) == Inputs()
@@ -149,7 +151,7 @@ def test_the_desk_can_be_used_while_the_mosaic_is_opened(desk: Desk, gate: Event
     assert desk.session.mosaic_grid() is None
     assert len(desk.session.windows()) == 1
     assert desk.session.pictures(1) is None
-    assert desk.session.add_window(BLURRED_WINDOW) is None
+    desk.session.add_window(BLURRED_WINDOW)
     desk.session.place_windows()
     desk.session.inspect_pending()
     assert len(desk.messages) == 3
@@ -209,7 +211,7 @@ def test_a_mosaic_that_cant_be_used_is_told_and_another_one_can_be_chosen(
     assert desk.session.mosaic_grid() is None
     assert "can't be used" in panel.box.toolTip()
     assert "west.tif is rotated" in panel.box.toolTip()
-    assert desk.session.add_window(BLURRED_WINDOW) is None
+    desk.session.add_window(BLURRED_WINDOW)
     assert_sentence(desk.messages.pop().split("; ")[0] + ".", "west.tif is rotated")
     desk.set(desk.inputs())
     assert desk.session.mosaic_grid() is not None
@@ -221,7 +223,7 @@ def test_opening_that_was_cancelled_is_told(desk: Desk, gate: Event) -> None:
     QgsApplication.taskManager().cancelAll()
     gate.set()
     desk.wait_for_opening()
-    assert desk.session.add_window(BLURRED_WINDOW) is None
+    desk.session.add_window(BLURRED_WINDOW)
     assert_sentence(desk.messages.pop().split("; ")[0] + ".", "cancelled")
     desk.session.set_inputs(Inputs())
     desk.set(desk.inputs())

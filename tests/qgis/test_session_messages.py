@@ -25,6 +25,7 @@ def test_bad_inputs_are_told_in_one_sentence(desk: Desk) -> None:
         desk.messages.clear()
         desk.set(desk.inputs(**change))
         desk.session.add_window(BLURRED_WINDOW)
+        desk.wait()
         assert len(desk.messages) == 1, change
         assert_sentence(desk.messages[0], words)
     desk.messages.clear()
@@ -68,7 +69,8 @@ def test_a_layer_that_becomes_read_only_stops_the_run(desk: Desk) -> None:
 
 def test_a_folder_that_cant_be_written_to_is_told(desk: Desk) -> None:
     desk.project.setPresetHomePath("/nowhere/at/all")
-    assert desk.session.add_window(BLURRED_WINDOW) is None
+    desk.session.add_window(BLURRED_WINDOW)
+    assert not desk.session.is_busy
     assert len(desk.messages) == 1
     assert_sentence(desk.messages[0], "/nowhere/at/all")
 

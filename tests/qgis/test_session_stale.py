@@ -17,7 +17,9 @@ from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, windows
 from tests.qgis.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 
-@pytest.mark.parametrize("change", [{"wavelet": "db4"}, {"levels": 2}, {"max_ratio": 0.3}, {"sources": ()}])
+@pytest.mark.parametrize(
+    "change", [{"wavelet": "db4"}, {"levels": 2}, {"max_ratio": 0.3}, {"sources": ()}, {"reference": "composite"}]
+)
 def test_another_input_makes_inspected_windows_stale(desk: Desk, change: dict[str, object]) -> None:
     desk.add()
     if "sources" in change:
@@ -59,12 +61,12 @@ def test_stale_marks_come_back_with_the_project(desk: Desk, tmp_path: Path) -> N
 
 
 def test_what_arrives_after_a_change_is_stale_at_once(desk: Desk) -> None:
-    fid = desk.session.add_window(BLURRED_WINDOW)
-    assert fid is not None
+    desk.add(SHARP_WINDOW)
+    desk.session.add_window(BLURRED_WINDOW)
     desk.session.set_inputs(replace(desk.session.inputs, max_ratio=0.1))
     desk.wait()
-    assert desk.rows()[1].verdict
-    assert desk.rows()[1].stale
+    assert desk.rows()[2].verdict
+    assert desk.rows()[2].stale
 
 
 def test_undo_of_a_second_inspection_brings_the_first_result_back_as_stale(desk: Desk) -> None:
@@ -253,3 +255,50 @@ def test_an_edited_source_index_makes_inspected_windows_stale(desk: Desk, scene:
     desk.project.removeMapLayers([index.id()])
     settle()
     assert not desk.rows()[1].stale
+
+
+def test_seam_cells_decide_and_make_inspected_windows_stale(desk: Desk) -> None:
+    desk.add()
+    cells = layer("Polygon", [outline((0, 0, 512, 256))], source=("string", ["west"]))
+    desk.project.addMapLayer(cells)
+    desk.set(replace(desk.session.inputs, cells=cells.id()))
+    block = desk.session.block()
+    assert block is not None
+    assert [cell.source for cell in block.cells] == ["west"]
+    wait_until(lambda: desk.rows()[1].stale)
+    desk.session.inspect_pending()
+    desk.wait()
+    row = desk.rows()[1]
+    result = desk.session.result(row.fid)
+    assert result is not None
+    against_west = result.pairs[0].ratios.detail[0]  # the composite is the western source alone, but for its tone
+    assert row.composite_ratio == pytest.approx(against_west, rel=0.02)
+    cells.startEditing()
+    cells.changeAttributeValue(1, 0, "east")
+    wait_until(lambda: desk.rows()[1].stale)
+    cells.rollBack()
+    wait_until(lambda: not desk.rows()[1].stale)
+    desk.project.removeMapLayers([cells.id()])
+    settle()
+    assert not desk.rows()[1].stale
+
+
+def test_cells_without_the_field_are_told(desk: Desk) -> None:
+    cells = layer("Polygon", [outline((0, 0, 512, 256))])
+    desk.project.addMapLayer(cells)
+    desk.set(desk.inputs(cells=cells.id()))
+    desk.session.add_window(BLURRED_WINDOW)
+    desk.wait()
+    assert "no field 'source'" in desk.messages.pop()
+
+
+def test_the_verdict_against_the_composite(desk: Desk) -> None:
+    desk.set(desk.inputs(reference="composite", max_ratio=0.5))
+    fid = desk.add(SHARP_WINDOW)
+    row, result = desk.session.row(fid), desk.session.result(fid)
+    assert row is not None
+    assert result is not None
+    assert result.explanation is not None
+    ratio = result.explanation.ratios["luminance"].detail[0]
+    assert ratio is not None
+    assert row.verdict == ("preserved" if ratio >= 1 else "reduced")

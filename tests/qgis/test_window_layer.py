@@ -198,7 +198,7 @@ def test_a_layer_that_cant_be_edited_is_told(project: QgsProject) -> None:
         lambda: window_layer.complete_fields(locked, 3),
         lambda: window_layer.write_observer(locked, [1], "visible"),
         lambda: window_layer.remove_windows(locked, [1]),
-        lambda: window_layer.add_windows(locked, [outline(BLURRED)], 2),
+        lambda: list(window_layer.add_windows(locked, [outline(BLURRED)], 2)),
     ):
         with pytest.raises(WindowLayerError) as raised:
             change()

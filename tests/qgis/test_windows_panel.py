@@ -9,8 +9,8 @@ import pytest
 from qgis.PyQt.QtCore import QItemSelectionModel, QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
+from seam_inspector.plugin.adapters.sentences import percent
 from seam_inspector.plugin.gui.judge_bar import JudgeBar
-from seam_inspector.plugin.gui.verdicts import percent
 from seam_inspector.plugin.gui.windows_model import Column, Kind
 from seam_inspector.plugin.gui.windows_panel import WindowsPanel
 
@@ -18,13 +18,13 @@ from tests.qgis.windows_session import WindowsSession, window
 
 ROWS = [
     window(1, "reduced", (0.83, 0.95, 0.99), sources=3),
-    window(2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2),
+    window(2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2, composite_ratio=0.6, cause="feathering"),
     window(3),
     window(4, "not_comparable", reason="No source covers <window> in west_12.tif.", sources=0),
-    window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10),
+    window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10, cause="none"),
     window(12, "significant", (0.45, 0.7, 0.9), sources=1, stale=True),
 ]
-ID, VERDICT, RATIO_1, RATIO_2, RATIO_3, SOURCES, OBSERVER, REASON = range(8)
+ID, VERDICT, RATIO_1, RATIO_2, RATIO_3, CAUSE, SOURCES, OBSERVER, REASON = range(9)
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
 
 Show = Callable[[QWidget], QWidget]
@@ -93,15 +93,15 @@ def top_window(panel: WindowsPanel) -> int:
 
 
 def test_cells(panel: WindowsPanel) -> None:
-    texts = [cell(panel, 2, column) for column in range(8)]
-    assert texts == ["2", "significant", "0.38", "0.52", "0.88", "2", "visible", ""]
+    texts = [cell(panel, 2, column) for column in range(9)]
+    assert texts == ["2", "significant", "0.38", "0.52", "0.88", "feathering", "2", "visible", ""]
     assert "0.3812" in str(cell(panel, 2, RATIO_1, Qt.ItemDataRole.ToolTipRole))
-    assert [cell(panel, 3, column) for column in range(2, 7)] == [""] * 5
+    assert [cell(panel, 3, column) for column in range(2, 8)] == [""] * 6
     assert cell(panel, 3, VERDICT) == "not inspected"
 
 
 def test_reason_is_the_tooltip_of_a_row_that_is_not_comparable(panel: WindowsPanel) -> None:
-    for column in range(8):
+    for column in range(9):
         assert "No source covers &lt;window&gt;" in str(cell(panel, 4, column, Qt.ItemDataRole.ToolTipRole))
 
 
@@ -122,6 +122,8 @@ def test_changed_windows_are_marked(panel: WindowsPanel) -> None:
         (RATIO_1, ASCENDING, [2, 12, 1, 10, 3, 4]),
         (RATIO_1, DESCENDING, [10, 1, 12, 2, 3, 4]),
         (RATIO_3, DESCENDING, [1, 12, 2, 3, 4, 10]),
+        (CAUSE, ASCENDING, [2, 10, 1, 3, 4, 12]),
+        (CAUSE, DESCENDING, [10, 2, 1, 3, 4, 12]),
         (SOURCES, ASCENDING, [4, 12, 2, 1, 10, 3]),
         (OBSERVER, ASCENDING, [2, 10, 1, 3, 4, 12]),
         (OBSERVER, DESCENDING, [10, 2, 1, 3, 4, 12]),
@@ -138,7 +140,8 @@ def test_sorting_by_number_with_missing_values_last(
     ("text", "fids"),
     [
         ("1", [1, 10, 12]), ("12", [12]), ("sign", [2, 12]), ("VISIBLE", [2]), ("invis", [10]),
-        ("west_12", [4]), ("sign visible", [2]), ("not", [3, 4]), ("xyz", []), ("  ", [1, 2, 3, 4, 10, 12]),
+        ("west_12", [4]), ("sign visible", [2]), ("feath", [2]), ("not", [3, 4]), ("xyz", []),
+        ("  ", [1, 2, 3, 4, 10, 12]),
     ],
 )
 def test_filter_by_text(panel: WindowsPanel, text: str, fids: list[int]) -> None:
@@ -172,6 +175,13 @@ def test_columns_fit_a_narrow_dock_and_a_wide_one(panel: WindowsPanel) -> None:
     QTest.qWait(1)
     assert panel.table.horizontalScrollBar().maximum() == 0
     assert panel.table.isColumnHidden(REASON)
+    assert panel.table.isColumnHidden(CAUSE)
+    assert not panel.table.isColumnHidden(OBSERVER)
+    panel.resize(700, 300)
+    QTest.qWait(1)
+    assert panel.table.horizontalScrollBar().maximum() == 0
+    assert panel.table.isColumnHidden(REASON)
+    assert not panel.table.isColumnHidden(CAUSE)
     panel.resize(1300, 300)
     QTest.qWait(1)
     assert panel.table.horizontalScrollBar().maximum() == 0
@@ -182,7 +192,7 @@ def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) 
     panel.table.sortByColumn(RATIO_3, ASCENDING)
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])
     titles = [column.title() for column in panel._windows.columns]
-    assert titles == ["id", "verdict", "ratio 1", "2", "sources", "observer", "reason"]
+    assert titles == ["id", "verdict", "ratio 1", "2", "cause", "sources", "observer", "reason"]
     assert panel._windows.sorted_by == Column(Kind.ID)
     assert panel.table.horizontalHeader().sortIndicatorSection() == ID
 
@@ -388,12 +398,18 @@ def bar(session: WindowsSession, panel: WindowsPanel, show: Show) -> JudgeBar:
     ("fids", "sentence"),
     [
         ([], "Select a window to judge it."),
-        ([1], "Detail at level 1 is 83 % of the least sharp source's: reduced."),
-        ([2], "Detail at level 1 is 38 % of the least sharp source's: significant loss."),
+        ([1], "Reduced. Detail at level 1 is 83 % of the sources'."),
+        (
+            [2],
+            (
+                "Significant loss. Detail at level 1 is 38 % of the sources' and 60 % of their composite's; feathering "
+                "explains it."
+            ),
+        ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
-        ([10], "Detail at level 1 is 104 % of the least sharp source's: preserved."),
-        ([12], "Detail at level 1 is 45 % of the source's: significant loss. Changed since: inspect it again."),
+        ([10], "Preserved. Detail at level 1 is 104 % of the sources'."),
+        ([12], "Significant loss. Detail at level 1 is 45 % of the source's. Changed since: inspect it again."),
         ([1, 2, 12], "3 windows selected: 2 significant, 1 reduced, 1 changed since."),
     ],
 )

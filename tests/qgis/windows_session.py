@@ -6,6 +6,7 @@ from typing import Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.adapters.window_layer import WindowRow
+from seam_inspector.plugin.core.inspection import WindowResult
 
 
 class WindowsSession(QObject):
@@ -20,6 +21,7 @@ class WindowsSession(QObject):
         self.rows = list(rows or [])
         self.chosen: list[int] = []
         self.pending: set[int] = set()
+        self.results: dict[int, WindowResult] = {}
         self.calls: list[tuple[Any, ...]] = []
         """What the widgets asked for, in order."""
 
@@ -37,6 +39,9 @@ class WindowsSession(QObject):
 
     def row(self, fid: int) -> WindowRow | None:
         return next((row for row in self.rows if row.fid == fid), None)
+
+    def result(self, fid: int) -> WindowResult | None:
+        return self.results.get(fid)
 
     def is_pending(self, fid: int) -> bool:
         return fid in self.pending
@@ -73,6 +78,11 @@ def window(
     reason: str = "",
     sources: int | None = None,
     stale: bool = False,
+    composite_ratio: float | None = None,
+    cause: str = "",
 ) -> WindowRow:
     """A window whose number is its feature id."""
-    return WindowRow(fid, fid, verdict, reason, sources, ratios, None, observer, (0.0, 0.0, 1.0, 1.0), stale)
+    extent = (0.0, 0.0, 1.0, 1.0)
+    return WindowRow(
+        fid, fid, verdict, reason, sources, ratios, None, observer, extent, stale, composite_ratio, cause
+    )

@@ -16,6 +16,7 @@ def play(desk: Desk) -> None:
     block, side_m = Path(desk.parameters["block"]), float(desk.parameters["side_m"])
     shots = Path(desk.parameters["screenshots"])
     desk.set_up(block, side_m, 2 * side_m)
+    desk.window.resizeDocks([desk.dock], [570], Qt.Orientation.Horizontal)
     draw_windows(desk)
     place_and_inspect(desk)
     judge(desk)

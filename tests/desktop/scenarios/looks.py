@@ -55,6 +55,7 @@ def look(desk: Desk, side: str) -> None:
     wait_for_chart(desk)
     dock = desk.dock
     desk.report[f"{side}_cut"] = cut_off(dock)
+    desk.report[f"{side}_table_overflow"] = dock.windows.table.horizontalScrollBar().maximum()
     desk.report[f"{side}_headings_cut"] = eyes.cut_headings(dock.windows.table)
     desk.report[f"{side}_contrasts"] = eyes.contrasts(dock)
     desk.report[f"{side}_no_tooltip"] = eyes.without_tooltip(dock)

@@ -1,5 +1,7 @@
 """Fifty windows of 1024 px: how long the interface stands still while they are drawn, inspected and judged.
 
+Then hundreds of others are placed.
+
 Parameters: ``rasters`` (the mosaic first, then its sources), ``boxes`` (windows in pixels), ``screenshots`` (folder).
 """
 from __future__ import annotations
@@ -7,10 +9,13 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsRasterLayer, QgsVectorLayer
+
 from demo.desk import Desk
 from demo.gaps import Gaps
 
-JUDGED = 10
+AGAIN = 10
+"""How many are inspected once more, and how many of them judged meanwhile."""
 
 
 def play(desk: Desk) -> None:
@@ -28,35 +33,59 @@ def play(desk: Desk) -> None:
     desk.show_all(mosaic.extent())
     with Gaps() as first:  # QGIS makes the layer then
         session.add_window(windows[0])
-        desk.wait(lambda: desk.curves_of(session.selected()[0]), 30, "curves of the first window")
+        desk.wait(lambda: any(map(desk.curves_of, session.selected())), 60, "curves of the first window")
     note(desk, "first", first)
     with Gaps() as drawing:
         for window in windows[1:]:
             session.add_window(window)
             desk.pause(0.05)
-        desk.wait(lambda: not session.is_busy, 120, "windows drawn and inspected")
+        desk.wait(lambda: not session.is_busy, 300, "windows drawn and inspected")
         desk.pause(0.5)
     note(desk, "drawing", drawing)
     fids = [row.fid for row in session.windows()]
     with Gaps() as inspecting:
-        session.inspect(fids)
+        session.inspect(fids[:AGAIN])
         desk.wait(lambda: not session.is_busy, 120, "windows inspected")
         desk.pause(0.5)
     note(desk, "inspecting", inspecting)
     with Gaps() as judging:
-        session.inspect(fids)
-        for fid in fids[:JUDGED]:
+        session.inspect(fids[:AGAIN])
+        for fid in fids[:AGAIN]:
             session.select([fid])
             desk.pause(0.2)
             session.judge([fid], "visible")
             desk.pause(0.2)
         desk.wait(lambda: not session.is_busy, 120, "windows inspected while others are judged")
     note(desk, "judging", judging)
+    with Gaps() as placing:
+        place(desk, mosaic)
+    note(desk, "placing", placing)
+    desk.report["placed"] = len(session.windows()) - len(fids)
     desk.report["windows"] = len(fids)
     desk.report["inspected"] = sum(bool(row.verdict) for row in session.windows())
     session.select(fids[:1])
     desk.wait(lambda: desk.curves_of(fids[0]), 30, "curves")
     desk.screenshot(Path(desk.parameters["screenshots"]) / "stalls.png")
+
+
+def place(desk: Desk, mosaic: QgsRasterLayer) -> None:
+    """Hundreds of windows along seams across the mosaic."""
+    box, session = mosaic.extent(), desk.session
+    seams = QgsVectorLayer(f"LineString?crs={mosaic.crs().authid()}", "seams", "memory")
+    lines = []
+    for share in (0.2, 0.35, 0.5, 0.65, 0.8):
+        y = box.yMinimum() + share * box.height()
+        line = QgsFeature()
+        line.setGeometry(QgsGeometry.fromPolylineXY([QgsPointXY(box.xMinimum(), y), QgsPointXY(box.xMaximum(), y)]))
+        lines.append(line)
+    seams.dataProvider().addFeatures(lines)
+    desk.project.addMapLayer(seams)
+    side = 128 * mosaic.rasterUnitsPerPixelX()
+    session.set_inputs(replace(session.inputs, seamlines=seams.id(), side_m=side, spacing_m=side / 2))
+    before = len(session.windows())
+    session.place_windows()
+    desk.wait(lambda: len(session.windows()) > before and not session.is_busy, 60, "windows placed")
+    desk.pause(0.5)
 
 
 def note(desk: Desk, name: str, gaps: Gaps) -> None:
