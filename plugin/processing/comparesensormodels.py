@@ -34,7 +34,7 @@ class CompareSensorModels(SensorAlgorithm):
         "Fits every sensor model that the points allow and judges each on points that its fit has not seen: check "
         "points, or, where they are fewer than five, every point predicted from the others. The table is that of "
         "Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the "
-        "vendor's RPC with a correction before quotients, polynomials for small and flat areas only.",
+        "vendor's RPC with a correction before quotients, polynomials for small and flat areas only."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:

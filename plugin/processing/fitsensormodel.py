@@ -52,7 +52,7 @@ class FitSensorModel(SensorAlgorithm):
         "part (Kurczynski and Wolniewicz). polynomial_2d is what a georeferencer does and knows no heights; "
         "polynomial_3d, rational (RPC) and dlt have no physics; pushbroom is the parametric model of a line scanner "
         "and needs the fewest points; rpc_bias corrects the RPC that came with the image. The result is a model file "
-        "and an RPC for orthorectification.",
+        "and an RPC for orthorectification."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:

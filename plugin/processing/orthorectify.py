@@ -45,7 +45,7 @@ class Orthorectify(SensorAlgorithm):
         "@default",
         "Puts an image on the map over a terrain model, by a model file of Fit sensor model, an RPC file or the "
         "image's own RPC. GDAL's warper does it with all cores; how far it is from the exact model is measured on a "
-        "grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.",
+        "grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:

@@ -86,6 +86,7 @@ def place(desk: Desk, mosaic: QgsRasterLayer) -> None:
     session.place_windows()
     desk.wait(lambda: len(session.windows()) > before and not session.is_busy, 60, "windows placed")
     desk.pause(0.5)
+    desk.project.removeMapLayer(seams.id())  # QGIS asks before it forgets one in memory
 
 
 def note(desk: Desk, name: str, gaps: Gaps) -> None:
