@@ -198,7 +198,7 @@ class Desk:
         self.report.setdefault("screenshots", []).append(str(path))
 
     def show_tab(self, number: int) -> None:
-        """0: curves, 1: images."""
+        """0: curves, 1: images, 2: noise."""
         self.dock.findChild(QTabWidget).setCurrentIndex(number)
         self.pause(0.3)
 
@@ -218,6 +218,14 @@ class Desk:
         if result is None or chart is None or not chart.is_drawn:
             return False
         return bool(panel._export._results == [result])
+
+    def noise_of(self, fid: int) -> bool:
+        """Whether the noise tab shows what was measured in a window, drawn."""
+        request, panel = self.session.request(fid), self.dock.noise
+        chart, wanted = panel._chart, panel._wanted
+        if request is None or chart is None or wanted is None or wanted[1].window_id != request.window_id:
+            return False
+        return bool(panel._pages.currentWidget() is chart and chart.isEnabled() and chart.is_drawn)
 
     # Leaving
 

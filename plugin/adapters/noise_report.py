@@ -4,8 +4,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
-
 from ..core import report
 from ..core.messages import Message
 from ..core.noise.comparison import ClipNoise
@@ -14,14 +12,8 @@ from ..core.noise.requests import GroupedImage
 from ..core.report import Html
 from .figures import svg_text
 from .noise_charts import noise_figure
+from .noise_words import WORDS
 from .text import sentence, tr
-
-WORDS = {
-    NoiseVerdict.LOW: QT_TRANSLATE_NOOP("@default", "low"),
-    NoiseVerdict.MODERATE: QT_TRANSLATE_NOOP("@default", "moderate"),
-    NoiseVerdict.STRONG: QT_TRANSLATE_NOOP("@default", "strong"),
-    NoiseVerdict.NOT_MEASURABLE: QT_TRANSLATE_NOOP("@default", "not measurable"),
-}
 
 
 def noise_page(results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int) -> str:

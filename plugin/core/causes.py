@@ -45,27 +45,25 @@ class Evidence:
 
 
 def find_cause(evidence: Evidence) -> Cause:
-    """The first that holds, from the grossest interference with grey values down to the finest with detail.
+    """The first that holds: a strong blur, then from the grossest interference with grey values to the finest.
 
     A mosaic whose detail none of the sources explains was not made from them, or not in a way we know: unclear. Where
     most of it is a mixture, its tone lies between those of two sources, and small differences to one say nothing.
     """
     if evidence.fit < thresholds.MIN_CAUSE_FIT or evidence.gain is None:
         return Cause.UNCLEAR
-    if evidence.clipped >= thresholds.MIN_CLIPPED_SHARE:
-        return Cause.CLIPPING
     mostly_mixed = evidence.mixed_share >= thresholds.MIN_MOSTLY_MIXED
-    if not mostly_mixed:
-        if abs(np.log(evidence.gamma)) >= np.log(thresholds.MIN_GAMMA_CHANGE):
-            return Cause.GAMMA
-        if evidence.colour_shift is not None and evidence.colour_shift >= thresholds.MIN_COLOUR_SHIFT:
-            return Cause.COLOUR_SHIFT
-    if abs(evidence.gain) <= (thresholds.MAX_MIXED_NARROWED_GAIN if mostly_mixed else thresholds.MAX_NARROWED_GAIN):
-        return Cause.NARROWED_HISTOGRAM
-    if evidence.misregistration >= thresholds.MIN_MISREGISTRATION_PX:
-        return Cause.MISREGISTRATION
-    if evidence.sharpness is not None and evidence.sharpness <= thresholds.MAX_BLURRED_SHARPNESS:
-        return Cause.BLUR
-    if evidence.mixed_share >= thresholds.MIN_MIXED_SHARE:
-        return Cause.FEATHERING
-    return Cause.NONE
+    narrowed = thresholds.MAX_MIXED_NARROWED_GAIN if mostly_mixed else thresholds.MAX_NARROWED_GAIN
+    bent = abs(np.log(evidence.gamma)) >= np.log(thresholds.MIN_GAMMA_CHANGE)
+    sharpness = 1.0 if evidence.sharpness is None else evidence.sharpness
+    rules = (
+        (Cause.BLUR, sharpness <= thresholds.MAX_STRONGLY_BLURRED_SHARPNESS),
+        (Cause.CLIPPING, evidence.clipped >= thresholds.MIN_CLIPPED_SHARE),
+        (Cause.GAMMA, bent and not mostly_mixed),
+        (Cause.COLOUR_SHIFT, (evidence.colour_shift or 1.0) >= thresholds.MIN_COLOUR_SHIFT and not mostly_mixed),
+        (Cause.NARROWED_HISTOGRAM, abs(evidence.gain) <= narrowed),
+        (Cause.MISREGISTRATION, evidence.misregistration >= thresholds.MIN_MISREGISTRATION_PX),
+        (Cause.BLUR, sharpness <= thresholds.MAX_BLURRED_SHARPNESS),
+        (Cause.FEATHERING, evidence.mixed_share >= thresholds.MIN_MIXED_SHARE),
+    )
+    return next((cause for cause, holds in rules if holds), Cause.NONE)

@@ -194,7 +194,8 @@ def _follow(image: _Image, images: Sequence[_Image]) -> Following:
         return known + [ndimage.shift(known[1 + i], (s.y, s.x), order=3, mode="nearest") for i, s in moved.items()]
 
     found = follow(with_moved, shape, count + len(moved))
-    better = found.fit >= plain.fit + thresholds.MIN_FIT_GAIN or found.unexplained.mean() <= unexplained / 2
+    explains_part = unexplained >= thresholds.MIN_UNEXPLAINED_SHARE and found.unexplained.mean() <= unexplained / 2
+    better = explains_part or found.fit >= plain.fit + thresholds.MIN_FIT_GAIN
     return _merged(found, [*range(count), *moved], count) if better else plain
 
 

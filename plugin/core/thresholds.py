@@ -80,6 +80,7 @@ MIN_GAMMA_CHANGE = 1.1  # as a factor, either way
 MAX_NARROWED_GAIN = 0.9  # a tenth of the contrast
 MAX_MIXED_NARROWED_GAIN = 0.75  # of windows that are mostly mixed: halves of two sources had 0.85 and more
 MIN_MISREGISTRATION_PX = 0.4  # half a pixel less what a shift measured in a small part is off by
+MAX_STRONGLY_BLURRED_SHARPNESS = 0.75  # a Gaussian blur of 0.5 px: nothing else takes as much
 MAX_BLURRED_SHARPNESS = 0.93  # a hard cut has 0.99 to 1.01, a Gaussian blur of 0.5 px 0.7
 MIN_MIXED_SHARE = 0.005  # of the pixels: a hard cut has 0.0001, a feather of 7 px some 0.02
 

@@ -8,7 +8,7 @@ from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 from ..adapters.bar_charts import draw_profiles
 from ..adapters.text import tr
 from ..core.resolution.groups import GroupResult
-from .curves_chart import chart_style
+from .painted_chart import chart_style
 
 # after qgis.PyQt, whose binding matplotlib then takes
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg  # isort: skip

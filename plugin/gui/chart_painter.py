@@ -24,7 +24,7 @@ Point = tuple[int, int]
 """A curve's index and a component's."""
 
 TICK_PX = 10  # a tick and the gap to its label: 7 points, matplotlib's own
-_ROOMY_LINES = 12  # a lower chart does without the axes' titles
+ROOMY_LINES = 12  # a lower chart does without the axes' titles
 _FALLBACK_FAMILY = "DejaVu Sans"  # matplotlib brings it along
 
 
@@ -123,9 +123,7 @@ class ChartPainter:
         chart, style, room, _, _ = request
         figure, axes = self._canvas.figure, self.axes
         self._clear()
-        dpi = 100 * room.ratio  # points grow with the screen's pixels
-        figure.set_dpi(dpi)
-        figure.set_size_inches(room.width * room.ratio / dpi, room.height * room.ratio / dpi)
+        fit_figure(figure, room)
         figure.set_facecolor(style.background)
         draw_frame(axes, levels, style, chart.logarithmic)
         axes.set_ylim(*limits)
@@ -196,7 +194,7 @@ class ChartPainter:
     def _arrange(self, levels: int, room: Room) -> None:
         """Margins for the words around the axes, from the font: matplotlib's own layouts double the time."""
         width, height, line, word = max(room.width, 1), max(room.height, 1), room.line, 1.15 * room.word
-        roomy = height > _ROOMY_LINES * line
+        roomy = height > ROOMY_LINES * line
         left = TICK_PX + 5.5 * room.digit + line * (1.3 if roomy else 0.1)
         step = (width - left) / (levels + 1.0)
         in_two_rows = step < 0.6 * word
@@ -210,13 +208,26 @@ class ChartPainter:
         axes.yaxis.label.set_visible(roomy)
         axes.xaxis.set_label_coords(0.5, -(TICK_PX + line) / up)  # their own places take a third of the drawing
         axes.yaxis.set_label_coords(-(left - 1.2 * line) / across, 0.5)
-        family = room.family if room.family in _families() else _FALLBACK_FAMILY
-        size = round(room.font * 0.72, 2)  # points of 1/72 inch, at 100 pixels per inch
-        font = FontProperties(family=family, size=size)
-        labels = [*axes.get_xticklabels(), *axes.get_yticklabels()]  # later ones are made from these
-        for text in (*labels, axes.xaxis.label, axes.yaxis.label):
-            text.set_fontproperties(font)
-        axes.tick_params(labelsize=size)
+        set_font(axes, room)
+
+
+def fit_figure(figure: Figure, room: Room) -> None:
+    """As many pixels as there is room for; points grow with the screen's."""
+    dpi = 100 * room.ratio
+    figure.set_dpi(dpi)
+    figure.set_size_inches(room.width * room.ratio / dpi, room.height * room.ratio / dpi)
+
+
+def set_font(axes: Any, room: Room) -> FontProperties:
+    """The interface's font for the words around axes."""
+    family = room.family if room.family in _families() else _FALLBACK_FAMILY
+    size = round(room.font * 0.72, 2)  # points of 1/72 inch, at 100 pixels per inch
+    font = FontProperties(family=family, size=size)
+    labels = [*axes.get_xticklabels(), *axes.get_yticklabels()]  # later ones are made from these
+    for text in (*labels, axes.xaxis.label, axes.yaxis.label):
+        text.set_fontproperties(font)
+    axes.tick_params(labelsize=size)
+    return font
 
 
 def _families() -> set[str]:

@@ -28,7 +28,7 @@ from ..adapters.curves import (
     window_curves,
 )
 from ..adapters.text import tr
-from .chart_loader import ChartLoader
+from .chart_loader import ChartLoader, chart_missing
 from .curves_export import CurvesExport
 from .curves_selection import selected_results, title
 
@@ -187,10 +187,7 @@ class CurvesPanel(QWidget):
             if self._chart is None:
                 self._build_chart()
         except ImportError:
-            self._show_text(
-                tr("The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and "
-                   "Ubuntu, or run 'python -m pip install matplotlib' in the OSGeo4W shell on Windows.")
-            )  # fmt: skip
+            self._show_text(chart_missing())
             return
         self._idle_text = title(self._session, results)
         self._draw(results, self._curves(results))

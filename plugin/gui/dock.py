@@ -23,6 +23,8 @@ from .curves_panel import CurvesPanel
 from .images_panel import ImagesPanel
 from .inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
+from .noise_panel import NoisePanel
+from .report_writer import ReportWriter
 from .scroll_body import ScrollBody
 from .session import Session
 from .window_tool import WindowTool
@@ -48,6 +50,9 @@ class InspectionDock(QgsDockWidget):
         self.judge = JudgeBar(self.session, order=self.windows.ordered_fids)
         self.curves = CurvesPanel(self.session)
         self.images = ImagesPanel(self.session)
+        self.noise = NoisePanel(self.session)
+        self.reports = ReportWriter(self.session, self)
+        self.reports.said.connect(self._show_message)
         self._make_actions()
         self._lay_out()
         self.session.progressChanged.connect(self._show_progress)
@@ -72,8 +77,9 @@ class InspectionDock(QgsDockWidget):
         if self._canvas.mapTool() is self.tool:
             self._leave_tool()
         self.tool.close()
+        self.reports.close()
         self.session.close()
-        for panel in (self.inputs, self.windows, self.judge, self.curves, self.images):
+        for panel in (self.inputs, self.windows, self.judge, self.curves, self.images, self.noise):
             panel.close()
 
     def zoom_to(self, fid: int) -> None:
@@ -135,6 +141,12 @@ class InspectionDock(QgsDockWidget):
         self.stop = self._action(
             QgsApplication.getThemeIcon("/mActionStop.svg"), tr("Stop"), tr("Stop; what is done stays"), self._stop
         )
+        self.report = self._action(
+            QgsApplication.getThemeIcon("/mActionNewReport.svg"),
+            tr("Report"),
+            tr("Write a report of the inspected windows, one HTML page that opens anywhere"),
+            self._report,
+        )
         self.undo = self._action(
             QgsApplication.getThemeIcon("/mActionUndo.svg"),
             tr("Undo"),
@@ -155,10 +167,11 @@ class InspectionDock(QgsDockWidget):
         size = self.fontMetrics().height() + 6
         toolbar.setIconSize(QSize(size, size))
         toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        toolbar.addActions([self.draw, self.place, self.inspect, self.inspect_selected, self.stop, self.undo])
+        known_by_icon = (self.inspect_selected, self.stop, self.undo, self.report)  # to save width
+        toolbar.addActions([self.draw, self.place, self.inspect, *known_by_icon])
         for action in toolbar.actions():
             toolbar.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
-        for action in (self.inspect_selected, self.stop, self.undo):  # known by their icons, to save width
+        for action in known_by_icon:
             toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
         self.progress = QProgressBar()
         self.progress.setVisible(False)
@@ -166,8 +179,10 @@ class InspectionDock(QgsDockWidget):
         tabs = QTabWidget()
         tabs.addTab(self.curves, tr("Curves"))
         tabs.addTab(self.images, tr("Images"))
+        tabs.addTab(self.noise, tr("Noise"))
         tabs.setTabToolTip(0, tr("How the variance of the selected windows spreads over the levels of detail"))
         tabs.setTabToolTip(1, tr("The clips of the selected window side by side, to judge the loss by eye"))
+        tabs.setTabToolTip(2, tr("How much random noise the mosaic, or a source, has in the selected window"))
         tabs.setDocumentMode(True)
         list_side, list_layout = QWidget(), QVBoxLayout()
         list_layout.setContentsMargins(0, 0, 0, 0)
@@ -223,6 +238,9 @@ class InspectionDock(QgsDockWidget):
     def _inspect_selected(self) -> None:
         self.session.inspect(self.session.selected())
 
+    def _report(self) -> None:
+        self.reports.ask()
+
     def _undo(self) -> None:
         layer = self.session.window_layer()
         if layer is not None and layer.isEditable():
@@ -235,6 +253,7 @@ class InspectionDock(QgsDockWidget):
         self.inspect.setEnabled(ready and bool(self.session.windows()))
         self.inspect_selected.setEnabled(ready and bool(self.session.windows()))
         self.stop.setEnabled(self.session.is_busy)
+        self.report.setEnabled(any(row.verdict for row in self.session.windows()))
         layer = self.session.window_layer()
         self.undo.setEnabled(layer is not None and layer.isEditable() and layer.undoStack().canUndo())
 

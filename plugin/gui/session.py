@@ -16,7 +16,7 @@ from ..adapters.text import sentence
 from ..adapters.window_layer import WindowRow
 from ..core import messages
 from ..core.errors import SeamInspectorError
-from ..core.inspection import Block, WindowResult
+from ..core.inspection import Block, WindowRequest, WindowResult
 from ..core.messages import Message
 from ..core.windows import Grid, PixelWindow
 from .background import Background
@@ -124,6 +124,13 @@ class Session(QObject):
         """How many sources' footprints cover a window."""
         block = self._block.silent()
         return len(block.sources_over(window)) if block is not None else 0
+
+    def request(self, fid: int) -> WindowRequest | None:
+        """A window as it is measured, and the sources over it; None while there is no block."""
+        row, block, layer = self.row(fid), self.block(), self.window_layer()
+        if row is None or block is None or layer is None:
+            return None
+        return next(self._block.requests(block, layer, [row]))
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within ``reach``, all in the mosaic's reference system."""

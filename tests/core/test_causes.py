@@ -8,15 +8,29 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy import ndimage
 from seam_inspector.plugin.core import thresholds
 from seam_inspector.plugin.core.causes import Cause, Evidence, find_cause
 from seam_inspector.plugin.core.explanation import Explanation
 from seam_inspector.plugin.core.following import follow
 from seam_inspector.plugin.core.inspection import Settings, inspect_window, make_block, window_request
 from seam_inspector.plugin.core.measuring import LUMINANCE, luminance
-from seam_inspector.plugin.core.rasters import RasterRef, describe_mosaic
+from seam_inspector.plugin.core.rasters import Clip, Mosaic, RasterRef, describe_mosaic
+from seam_inspector.plugin.core.windows import PixelWindow
 
-from benchmarks.scenes import Scene, Truth, brighton_scenes, explained, feather, gain, half_and_half, truths
+from benchmarks.scenes import (
+    Scene,
+    Truth,
+    blur,
+    brighton_scenes,
+    explained,
+    feather,
+    gain,
+    half_and_half,
+    truths,
+    whole_values,
+)
+from tests.core.synthetic import orthoimage
 
 SOUND = Evidence(1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.99)
 LITTLE = 1e-6
@@ -52,9 +66,16 @@ def test_without_a_gain_the_cause_is_unclear() -> None:
     assert find_cause(replace(SOUND, gain=None)) is Cause.UNCLEAR
 
 
+def test_a_strong_blur_goes_before_all_else() -> None:
+    limit = thresholds.MAX_STRONGLY_BLURRED_SHARPNESS
+    assert find_cause(replace(SOUND, sharpness=limit - LITTLE, colour_shift=1.5)) is Cause.BLUR
+    assert find_cause(replace(SOUND, sharpness=limit + LITTLE, colour_shift=1.5)) is Cause.COLOUR_SHIFT
+
+
 def test_the_grossest_interference_is_named_first() -> None:
     everything = Evidence(0.5, 0.5, 0.1, 1.5, 3.0, 0.4, 0.5, 0.9)
     mended: list[tuple[Cause, dict[str, Any]]] = [
+        (Cause.BLUR, {"sharpness": 0.9}),
         (Cause.CLIPPING, {"clipped": 0.0}), (Cause.GAMMA, {"gamma": 1.0}), (Cause.COLOUR_SHIFT, {"colour_shift": 1.0}),
         (Cause.NARROWED_HISTOGRAM, {"gain": 1.0}), (Cause.MISREGISTRATION, {"misregistration": 0.0}),
         (Cause.BLUR, {"sharpness": 1.0}), (Cause.FEATHERING, {"mixed_share": 0.0}),
@@ -63,6 +84,23 @@ def test_the_grossest_interference_is_named_first() -> None:
         assert find_cause(everything) is cause
         everything = replace(everything, **mend)
     assert find_cause(everything) is Cause.NONE
+
+
+def test_a_blur_is_not_taken_for_the_shift_between_sources(mosaic: Mosaic) -> None:
+    rng = np.random.default_rng(8)
+    scene = ndimage.gaussian_filter(orthoimage((264, 264)).astype(np.float32), (0, 0.6, 0.6))  # as a lens draws it
+    images = [scene, ndimage.shift(scene, (0, 0.6, -1.5), order=3)]
+    noisy = [image[:, 4:-4, 4:-4] + rng.normal(0, 1.5, (3, 256, 256)) for image in images]
+    clips = tuple(Clip(mosaic, whole_values(image), 0.0) for image in noisy)
+    labels = np.where(np.arange(256) < 180, 0, 1) + np.zeros((256, 1), np.uint8)
+    window = PixelWindow(0, 0, 256, 256)
+    place = Scene(window, labels.astype(np.uint8), clips, mosaic)
+    found = explained(place, blur(place, 0.8))[0]
+    assert found.cause is Cause.BLUR
+    for change in (found.changes[0], found.changes[1]):
+        shift = change[LUMINANCE].shift
+        assert shift is not None
+        assert shift.length < 0.1
 
 
 # --- Real clips, spoilt in known ways ---------------------------------------------------------------------------

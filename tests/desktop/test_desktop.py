@@ -33,7 +33,8 @@ def test_operators_walk(
     assert set(report["verdicts"]) <= {"significant", "reduced", "preserved"}
     assert {"significant", "reduced"} <= set(report["verdicts"])
     assert report["verdicts"][0] == "significant"
-    assert "significant loss" in report["sentence"]
+    assert report["sentence"].startswith("Significant loss.")
+    assert ";" in report["sentence"]  # and the cause
     assert len(report["table"]) == len(report["verdicts"])
     assert report["table"][0][1] == "significant"
     assert "visible" in report["table"][0]
@@ -70,13 +71,14 @@ def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: 
     check(run)
     assert run.report["right_size"][0] <= 440
     assert run.report["inputs_cut"] == []
-    for place in ("right", "right_images", "below", "below_images"):
+    for place in ("right", "right_images", "right_noise", "below", "below_images", "below_noise"):
         for defect in ("cut", "headings_cut", "no_tooltip", "steps_up", "no_focus_mark"):
             assert run.report[f"{place}_{defect}"] == [], f"{defect}, {place}"
         assert run.report[f"{place}_table_overflow"] == 0, place
         contrasts = run.report[f"{place}_contrasts"]
         what = {words.split()[0] for words in contrasts}
-        assert what >= {"heading", "label", "button", *(("title", "badge") if "images" in place else ("legend",))}
+        own = {"images": {"title", "badge"}, "noise": set()}.get(place.partition("_")[2], {"legend"})
+        assert what >= {"heading", "label", "button", *own}
         assert {words: ratio for words, ratio in contrasts.items() if ratio < READABLE} == {}, place
 
 

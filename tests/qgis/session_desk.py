@@ -15,7 +15,7 @@ from seam_inspector.plugin.gui.session import Session
 
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line
 
-PATIENCE = 60.0  # seconds
+PATIENCE = 120.0  # seconds
 SHARP_WINDOW, BLURRED_WINDOW = PixelWindow(*SHARP), PixelWindow(*BLURRED)
 
 

@@ -47,6 +47,11 @@ def play(desk: Desk) -> None:
         desk.wait_for_map()
         desk.screenshot(folder / f"{name}_{side}_images.png")
         look(desk, f"{side}_images")
+        desk.show_tab(2)
+        desk.wait(lambda: desk.noise_of(desk.session.selected()[0]), 30, "noise")
+        desk.wait_for_map()
+        desk.screenshot(folder / f"{name}_{side}_noise.png")
+        look(desk, f"{side}_noise")
     desk.show_tab(0)
 
 
