@@ -7,9 +7,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from . import messages, thresholds
+from .causes import Cause
 from .cells import UNKNOWN, Cell, cell_labels, cells_over
 from .contrast import Judgement, Ratios, Verdict, check_max_ratio, curve_ratios, judge
-from .errors import NotCoveredError, RasterError, WindowError
+from .errors import NotCoveredError, RasterError, SettingsError, WindowError
 from .explanation import COMPOSITE, Change, Explanation, explain
 from .measuring import correlation, judged_band, measure_clip
 from .messages import Message
@@ -39,6 +40,8 @@ class Settings:
         """Raise SettingsError when a value is out of its range."""
         check_decomposition(self.wavelet, self.levels)
         check_max_ratio(self.max_ratio)
+        if self.reference not in REFERENCES:
+            raise SettingsError(messages.REFERENCE_UNKNOWN(reference=self.reference, known=", ".join(REFERENCES)))
 
 
 @dataclass(frozen=True)
@@ -196,8 +199,9 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     found = _explain(request, mosaic, sources)
     pairs = [pair for one, changes in zip(sources, found.changes) for pair in _pairs(mosaic, one, changes)]
     if request.settings.reference == COMPOSITE:
-        against = judge(mosaic.curves[band], [found.curves[band]], request.settings.max_ratio)
-        judgement = replace(judgement, verdict=against.verdict, reason=against.reason)
+        # What the mosaic does not follow is cut at random, unless the cells say how.
+        unknown = found.cause is Cause.UNCLEAR and not request.cells
+        judgement = _against_composite(judgement, mosaic.curves[band], found.curves[band], unknown, request.settings)
     return WindowResult(
         request.window_id, request.window, judgement, tuple(clips), tuple(pairs), found, tuple(notices)
     )
@@ -254,6 +258,16 @@ def _explain(request: WindowRequest, mosaic: _Measured, sources: Sequence[_Measu
         request.settings.levels,
         labels,
     )
+
+
+def _against_composite(
+    judgement: Judgement, mosaic: Curve, composite: Curve, unknown: bool, settings: Settings
+) -> Judgement:
+    """The ratios stay those against the sources; only the verdict is taken against the composite."""
+    if unknown:
+        return replace(judgement, verdict=Verdict.NOT_COMPARABLE, reason=messages.COMPOSITE_UNCLEAR())
+    against = judge(mosaic, [composite], settings.max_ratio)
+    return replace(judgement, verdict=against.verdict, reason=against.reason)
 
 
 def _pairs(mosaic: _Measured, source: _Measured, changes: Mapping[str, Change]) -> list[PairResult]:

@@ -148,6 +148,11 @@ WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw i
 NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
 INDEX_WITHOUT_LOCATION = Message("The index layer has no field '{field}'; make it with gdaltindex.")
 WINDOWS_RENUMBERED = Message("{count} windows had no number of their own and were given the next free ones.")
+REFERENCE_UNKNOWN = Message("A verdict can't be taken against '{reference}'; choose one of {known}.")
+COMPOSITE_UNCLEAR = Message(
+    "No source explains the mosaic's fine detail here, so their composite is no reference; add the orthoimages it was "
+    "made from, or take the verdict against the sources."
+)
 CELLS_WITHOUT_SOURCE = Message(
     "The layer of seam cells has no field 'source'; add one with the file names of the orthoimages."
 )

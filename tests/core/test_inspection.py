@@ -214,6 +214,15 @@ def test_the_largest_loss_of_one_source_is_not_a_loss_against_every_source(make_
     assert inspect(block_of(mosaic, sharp, soft)).judgement.verdict is Verdict.PRESERVED
 
 
+def test_strangers_make_no_composite_to_be_judged_against(make_raster: MakeRaster) -> None:
+    mosaic = mosaic_of(make_raster, orthoimage(SIZE, 3))
+    block = block_of(mosaic, make_raster("stranger.tif", orthoimage(SIZE, 3)[:, ::-1, ::-1].copy()))
+    assert inspect(block).judgement.verdict is not Verdict.NOT_COMPARABLE
+    judgement = inspect(block, reference="composite").judgement
+    assert judgement.verdict is Verdict.NOT_COMPARABLE
+    assert "No source explains" in str(judgement.reason)
+
+
 def test_the_settings_are_those_of_the_request(make_raster: MakeRaster) -> None:
     scene = orthoimage(SIZE, 1)
     mosaic = mosaic_of(make_raster, softened(scene, 0.3))
@@ -229,7 +238,7 @@ def test_the_settings_are_those_of_the_request(make_raster: MakeRaster) -> None:
 
 def test_settings_out_of_range_are_refused() -> None:
     Settings().check()
-    for wrong in ({"wavelet": "bior2.2"}, {"levels": 0}, {"levels": 9}, {"max_ratio": 1.0}):
+    for wrong in ({"wavelet": "bior2.2"}, {"levels": 0}, {"levels": 9}, {"max_ratio": 1.0}, {"reference": "x"}):
         with pytest.raises(SettingsError):
             Settings(**wrong).check()  # type: ignore[arg-type]
 
