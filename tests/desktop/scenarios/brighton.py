@@ -42,7 +42,7 @@ def place(desk: Desk) -> None:
     start = time.perf_counter()
     with Gaps() as gaps:
         desk.dock.place.trigger()
-        desk.wait(lambda: session.windows(), 30, "windows placed")
+        desk.wait(lambda: session.windows() and not session.is_busy, 30, "windows placed")
     desk.report["placed"] = len(session.windows())
     desk.report["placing_s"] = time.perf_counter() - start
     desk.report["placing_gap_ms"], desk.report["placing_gaps"] = 1000 * gaps.longest_s, gaps.long_ones
