@@ -11,7 +11,7 @@ import sys
 import time
 import traceback
 
-from qgis.PyQt.QtCore import QMetaObject, QThread, QTimer, Qt
+from qgis.PyQt.QtCore import QThread, QTimer
 from qgis.PyQt.QtWidgets import QApplication, QLabel
 
 with open(os.environ["SEAM_INSPECTOR_JOB"]) as _file:
@@ -62,8 +62,7 @@ def _play():  # type: ignore[no-untyped-def]
         os._exit(1)
     QTimer.singleShot(3000, _tell_dialog)
     faulthandler.dump_traceback_later(15, file=2)
-    # by Qt itself: called from here it would hold the interpreter, which tasks that are still at work need to end
-    QMetaObject.invokeMethod(iface.actionExit(), "trigger", Qt.ConnectionType.QueuedConnection)
+    iface.actionExit().trigger()
 
 
 QTimer.singleShot(1000, _play)

@@ -8,6 +8,7 @@ import statistics
 import time
 from pathlib import Path
 
+from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt
 
 from demo.desk import Desk
@@ -34,6 +35,8 @@ def play(desk: Desk) -> None:
     desk.report["judged"] = [row.observer for row in desk.session.windows() if row.observer]
     if desk.parameters["block"]:
         time_clicks(desk, Path(desk.parameters["block"]))
+    # the seams of the reopened project are still looked for, and QGIS would ask before it ends
+    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
 
 def place(desk: Desk) -> None:
