@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -160,7 +159,7 @@ def test_wanted_verdicts_are_just_enough(area: float, visible: int, invisible: i
         assert wanted[0] / sum(wanted) == pytest.approx(visible / (visible + invisible), abs=0.07)
 
 
-def test_thousands_of_verdicts_take_seconds(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_thousands_of_verdicts_take_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     tables = []
     resample = calibration._resample
 
@@ -169,7 +168,5 @@ def test_thousands_of_verdicts_take_seconds(monkeypatch: pytest.MonkeyPatch) -> 
         return resample(random, counts, size)
 
     monkeypatch.setattr(calibration, "_resample", kept)
-    start = time.process_time()
     assert calibrate(normal_verdicts(1000, 3000)).area is not None
-    assert time.process_time() - start < 15
     assert max(tables) <= 10e6  # bytes: resamples come in parts

