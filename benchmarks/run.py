@@ -1,9 +1,9 @@
 """The speed of the measurement, as ratios measured in one run: `make benchmark`.
 
 The curve of a clip against PyWavelets, whole windows against the bare GDAL read of their pixels, one thread against
-two, memory against the number of windows, the search in a large index, a report of 300 windows, and the radiometry of
-whole rasters against their bare read. Goals are printed beside the figures; the exit status is 0 whether they are met
-or not, since a busy machine is no fault of the code.
+two, memory against the number of windows, the search in a large index, a report of 300 windows, the radiometry of whole
+rasters against their bare read, and the interior orientation of a scanned frame. Goals are printed beside the figures;
+the exit status is 0 whether they are met or not, since a busy machine is no fault of the code.
 """
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pathlib import Path
 
 from osgeo import gdal
 
-from . import curves, radiometry, reports, windows
+from . import curves, photos, radiometry, reports, windows
 from .ground import make_ground
 from .timing import Goal, print_machine, print_table
 
@@ -41,6 +41,7 @@ def main() -> int:
         ):
             goals += part(ground, quick)
         goals += radiometry.run(ground, quick)
+        goals += photos.run(ground, quick)
     print_table("Goals", ["figure", "wanted", "measured", ""], [goal.cells for goal in goals])
     print(f"\n{sum(goal.met for goal in goals)} of {len(goals)} goals met, {time.perf_counter() - started:.0f} s")
     return 0

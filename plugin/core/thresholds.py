@@ -229,6 +229,7 @@ DISTINCT_SHARE = 1.5  # of a mark's size: so far around it nothing may look alik
 DISTINCT_FRAME_SHARE = 0.03  # of the frame: 6 mm on 23 cm, so that an arm's end is told from its counterpart
 SMOOTHING_PX = 0.5  # standard deviation of the blur against grain before a mark is measured: the lines are wider
 NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one that explains most pixels is the mark
+ONE_PLACE_PX = 3.0  # two marks nearer than that are one that was found twice
 MIN_SUPPORT = 3  # marks that have to agree where no position is given: two lie right for any scale and rotation
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
+from scipy import ndimage, optimize
 from seam_inspector.plugin.core.errors import PhotoError
 from seam_inspector.plugin.core.fiducials.calibration import Calibration, read_calibration
 from seam_inspector.plugin.core.fiducials.interior import orient
@@ -109,6 +110,30 @@ def test_a_mark_under_a_blot_fails_and_the_others_are_measured(tmp_path: Path) -
     assert max(errors(made, frame)) < 0.1
 
 
+def with_four_alike(frame: Frame, covered: np.ndarray) -> np.ndarray:
+    """The photo with the same light thing on dark ground near each of its corners, in the marks' own arrangement."""
+    pixels = frame.pixels.astype(np.float64)
+    half = covered.shape[0] // 2
+    for column in (105, pixels.shape[1] - 105):
+        for row in (105, pixels.shape[0] - 105):
+            around = slice(row - half, row + half + 1), slice(column - half, column + half + 1)
+            pixels[around] = ndimage.gaussian_filter(90.0 * covered, 2) + 60
+    return np.clip(pixels, 0, 255).astype(np.uint8)
+
+
+@pytest.mark.parametrize(
+    "thing", ["half a disc, which can't be measured", "a disc with a bite, which fits a dot fairly well"]
+)
+def test_things_that_lie_as_the_marks_do_are_not_taken_for_them(tmp_path: Path, thing: str) -> None:
+    frame = make_frame(Look(diagonal=True, dots=True, size=26, contrast=25, grain=0.1), side=700, share=0.9, seed=1)
+    y, x = np.mgrid[-45:46, -45:46]
+    disc = np.hypot(x, y) <= (22 if "half" in thing else 28)
+    covered = disc & (x < 0) if "half" in thing else disc & ~((x > 14) & (y > 14))
+    made = measured(with_four_alike(frame, covered), tmp_path)
+    assert max(errors(made, frame)) < 0.1
+    assert made.count(Status.MEASURED) == 4
+
+
 def test_a_picture_without_marks_is_refused(tmp_path: Path) -> None:
     frame = make_frame(Look(contrast=0.0, grain=2.0), side=500, seed=13)
     with pytest.raises(PhotoError, match="No mark was found"):
@@ -151,6 +176,34 @@ def test_a_whole_scanned_frame(unbc: Path) -> None:
     assert made.fitted is not None
     assert (made.fitted.rms_x, made.fitted.rms_y) < (14, 14.5)
     assert min(mark.correlation or 0 for mark in made.marks) > 0.9
+
+
+def test_a_marks_own_symmetry_confirms_its_place(unbc: Path) -> None:
+    """Ring and arms look alike when they are turned by 180 degrees about their centre, whatever a template may say."""
+    photo = Photo(RasterRef(str(unbc / UNBC)))
+    grey = ndimage.gaussian_filter(photo.grey(), 0.5)
+    made = orient(photo, read_calibration(unbc / "MeasuresCamera.xml"), {}, Settings())
+    y, x = np.mgrid[-22:23, -22:23]
+    disc = np.hypot(x, y) <= 22
+    y, x = y[disc], x[disc]
+
+    def unlike(place: np.ndarray) -> float:
+        column, row = place - 0.5
+        one, other = (
+            ndimage.map_coordinates(grey, [row + sign * y, column + sign * x], order=3, prefilter=False)
+            for sign in (1, -1)
+        )
+        return -float(np.corrcoef(one, other)[0, 1])
+
+    distances = []
+    for mark in made.marks:
+        assert mark.place is not None
+        simplex = np.array(mark.place) + [(0, 0), (0.5, 0), (0, 0.5)]
+        options = {"xatol": 1e-3, "initial_simplex": simplex}
+        found = optimize.minimize(unlike, mark.place, method="Nelder-Mead", options=options)
+        assert -found.fun > 0.97
+        distances.append(math.dist(found.x, mark.place))
+    assert max(distances) < 0.1
 
 
 def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:

@@ -29,7 +29,7 @@ class Field:
         self._precision = precision
         self._shape = tuple(fft.next_fast_len(n, real=True) for n in self._image.shape)
         self._spectrum = fft.rfft2(self._image.astype(precision), self._shape) if centred.size else None
-        self._squares: dict[tuple[int, int], np.ndarray] = {}
+        self._inverse: dict[tuple[int, int], np.ndarray] = {}
         high = float(np.ptp(self._image)) if self._image.size else 0.0
         self._floor = thresholds.MIN_LOCAL_CONTRAST * high
 
@@ -47,18 +47,18 @@ class Field:
             return np.zeros((max(rows, 0), max(columns, 0)))
         spectrum = np.conj(fft.rfft2(pattern.astype(self._precision), self._shape))
         product = fft.irfft2(self._spectrum * spectrum, self._shape)[:rows, :columns]
-        variance = self._variance(pattern.shape)
-        least = max(self._floor**2 * pattern.size, 1e-12)
-        usable = variance > least
-        return np.clip(np.where(usable, product / np.sqrt(np.where(usable, variance, 1.0) * energy), 0.0), -1, 1)
+        return np.clip(product * (self._inverse_contrast(pattern.shape) / self._precision(energy**0.5)), -1, 1)
 
-    def _variance(self, size: tuple[int, ...]) -> np.ndarray:
-        """Sum of squares less its mean under a window of a size at each place."""
+    def _inverse_contrast(self, size: tuple[int, ...]) -> np.ndarray:
+        """One over the root of the sum of squares less its mean under a window at each place; 0 without contrast."""
         key = (size[0], size[1])
-        if key not in self._squares:
+        if key not in self._inverse:
             sums = [_window_sums(values, key) for values in (self._image, self._image * self._image)]
-            self._squares[key] = np.maximum(sums[1] - sums[0] ** 2 / (key[0] * key[1]), 0)
-        return self._squares[key]
+            squares = sums[1] - sums[0] ** 2 / (key[0] * key[1])
+            usable = squares > max(self._floor**2 * key[0] * key[1], 1e-12)
+            made = np.where(usable, 1 / np.sqrt(np.where(usable, squares, 1.0)), 0.0)
+            self._inverse[key] = made.astype(self._precision)
+        return self._inverse[key]
 
 
 def correlate(image: np.ndarray, template: np.ndarray) -> np.ndarray:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import lru_cache
 
 import numpy as np
 from scipy import ndimage, special
@@ -65,10 +66,12 @@ class Shape:
         return replace(self, size=self.size * factor, softness=max(self.softness * factor, thresholds.PIXEL_SOFTNESS))
 
 
+@lru_cache(maxsize=64)
 def draw(shape: Shape, offset: tuple[float, float] = (0.0, 0.0), margin: int | None = None) -> np.ndarray:
     """The mark, (2 m + 1, 2 m + 1) float64 from 0 (ground) to 1.
 
-    Its centre lies ``offset`` (columns, rows) px beside the centre of the middle pixel.
+    Its centre lies ``offset`` (columns, rows) px beside the centre of the middle pixel. The same drawing is wanted for
+    every mark of a photo: it is kept a while, and read-only.
     """
     half = shape.margin if margin is None else margin
     axis = np.arange(-half, half + 1, dtype=np.float64)
@@ -80,7 +83,9 @@ def draw(shape: Shape, offset: tuple[float, float] = (0.0, 0.0), margin: int | N
     clear = np.ones(np.broadcast(u, v).shape)
     for part in parts:
         clear *= 1 - part
-    return np.asarray(1 - clear)
+    drawn = np.asarray(1 - clear)
+    drawn.flags.writeable = False
+    return drawn
 
 
 def _below(distance: np.ndarray, soft: float) -> np.ndarray:
