@@ -65,7 +65,7 @@ def play(
     folder: Path,
     parameters: Mapping[str, object] | None = None,
     *,
-    seconds: float = 60,
+    seconds: float = 300,
     screen: str = "1600x1000",
     theme: str = "default",
     scale: int = 1,

@@ -34,6 +34,7 @@ from tests.core.inspecting import (
     softened,
 )
 from tests.core.synthetic import orthoimage, texture
+from tests.patience import PATIENCE_S
 
 # --- many windows ----------------------------------------------------------------------------------------------
 
@@ -114,7 +115,7 @@ def test_a_slow_window_does_not_change_the_order(block: Block) -> None:
         def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
             def task(request: WindowRequest) -> WindowResult:
                 if request.window_id == 0:
-                    assert others_done.wait(30)
+                    assert others_done.wait(PATIENCE_S)
                 if request.window_id == 3:
                     others_done.set()
                 result: WindowResult = fn(request)

@@ -52,7 +52,7 @@ def test_dangers(small_block: Path, tmp_path: Path) -> None:
     check(run)
     assert run.report["after"] == run.report["before"]
     assert run.report["busy_at_exit"]
-    assert run.seconds_to_exit < 20
+    assert run.seconds_to_exit < 60  # a few seconds on a machine of its own
 
 
 @pytest.mark.parametrize(

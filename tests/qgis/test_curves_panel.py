@@ -475,7 +475,7 @@ def test_its_thread_ends_with_it(session: FakeSession) -> None:
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
     for thread in threads:
-        thread.join(5)
+        thread.join(PATIENCE_S)
     assert not any(thread.is_alive() for thread in threads)
 
 

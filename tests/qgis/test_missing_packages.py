@@ -120,7 +120,7 @@ plugin.unload()
     environment = {**os.environ, "QGIS_CUSTOM_CONFIG_PATH": str(tmp_path)}
     environment["PYTHONPATH"] = os.pathsep.join((str(tmp_path), str(repository / "build" / "plugins")))
     finished = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, env=environment, timeout=60, check=False
+        [sys.executable, "-c", code], capture_output=True, text=True, env=environment, timeout=300, check=False
     )
     assert "Traceback" not in finished.stderr, finished.stderr
     dock, is_checked, text = finished.stdout.strip().split("|")

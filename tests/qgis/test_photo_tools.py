@@ -68,7 +68,7 @@ def test_a_photo_that_fails_does_not_stop_the_rest(tmp_path: Path, repository: P
 
     def call(*arguments: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
-            [str(PROGRAM), *arguments], env=environment, capture_output=True, text=True, timeout=120, check=False
+            [str(PROGRAM), *arguments], env=environment, capture_output=True, text=True, timeout=300, check=False
         )
 
     call("plugins", "enable", "seam_inspector")

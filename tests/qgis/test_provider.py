@@ -102,7 +102,7 @@ def in_a_new_qgis(repository: Path, settings: Path, before: str, after: str) -> 
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "QGIS_CUSTOM_CONFIG_PATH": str(settings)}
     environment["PYTHONPATH"] = str(repository / "build" / "plugins")
     finished = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, env=environment, timeout=60, check=False
+        [sys.executable, "-c", code], capture_output=True, text=True, env=environment, timeout=300, check=False
     )
     assert finished.returncode == 0, finished.stderr
     assert "Traceback" not in finished.stderr

@@ -35,7 +35,7 @@ def qgis_process(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> 
 
     def call(*arguments: str) -> Finished:
         return subprocess.run(
-            [str(PROGRAM), *arguments], env=environment, capture_output=True, text=True, timeout=120, check=False
+            [str(PROGRAM), *arguments], env=environment, capture_output=True, text=True, timeout=300, check=False
         )
 
     assert "seam_inspector" in call("plugins", "enable", "seam_inspector").stdout

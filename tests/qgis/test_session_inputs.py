@@ -16,6 +16,7 @@ from seam_inspector.plugin.core.errors import RasterError
 from seam_inspector.plugin.core.rasters import Mosaic, RasterRef, describe_mosaic
 from seam_inspector.plugin.gui.inputs_panel import InputsPanel
 
+from tests.patience import PATIENCE_S
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import SHARP, Scene, at, layer, line, windows
 from tests.qgis.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
@@ -130,7 +131,7 @@ def gate(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> Iterator[Event]:
     found = Event()
 
     def slow(ref: RasterRef) -> Mosaic:
-        assert found.wait(20)
+        assert found.wait(PATIENCE_S)
         return describe_mosaic(ref)
 
     monkeypatch.setattr(blocks, "describe_mosaic", slow)
