@@ -18,7 +18,6 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
 )
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.packages import missing_packages_sentence
@@ -26,6 +25,7 @@ from ..adapters.resources import icon_path
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import RasterError, SeamInspectorError
+from . import groups
 from . import parameters as common
 
 if TYPE_CHECKING:
@@ -40,8 +40,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     ID: str
     NAME: str
-    GROUP = QT_TRANSLATE_NOOP("@default", "Seam inspection")
-    GROUP_ID = "Seam inspection"  # a model has its group's name for an id, and belongs to the same group
+    GROUP = groups.SEAM_INSPECTION
     HELP: str
     RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
     """Parameters with many rasters, which are opened one by one and not by QGIS."""
@@ -56,7 +55,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         return tr(self.GROUP)
 
     def groupId(self) -> str:
-        return self.GROUP_ID
+        return self.GROUP  # a model has its group's name for an id, and belongs to the same group
 
     def shortHelpString(self) -> str:
         described = (

@@ -17,6 +17,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import SettingsError
+from . import groups
 from . import parameters as common
 from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
 
@@ -29,8 +30,7 @@ class CheckNoise(RasterListAlgorithm):
 
     ID = "checknoise"
     NAME = QT_TRANSLATE_NOOP("@default", "Check random noise")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Image quality")
-    GROUP_ID = "Image quality"
+    GROUP = groups.IMAGE_QUALITY
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "

@@ -23,6 +23,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import RasterError, SeamInspectorError, SettingsError, WindowError
+from . import groups
 from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
 
 if TYPE_CHECKING:
@@ -44,8 +45,7 @@ class CheckRadiometry(RasterListAlgorithm):
 
     ID = "checkradiometry"
     NAME = QT_TRANSLATE_NOOP("@default", "Check radiometry")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Image quality")
-    GROUP_ID = "Image quality"
+    GROUP = groups.IMAGE_QUALITY
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "

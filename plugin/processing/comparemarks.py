@@ -19,8 +19,8 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages
+from . import groups
 from .base import SeamInspectorAlgorithm
-from .interiororientation import InteriorOrientation
 
 FIRST, SECOND, PIXEL_SIZE, OUTPUT, DIFFERENCES = "FIRST", "SECOND", "PIXEL_SIZE", "OUTPUT", "DIFFERENCES"
 STATISTICS = ("COUNT", "MEAN", "STANDARD_DEVIATION", "MAXIMUM", "MINIMUM")
@@ -31,7 +31,7 @@ class CompareMarks(SeamInspectorAlgorithm):
 
     ID = "comparemarks"
     NAME = QT_TRANSLATE_NOOP("@default", "Compare marks")
-    GROUP, GROUP_ID = InteriorOrientation.GROUP, InteriorOrientation.GROUP_ID
+    GROUP = groups.PHOTOS
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the "

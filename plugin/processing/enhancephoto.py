@@ -16,9 +16,9 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import tr
 from ..core import messages, thresholds
 from ..core.errors import PhotoError
+from . import groups
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
-from .interiororientation import InteriorOrientation
 
 PHOTO, OPERATION, SIZE, OUTPUT = "PHOTO", "OPERATION", "SIZE", "OUTPUT"
 OPERATIONS = ("negative", "grey", "mean", "gaussian", "laplace", "sobel")
@@ -29,7 +29,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
 
     ID = "enhancephoto"
     NAME = QT_TRANSLATE_NOOP("@default", "Enhance photo")
-    GROUP, GROUP_ID = InteriorOrientation.GROUP, InteriorOrientation.GROUP_ID
+    GROUP = groups.PHOTOS
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "

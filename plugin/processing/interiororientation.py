@@ -26,6 +26,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import PhotoError
+from . import groups
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
@@ -58,8 +59,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     ID = "interiororientation"
     NAME = QT_TRANSLATE_NOOP("@default", "Interior orientation")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Interior orientation of photos")
-    GROUP_ID = "Interior orientation of photos"
+    GROUP = groups.PHOTOS
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to "

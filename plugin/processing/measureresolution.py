@@ -22,6 +22,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import RasterError, SettingsError
+from . import groups
 from .base import SeamInspectorAlgorithm
 
 if TYPE_CHECKING:
@@ -43,8 +44,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
 
     ID = "measureresolution"
     NAME = QT_TRANSLATE_NOOP("@default", "Measure ground resolved distance")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
-    GROUP_ID = "Ground resolution"
+    GROUP = groups.GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line "
@@ -149,15 +149,15 @@ class MeasureResolution(SeamInspectorAlgorithm):
             from ..adapters.figures import check_figure_path
 
             check_figure_path(chart)
-        groups = self.source(parameters, GROUPS, context)
-        bar_lines.check_fields(groups.fields().names())
-        count = groups.featureCount()
+        lines = self.source(parameters, GROUPS, context)
+        bar_lines.check_fields(lines.fields().names())
+        count = lines.featureCount()
         if count == 0:
             raise SettingsError(messages.NO_BAR_LINES())
         crs = layers.mosaic_crs(raster)
-        transform = QgsCoordinateTransform(groups.sourceCrs(), crs, context.transformContext())
+        transform = QgsCoordinateTransform(lines.sourceCrs(), crs, context.transformContext())
         measured: list[MeasuredLine] = []
-        for row in layers.features(groups):
+        for row in layers.features(lines):
             if feedback.isCanceled():
                 break
             line = bar_lines.bar_line(row, raster.grid, transform)

@@ -21,6 +21,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SettingsError
+from . import groups
 from .base import SeamInspectorAlgorithm
 
 OBSERVATIONS, REQUIRED_GRD, REFERENCE_HEIGHT = "OBSERVATIONS", "REQUIRED_GRD", "REFERENCE_HEIGHT"
@@ -32,8 +33,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
 
     ID = "minimumheight"
     NAME = QT_TRANSLATE_NOOP("@default", "Minimum flying height")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
-    GROUP_ID = "Ground resolution"
+    GROUP = groups.GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each "

@@ -17,11 +17,11 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SettingsError
+from . import groups
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
 from .parameters import Described
@@ -44,8 +44,7 @@ DATUMS = ("auto", "ellipsoid", "egm96", "egm2008")
 class SensorAlgorithm(SeamInspectorAlgorithm):
     """An algorithm of sensor models."""
 
-    GROUP = QT_TRANSLATE_NOOP("@default", "Satellite images")
-    GROUP_ID = "Satellite images"
+    GROUP = groups.SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:

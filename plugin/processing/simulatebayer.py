@@ -14,6 +14,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import tr
 from ..core import thresholds
+from . import groups
 from .base import SeamInspectorAlgorithm
 
 RASTER, PATTERN, DEMOSAIC, OUTPUT = "RASTER", "PATTERN", "DEMOSAIC", "OUTPUT"
@@ -24,8 +25,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
 
     ID = "simulatebayer"
     NAME = QT_TRANSLATE_NOOP("@default", "Simulate a Bayer filter")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
-    GROUP_ID = "Ground resolution"
+    GROUP = groups.GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its "
