@@ -19,6 +19,7 @@ from ..core import messages
 from ..core.errors import SettingsError
 from . import groups
 from . import parameters as common
+from .base import Warnings
 from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
 
 SECOND_GROUP, OUTPUT, CHART = "SECOND_GROUP", "OUTPUT", "CHART"
@@ -109,7 +110,7 @@ class CheckNoise(RasterListAlgorithm):
         notices = [*self.left_out, *plan.notices]
         sizes = planning.pixel_size_notice(plan)
         notices += [sizes] if sizes else []
-        self.say(notices, feedback)
+        Warnings(feedback).say(notices)
         if not plan.requests and not feedback.isCanceled():
             raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[:1])))
         sink, output_id = self.sink(

@@ -24,6 +24,7 @@ from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import RasterError, SeamInspectorError, SettingsError, WindowError
 from . import groups
+from .base import Warnings
 from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
 
 if TYPE_CHECKING:
@@ -104,7 +105,8 @@ class CheckRadiometry(RasterListAlgorithm):
         seamlines = self.source(parameters, SEAMLINES, context) if parameters.get(SEAMLINES) else None
         images = [image for ref in dict.fromkeys(self.refs[RASTERS]) if (image := self._image(ref)) is not None]
         self.require_rasters(images)
-        self.say(self.left_out, feedback)
+        warnings = Warnings(feedback)
+        warnings.say(self.left_out)
         sink, output_id = self.sink(
             parameters, OUTPUT, context, radiometry_tables.radiometry_fields(), QgsWkbTypes.Type.NoGeometry,
             QgsCoordinateReferenceSystem(),
@@ -112,7 +114,7 @@ class CheckRadiometry(RasterListAlgorithm):
         results: list[Assessment] = []
         notices = list(self.left_out)
         jobs = list(self._jobs(images, drawn, notices))
-        self.say(notices[len(self.left_out) :], feedback)
+        warnings.say(notices[len(self.left_out) :])
         for done, (image, window, number) in enumerate(jobs):
             if feedback.isCanceled():
                 break
@@ -126,7 +128,7 @@ class CheckRadiometry(RasterListAlgorithm):
             if result is None:
                 break
             self.write(sink, radiometry_tables.radiometry_features(result))
-            self.say(result.notices, feedback)
+            warnings.say(result.notices)
             notices += result.notices
             results.append(result)
         if not results and not feedback.isCanceled():

@@ -26,8 +26,8 @@ from ..core import messages
 from ..core.errors import SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
-from .drawn_windows import DrawnWindows
 from .sources import given_block
+from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
     from ..core.cells import Cell
@@ -140,7 +140,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         cells = self._cells(parameters, context)
         block = given_block(self, parameters, context, self._mosaic, self._given, warnings, cells)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
-        drawn = DrawnWindows(windows, crs, context)
+        drawn = WindowFeatures(windows, crs, context)
 
         verdicts: Counter[Verdict] = Counter()
         with open_executor(self.parameterAsString(parameters, SCHEDULER, context)) as (executor, ahead):
@@ -202,7 +202,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         return layers.seam_cells(layers.features(cells), transform)
 
     @staticmethod
-    def _requests(drawn: DrawnWindows, block: Block, settings: Settings) -> Iterator[WindowRequest]:
+    def _requests(drawn: WindowFeatures, block: Block, settings: Settings) -> Iterator[WindowRequest]:
         from ..core.inspection import WindowRequest, window_request
 
         for window in drawn.windows():

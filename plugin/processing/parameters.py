@@ -140,6 +140,22 @@ def raster_values(parameters: Parameters, name: str, context: QgsProcessingConte
     return list(value) if isinstance(value, (list, tuple)) else [value]
 
 
+def raster_refs(
+    parameters: Parameters, name: str, context: QgsProcessingContext
+) -> tuple[list[RasterRef], list[Message]]:
+    """The files of a parameter of several rasters, and why others have none; to be asked in their layers' thread."""
+    from ..adapters.layers import raster_ref
+
+    refs: list[RasterRef] = []
+    left_out: list[Message] = []
+    for value in raster_values(parameters, name, context):
+        try:
+            refs.append(raster_ref(value, context))
+        except RasterError as error:
+            left_out.append(error.message)
+    return refs, left_out
+
+
 def check_sources(parameters: Parameters, context: QgsProcessingContext) -> None:
     """Raise SettingsError when neither SOURCES nor SOURCE_INDEX names any."""
     if not raster_values(parameters, SOURCES, context) and not parameters.get(SOURCE_INDEX):
@@ -150,15 +166,9 @@ def given_sources(
     algorithm: QgsProcessingAlgorithm, parameters: Parameters, context: QgsProcessingContext
 ) -> GivenSources:
     """What the layers of SOURCES and SOURCE_INDEX say of their files; to be asked in their thread."""
-    from ..adapters.layers import layer_path, raster_ref
+    from ..adapters.layers import layer_path
 
-    refs: list[RasterRef] = []
-    left_out: list[Message] = []
-    for value in raster_values(parameters, SOURCES, context):
-        try:
-            refs.append(raster_ref(value, context))
-        except RasterError as error:
-            left_out.append(error.message)
+    refs, left_out = raster_refs(parameters, SOURCES, context)
     index = algorithm.parameterAsVectorLayer(parameters, SOURCE_INDEX, context)
     return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
 

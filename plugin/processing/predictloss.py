@@ -23,7 +23,7 @@ from ..core import messages
 from ..core.errors import RasterError, SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
-from .drawn_windows import DrawnWindows
+from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
     from ..core.forecasts import ForecastRequest
@@ -96,7 +96,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         warnings = Warnings(feedback)
         crs, wkt = self._system(windows, parameters, context)
         sources = self._sources(parameters, crs, wkt, context, warnings)
-        drawn = DrawnWindows(windows, crs, context)
+        drawn = WindowFeatures(windows, crs, context)
         requests = self._requests(drawn, sources, wkt, wavelet, levels)
 
         count = not_comparable = 0
@@ -170,7 +170,7 @@ class PredictLoss(SeamInspectorAlgorithm):
 
     @staticmethod
     def _requests(
-        drawn: DrawnWindows, sources: list[Source], wkt: str, wavelet: str, levels: int
+        drawn: WindowFeatures, sources: list[Source], wkt: str, wavelet: str, levels: int
     ) -> Iterator[ForecastRequest]:
         from ..core.forecasts import ForecastRequest, forecast_request
 

@@ -20,7 +20,7 @@ from . import parameters as common
 
 
 @dataclass(frozen=True)
-class DrawnWindow:
+class WindowFeature:
     """One feature."""
 
     window_id: int
@@ -30,7 +30,7 @@ class DrawnWindow:
     """Why not."""
 
 
-class DrawnWindows:
+class WindowFeatures:
     """All of them; what a result needs of a window is kept until it is taken."""
 
     def __init__(
@@ -46,7 +46,7 @@ class DrawnWindows:
         self._numbers = self._given_numbers()
         self._last = max(self._numbers, default=0)
 
-    def windows(self) -> Iterator[DrawnWindow]:
+    def windows(self) -> Iterator[WindowFeature]:
         """One per feature, in the layer's order."""
         from ..adapters import layers
 
@@ -56,9 +56,9 @@ class DrawnWindows:
             try:
                 extent = layers.extent(layers.window_geometry(feature, self._transform))
                 geometry = layers.rectangle(extent)
-                window = DrawnWindow(number, extent)
+                window = WindowFeature(number, extent)
             except WindowError as error:
-                window = DrawnWindow(number, None, error.message)
+                window = WindowFeature(number, None, error.message)
             observer = (feature["observer"] or None) if "observer" in self._names else None
             self._waiting[number] = geometry, observer
             yield window
