@@ -1,7 +1,7 @@
 """What all our algorithms share: names, help, and errors as one clear sentence."""
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -15,6 +15,7 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
+    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
 from qgis.PyQt import sip
@@ -23,8 +24,7 @@ from qgis.PyQt.QtGui import QIcon
 from ..adapters.packages import missing_packages_sentence
 from ..adapters.resources import icon_path
 from ..adapters.text import sentence, tr
-from ..core import messages
-from ..core.errors import RasterError, SeamInspectorError
+from ..core.errors import SeamInspectorError
 from . import groups
 from . import parameters as common
 
@@ -84,6 +84,11 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
         self.addParameter(definition)
 
+    def addNumbers(self, titles: Mapping[str, str]) -> None:
+        """Add numbers to the results, by name."""
+        for name, title in titles.items():
+            self.addOutput(QgsProcessingOutputNumber(name, title))
+
     def prepareAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
@@ -97,9 +102,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         try:
-            return self.execute(parameters, context, feedback)
+            results = self.execute(parameters, context, feedback)
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
+        return {name: value for name, value in results.items() if value is not None}
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
@@ -107,7 +113,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        """The work; raises SeamInspectorError for what the user can mend."""
+        """The work; raises SeamInspectorError for what the user can mend. A result that there is not may be None."""
         raise NotImplementedError
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
@@ -125,23 +131,15 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
         """The raster of the parameter MOSAIC."""
-        from ..adapters.layers import raster_ref
         from ..core.rasters import describe_mosaic
 
-        value = common.raster_value(parameters, common.MOSAIC, context)
-        if value is None or value == "":
-            raise RasterError(messages.NOT_A_RASTER_LAYER(name=common.MOSAIC))
-        return describe_mosaic(raster_ref(value, context))
+        return describe_mosaic(common.required_raster(parameters, common.MOSAIC, context))
 
     def describe_picture(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Mosaic:
         """The raster of a parameter, which may lie anywhere."""
-        from ..adapters.layers import raster_ref
         from ..core.rasters import describe_picture
 
-        value = common.raster_value(parameters, name, context)
-        if value is None or value == "":
-            raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
-        return describe_picture(raster_ref(value, context))
+        return describe_picture(common.required_raster(parameters, name, context))
 
     def source(
         self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
@@ -153,7 +151,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         return source
 
     def sink(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext, *layout: Any) -> Sink:
-        """Where features of a layout (fields, geometry type, reference system) go, and its destination."""
+        """Where features go, and its destination; ``layout``: fields, and geometry type and reference system if any."""
         sink, destination = self.parameterAsSink(parameters, name, context, *layout)
         if sink is None:
             raise QgsProcessingException(self.invalidSinkError(parameters, name))

@@ -4,15 +4,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFileDestination,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -75,16 +72,15 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             ),
             tr("ROC curves with their areas, and the judged windows of each measure."),
         )
-        for name, title in (
-            (MAX_RATIO, tr("Largest ratio of a significant loss")),
-            (AUC, tr("Area under the ROC curve")),
-            (AUC_LOW, tr("Area, lower end of its interval")),
-            (AUC_HIGH, tr("Area, upper end of its interval")),
-            (VISIBLE_COUNT, tr("Visible verdicts")),
-            (INVISIBLE_COUNT, tr("Invisible verdicts")),
-            (WANTED_COUNT, tr("Verdicts wanted")),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, title))
+        self.addNumbers({
+            MAX_RATIO: tr("Largest ratio of a significant loss"),
+            AUC: tr("Area under the ROC curve"),
+            AUC_LOW: tr("Area, lower end of its interval"),
+            AUC_HIGH: tr("Area, upper end of its interval"),
+            VISIBLE_COUNT: tr("Visible verdicts"),
+            INVISIBLE_COUNT: tr("Invisible verdicts"),
+            WANTED_COUNT: tr("Verdicts wanted"),
+        })
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -103,10 +99,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             found.append(calibrate(verdicts, most))
             for notice in found[-1].notices:
                 feedback.pushWarning(sentence(notice))
-        output, output_id = self.sink(
-            parameters, OUTPUT, context, calibration_table.calibration_fields(), QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        output, output_id = self.sink(parameters, OUTPUT, context, calibration_table.calibration_fields())
         for one in found:
             self.write(output, calibration_table.calibration_features(one))
         results: dict[str, Any] = {OUTPUT: output_id, **_numbers(found[0])}

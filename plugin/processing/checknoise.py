@@ -4,13 +4,10 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -73,9 +70,11 @@ class CheckNoise(RasterListAlgorithm):
             tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF."),
         )
         self.addFile(REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the chart on one HTML page."))
-        self.addOutput(QgsProcessingOutputNumber(LOW_COUNT, tr("Windows with low noise")))
-        self.addOutput(QgsProcessingOutputNumber(MODERATE_COUNT, tr("Windows with moderate noise")))
-        self.addOutput(QgsProcessingOutputNumber(STRONG_COUNT, tr("Windows with strong noise")))
+        self.addNumbers({
+            LOW_COUNT: tr("Windows with low noise"),
+            MODERATE_COUNT: tr("Windows with moderate noise"),
+            STRONG_COUNT: tr("Windows with strong noise"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         super().check(parameters, context)
@@ -113,10 +112,7 @@ class CheckNoise(RasterListAlgorithm):
         Warnings(feedback).say(notices)
         if not plan.requests and not feedback.isCanceled():
             raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[:1])))
-        sink, output_id = self.sink(
-            parameters, OUTPUT, context, noise_tables.noise_fields(levels), QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        sink, output_id = self.sink(parameters, OUTPUT, context, noise_tables.noise_fields(levels))
         results: list[comparison.ClipNoise] = []
         with open_executor() as (executor, ahead):
             measured = comparison.measure_requests(
@@ -132,7 +128,7 @@ class CheckNoise(RasterListAlgorithm):
         counts = noise_report.verdict_counts(results)
         feedback.pushInfo(", ".join(f"{verdict.value}: {counts[verdict]}" for verdict in NoiseVerdict))
         figure = noise_charts.noise_figure(results)
-        outputs = {
+        return {
             OUTPUT: output_id,
             CHART: self.save(
                 feedback,
@@ -148,7 +144,6 @@ class CheckNoise(RasterListAlgorithm):
             MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
             STRONG_COUNT: counts[NoiseVerdict.STRONG],
         }
-        return {name: value for name, value in outputs.items() if value is not None}
 
     def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
         """Wavelet and levels. Raises SettingsError when they can't be used."""

@@ -12,11 +12,9 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -85,9 +83,11 @@ class CheckRadiometry(RasterListAlgorithm):
         self.addFile(
             REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the histograms on one HTML page.")
         )
-        self.addOutput(QgsProcessingOutputNumber(PASSED_COUNT, tr("Figures that passed")))
-        self.addOutput(QgsProcessingOutputNumber(FAILED_COUNT, tr("Figures that failed")))
-        self.addOutput(QgsProcessingOutputNumber(NOT_MEASURABLE_COUNT, tr("Figures that can't be measured")))
+        self.addNumbers({
+            PASSED_COUNT: tr("Figures that passed"),
+            FAILED_COUNT: tr("Figures that failed"),
+            NOT_MEASURABLE_COUNT: tr("Figures that can't be measured"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         super().check(parameters, context)
@@ -107,10 +107,7 @@ class CheckRadiometry(RasterListAlgorithm):
         self.require_rasters(images)
         warnings = Warnings(feedback)
         warnings.say(self.left_out)
-        sink, output_id = self.sink(
-            parameters, OUTPUT, context, radiometry_tables.radiometry_fields(), QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        sink, output_id = self.sink(parameters, OUTPUT, context, radiometry_tables.radiometry_fields())
         results: list[Assessment] = []
         notices = list(self.left_out)
         jobs = list(self._jobs(images, drawn, notices))
@@ -135,7 +132,7 @@ class CheckRadiometry(RasterListAlgorithm):
             raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[-1:])))
         findings = [finding for result in results for finding in result.findings]
         states = [finding.passed for finding in findings]
-        outputs = {
+        return {
             OUTPUT: output_id,
             REPORT: self.save(
                 feedback,
@@ -146,7 +143,6 @@ class CheckRadiometry(RasterListAlgorithm):
             FAILED_COUNT: states.count(False),
             NOT_MEASURABLE_COUNT: sum(finding.value is None for finding in findings),
         }
-        return {name: value for name, value in outputs.items() if value is not None}
 
     def _rules(self, parameters: dict[str, Any], context: QgsProcessingContext) -> RuleSet:
         from ..core.radiometry.rules import default_rules, load_rules

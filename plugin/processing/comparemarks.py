@@ -5,15 +5,12 @@ import math
 from typing import Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterNumber,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -66,9 +63,8 @@ class CompareMarks(SeamInspectorAlgorithm):
             tr("The difference of each mark, the second measurement less the first, in pixels."),
         )
         for unit in ("PX", "UM"):
-            for name in STATISTICS[1:]:
-                self.addOutput(QgsProcessingOutputNumber(f"{name}_{unit}", f"{name} {unit}".lower().replace("_", " ")))
-        self.addOutput(QgsProcessingOutputNumber(STATISTICS[0], tr("Marks in both layers")))
+            self.addNumbers({f"{name}_{unit}": f"{name} {unit}".lower().replace("_", " ") for name in STATISTICS[1:]})
+        self.addNumbers({STATISTICS[0]: tr("Marks in both layers")})
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -88,18 +84,15 @@ class CompareMarks(SeamInspectorAlgorithm):
             feedback.pushWarning(sentence(messages.PIXEL_SIZE_UNKNOWN()))
         else:
             made["um"] = made["px"].scaled(size)
-        layout = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
-        sink, destination = self.sink(parameters, OUTPUT, context, marks.statistics_fields(), *layout)
+        sink, destination = self.sink(parameters, OUTPUT, context, marks.statistics_fields())
         self.write(sink, [marks.statistics_feature(unit, one) for unit, one in made.items()])
         fields = marks.difference_fields()
-        rows, rows_id = self.optional_sink(parameters, DIFFERENCES, context, fields, *layout)
+        rows, rows_id = self.optional_sink(parameters, DIFFERENCES, context, fields)
         self.write(
             rows,
             (tables.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance]) for one in found),
         )
-        results: dict[str, Any] = {OUTPUT: destination, "COUNT": len(found)}
-        if rows_id is not None:
-            results[DIFFERENCES] = rows_id
+        results: dict[str, Any] = {OUTPUT: destination, DIFFERENCES: rows_id, "COUNT": len(found)}
         for unit, one in made.items():
             values = (one.mean, one.standard_deviation, one.maximum, one.minimum)
             results.update({

@@ -4,15 +4,12 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingOutputString,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -60,7 +57,7 @@ class CompareSensorModels(SensorAlgorithm):
         )
         self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
         self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
-        self.addOutput(QgsProcessingOutputNumber(MODEL_COUNT, tr("Models judged")))
+        self.addNumbers({MODEL_COUNT: tr("Models judged")})
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -82,14 +79,7 @@ class CompareSensorModels(SensorAlgorithm):
             lambda share: feedback.setProgress(100 * share),
             feedback.isCanceled,
         )
-        sink, output = self.sink(
-            parameters,
-            OUTPUT,
-            context,
-            sensor_points.comparison_fields(),
-            QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        sink, output = self.sink(parameters, OUTPUT, context, sensor_points.comparison_fields())
         self.write(sink, sensor_points.comparison_features(result))
         said = sentence(result.reason)
         feedback.pushInfo(said)

@@ -6,13 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterString,
@@ -66,13 +63,11 @@ class InspectWindows(SeamInspectorAlgorithm):
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
         self.addDescribed(
-            QgsProcessingParameterEnum(
+            common.choice(
                 REFERENCE,
                 tr("Verdict against"),
-                ["sources", "composite"],
-                defaultValue="sources",
+                ("sources", "composite"),
                 optional=True,  # else QGIS would refuse models that were drawn before there was this choice
-                usesStaticStrings=True,
             ),
             tr(
                 "sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the "
@@ -110,9 +105,11 @@ class InspectWindows(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSink(PAIRS, tr("Pairs"), table, optional=True, createByDefault=True),
             tr("The mosaic against each single source: ratios, similarity, sub-pixel offset."),
         )
-        self.addOutput(QgsProcessingOutputNumber(WINDOW_COUNT, tr("Windows")))
-        self.addOutput(QgsProcessingOutputNumber(SIGNIFICANT_COUNT, tr("Windows with a significant loss")))
-        self.addOutput(QgsProcessingOutputNumber(NOT_COMPARABLE_COUNT, tr("Windows that can't be compared")))
+        self.addNumbers({
+            WINDOW_COUNT: tr("Windows"),
+            SIGNIFICANT_COUNT: tr("Windows with a significant loss"),
+            NOT_COMPARABLE_COUNT: tr("Windows that can't be compared"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._settings(parameters, context).check()
@@ -145,14 +142,11 @@ class InspectWindows(SeamInspectorAlgorithm):
         verdicts: Counter[Verdict] = Counter()
         with open_executor(self.parameterAsString(parameters, SCHEDULER, context)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
-            table = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
             output, output_id = self.sink(
                 parameters, OUTPUT, context, tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
             )
-            curves, curves_id = self.optional_sink(parameters, CURVES, context, tables.curve_fields(), *table)
-            pairs, pairs_id = self.optional_sink(
-                parameters, PAIRS, context, tables.pair_fields(settings.levels), *table
-            )
+            curves, curves_id = self.optional_sink(parameters, CURVES, context, tables.curve_fields())
+            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, tables.pair_fields(settings.levels))
             for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, feedback.isCanceled):
                 geometry, observer = drawn.taken(result.window_id)
                 if result.window is not None:
@@ -169,7 +163,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
         feedback.pushInfo(", ".join(f"{verdict.value}: {verdicts[verdict]}" for verdict in Verdict))
         self.style(output_id, style_path("windows"), context)
-        results = {
+        return {
             OUTPUT: output_id,
             CURVES: curves_id,
             PAIRS: pairs_id,
@@ -177,7 +171,6 @@ class InspectWindows(SeamInspectorAlgorithm):
             SIGNIFICANT_COUNT: verdicts[Verdict.SIGNIFICANT],
             NOT_COMPARABLE_COUNT: verdicts[Verdict.NOT_COMPARABLE],
         }
-        return {name: value for name, value in results.items() if value is not None}
 
     def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Settings:
         from ..core.inspection import Settings

@@ -9,10 +9,7 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
-    QgsProcessingParameterDefinition,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
@@ -74,19 +71,21 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             self.addDescribed(definition, description, advanced=definition.name() in _ADVANCED)
         for definition, description in _outputs():
             self.addDescribed(definition, description)
-        self.addOutput(QgsProcessingOutputNumber(RMS_UM, tr("Root mean square of the residuals (um)")))
-        self.addOutput(QgsProcessingOutputNumber(MARKS, tr("Marks measured or given")))
-        self.addOutput(QgsProcessingOutputNumber(FAILED, tr("Marks that failed")))
+        self.addNumbers({
+            RMS_UM: tr("Root mean square of the residuals (um)"),
+            MARKS: tr("Marks measured or given"),
+            FAILED: tr("Marks that failed"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.fiducials.calibration import check_calibration
 
         check_calibration(self._calibration(parameters, context), self._settings(parameters, context).model)
-        self._open(self._ref(parameters, PHOTO, context))
+        self._open(common.required_raster(parameters, PHOTO, context))
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._photo_ref = self._ref(parameters, PHOTO, context)
-        self._template_ref = self._ref(parameters, TEMPLATE, context) if parameters.get(TEMPLATE) else None
+        self._photo_ref = common.required_raster(parameters, PHOTO, context)
+        self._template_ref = common.raster(parameters, TEMPLATE, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -164,14 +163,6 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     # --- the inputs ---------------------------------------------------------------------------------------------
 
-    def _ref(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> RasterRef:
-        from ..adapters.layers import raster_ref
-
-        value = common.raster_value(parameters, name, context)
-        if value is None or value == "":
-            raise PhotoError(messages.NOT_A_RASTER_LAYER(name=name))
-        return raster_ref(value, context)
-
     @staticmethod
     def _open(ref: RasterRef) -> Photo:
         from ..core.photos import Photo
@@ -216,10 +207,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     def _template(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CutOut | None:
         from ..core.fiducials.templates import cut_out
 
-        if not parameters.get(TEMPLATE):
-            return None
-        ref = getattr(self, "_template_ref", None) or self._ref(parameters, TEMPLATE, context)
-        return cut_out(self._open(ref).grey())
+        ref = getattr(self, "_template_ref", None) or common.raster(parameters, TEMPLATE, context)
+        return cut_out(self._open(ref).grey()) if ref is not None else None
 
     def _shapes(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[Shape, ...]:
         from ..core.fiducials.templates import chosen_shapes
@@ -280,19 +269,19 @@ def _inputs() -> list[common.Described]:
 def _template_choices() -> list[common.Described]:
     return [
         (
-            _choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
+            common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
             tr("What is drawn to look for, in the size that the photo has it; automatic tries all."),
         ),
         (
-            _choice(TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS),
+            common.choice(TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS),
             tr("Whether the arms of a cross, or the wedges, stand upright or diagonally."),
         ),
         (
-            _choice(TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES),
+            common.choice(TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES),
             tr("Whether a cross is open in the middle."),
         ),
         (
-            _choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES),
+            common.choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES),
             tr("Whether the mark is lighter than its ground, as on most positives, or darker."),
         ),
     ]
@@ -313,14 +302,14 @@ def _settings() -> list[common.Described]:
             tr("A mark whose best correlation is smaller fails."),
         ),
         (
-            _choice(SURFACE, tr("Surface"), SURFACES),
+            common.choice(SURFACE, tr("Surface"), SURFACES),
             tr(
                 "What the second-degree surface is laid through: the correlations around the best pixel, or the "
                 "brightness of the photo as in the paper."
             ),
         ),
         (
-            _choice(MODEL, tr("Transformation"), MODELS),
+            common.choice(MODEL, tr("Transformation"), MODELS),
             tr("Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."),
         ),
     ]
@@ -354,7 +343,3 @@ def _outputs() -> list[common.Described]:
             tr("A page with a picture of each mark and the place that was found."),
         ),
     ]
-
-
-def _choice(name: str, description: str, words: tuple[str, ...]) -> QgsProcessingParameterDefinition:
-    return QgsProcessingParameterEnum(name, description, list(words), defaultValue=words[0], usesStaticStrings=True)

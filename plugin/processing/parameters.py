@@ -1,6 +1,7 @@
 """Parameters that several algorithms have, and how their values are read."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -54,6 +55,26 @@ class GivenSources:
     """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
 
 
+def choice(
+    name: str, title: str, words: Sequence[str], default: str = "", optional: bool = False
+) -> QgsProcessingParameterDefinition:
+    """A choice that models and scripts name by its word; the first one where there is no default."""
+    return QgsProcessingParameterEnum(
+        name, title, list(words), defaultValue=default or words[0], optional=optional, usesStaticStrings=True
+    )
+
+
+def real(
+    name: str, title: str, default: float | None, least: float | None = None, optional: bool = False, decimals: int = 2
+) -> QgsProcessingParameterDefinition:
+    """A number that the form shows with so many decimals."""
+    number = QgsProcessingParameterNumber(name, title, QgsProcessingParameterNumber.Type.Double, default, optional)
+    if least is not None:
+        number.setMinimum(least)
+    number.setMetadata({"widget_wrapper": {"decimals": decimals}})
+    return number
+
+
 def mosaic(optional: bool = False) -> Described:
     return (
         QgsProcessingParameterRasterLayer(MOSAIC, tr("Mosaic"), optional=optional),
@@ -101,13 +122,7 @@ def levels() -> Described:
 
 def wavelet() -> Described:
     return (
-        QgsProcessingParameterEnum(
-            WAVELET,
-            tr("Wavelet"),
-            list(thresholds.WAVELETS),
-            defaultValue=thresholds.DEFAULT_WAVELET,
-            usesStaticStrings=True,
-        ),
+        choice(WAVELET, tr("Wavelet"), thresholds.WAVELETS, thresholds.DEFAULT_WAVELET),
         tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."),
     )
 
@@ -130,6 +145,22 @@ def raster_value(parameters: Parameters, name: str, context: QgsProcessingContex
     """A raster parameter as it was given: a layer, a layer's id, or a path."""
     value = parameters.get(name)
     return value.valueAsString(context.expressionContext())[0] if isinstance(value, QgsProperty) else value
+
+
+def raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef | None:
+    """The file of a raster parameter, to be asked in its layer's thread; None when it is not given."""
+    from ..adapters.layers import raster_ref
+
+    value = raster_value(parameters, name, context)
+    return raster_ref(value, context) if value else None
+
+
+def required_raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef:
+    """The same for one that has to be there: raises RasterError when it is not given."""
+    ref = raster(parameters, name, context)
+    if ref is None:
+        raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
+    return ref
 
 
 def raster_values(parameters: Parameters, name: str, context: QgsProcessingContext) -> list[object]:

@@ -10,7 +10,6 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsWkbTypes,
@@ -68,8 +67,7 @@ class PredictLoss(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSink(PAIRS, tr("Source pairs"), table, optional=True, createByDefault=True),
             tr("Every two sources of a window: agreement of their detail, ratio to be expected, shift between them."),
         )
-        self.addOutput(QgsProcessingOutputNumber(WINDOW_COUNT, tr("Windows")))
-        self.addOutput(QgsProcessingOutputNumber(NOT_COMPARABLE_COUNT, tr("Windows that can't be compared")))
+        self.addNumbers({WINDOW_COUNT: tr("Windows"), NOT_COMPARABLE_COUNT: tr("Windows that can't be compared")})
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.wavelets import check_decomposition
@@ -103,8 +101,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         with open_executor() as (executor, ahead):
             polygons = tables.forecast_fields(levels), QgsWkbTypes.Type.Polygon, crs
             output, output_id = self.sink(parameters, OUTPUT, context, *polygons)
-            rows = tables.forecast_pair_fields(levels), QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
-            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, *rows)
+            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, tables.forecast_pair_fields(levels))
             for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, feedback.isCanceled):
                 geometry, _observer = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
@@ -120,8 +117,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         if drawn.renumbered:
             feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
         self.style(output_id, style_path("predicted_windows"), context)
-        results = {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
-        return {name: value for name, value in results.items() if value is not None}
+        return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 
     def _decomposition(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
         return (
