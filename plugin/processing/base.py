@@ -44,6 +44,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     HELP: str
     RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
     """Parameters with many rasters, which are opened one by one and not by QGIS."""
+    DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)
+    """Outputs with charts: where they are asked for, the package that draws them has to be there."""
 
     def name(self) -> str:
         return self.ID
@@ -92,6 +94,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def prepareAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
+        missing = self._missing_packages(parameters)
+        if missing:
+            raise QgsProcessingException(missing)
         try:
             self.prepare(parameters, context)
         except SeamInspectorError as error:
@@ -117,6 +122,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         raise NotImplementedError
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        missing = self._missing_packages(parameters)
+        if missing:
+            return False, missing
         try:
             self.check(parameters, context)
         except SeamInspectorError as error:
@@ -128,6 +136,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
+
+    def _missing_packages(self, parameters: dict[str, Any]) -> str:
+        """What lacks for the outputs asked for; empty when nothing does."""
+        return missing_packages_sentence(desk=any(parameters.get(name) for name in self.DRAWN))
 
     def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
         """The raster of the parameter MOSAIC."""
@@ -167,6 +179,15 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """Where an output file goes; None when it is not wanted."""
         path = self.parameterAsFileOutput(parameters, name, context) if parameters.get(name) else ""
         return Path(path) if path else None
+
+    def chart_path(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Path | None:
+        """Where the chart goes; None when it is not wanted. Raises SettingsError for an ending that can't be drawn."""
+        path = self.file_path(parameters, common.CHART, context)
+        if path is not None:
+            from ..adapters.figures import check_figure_path
+
+            check_figure_path(path)
+        return path
 
     @staticmethod
     def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:

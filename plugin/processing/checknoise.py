@@ -1,7 +1,9 @@
 """``seaminspector:checknoise``: random noise of single images, in one group or two."""
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
@@ -17,9 +19,13 @@ from ..core.errors import SettingsError
 from . import groups
 from . import parameters as common
 from .base import Warnings
-from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
+from .rasterlists import RASTERS, RasterListAlgorithm
 
-SECOND_GROUP, OUTPUT, CHART = "SECOND_GROUP", "OUTPUT", "CHART"
+if TYPE_CHECKING:
+    from ..core.messages import Message
+    from ..core.noise.comparison import ClipNoise
+
+SECOND_GROUP, OUTPUT = "SECOND_GROUP", "OUTPUT"
 LOW_COUNT, MODERATE_COUNT, STRONG_COUNT = "LOW_COUNT", "MODERATE_COUNT", "STRONG_COUNT"
 
 
@@ -63,13 +69,12 @@ class CheckNoise(RasterListAlgorithm):
                 "Gaussian noise), sigma in DN, and the verdict low, moderate or strong."
             ),
         )
-        self.addFile(
-            CHART,
-            tr("Chart"),
-            "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)",
-            tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF."),
+        self.addDescribed(
+            *common.chart(
+                tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.")
+            )
         )
-        self.addFile(REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the chart on one HTML page."))
+        self.addDescribed(*common.report(tr("All figures with the chart on one HTML page.")))
         self.addNumbers({
             LOW_COUNT: tr("Windows with low noise"),
             MODERATE_COUNT: tr("Windows with moderate noise"),
@@ -79,22 +84,20 @@ class CheckNoise(RasterListAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         super().check(parameters, context)
         self._settings(parameters, context)
-        self._check_chart(parameters, context)
+        self.chart_path(parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        from ..adapters import noise_charts, noise_report, noise_tables
+        from ..adapters import noise_tables, noise_words
         from ..adapters.executors import open_executor
-        from ..adapters.figures import save_figure
-        from ..core import report
         from ..core.noise import comparison, planning
         from ..core.noise.measurement import NoiseVerdict
         from ..core.noise.requests import describe_images
 
         super().check(parameters, context)
         wavelet, levels = self._settings(parameters, context)
-        self._check_chart(parameters, context)
+        chart = self.chart_path(parameters, context)
         images = []
         for group, name in enumerate(self.RASTER_LISTS, 1):
             found, notices = describe_images(self.refs[name], group)
@@ -125,20 +128,15 @@ class CheckNoise(RasterListAlgorithm):
                         feedback.pushInfo(f"{clip.window_id}: {sentence(clip.reason)}")
                 results += clips
                 feedback.setProgress(100 * done / len(plan.requests))
-        counts = noise_report.verdict_counts(results)
+        counts = noise_words.verdict_counts(results)
         feedback.pushInfo(", ".join(f"{verdict.value}: {counts[verdict]}" for verdict in NoiseVerdict))
-        figure = noise_charts.noise_figure(results)
         return {
             OUTPUT: output_id,
-            CHART: self.save(
+            common.CHART: self._save_chart(results, chart, feedback),
+            common.REPORT: self.save(
                 feedback,
-                self.file_path(parameters, CHART, context) if figure else None,
-                lambda path: save_figure(figure, path),
-            ),
-            REPORT: self.save(
-                feedback,
-                self.file_path(parameters, REPORT, context),
-                lambda path: report.save_page(noise_report.noise_page(results, notices, wavelet, levels), path),
+                self.file_path(parameters, common.REPORT, context),
+                lambda path: _save_report(path, results, notices, wavelet, levels),
             ),
             LOW_COUNT: counts[NoiseVerdict.LOW],
             MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
@@ -154,9 +152,23 @@ class CheckNoise(RasterListAlgorithm):
         check_noise_settings(wavelet, levels)
         return wavelet, levels
 
-    def _check_chart(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ..adapters.figures import FORMATS
+    def _save_chart(
+        self, results: Sequence[ClipNoise], path: Path | None, feedback: QgsProcessingFeedback
+    ) -> str | None:
+        """Draw and write the chart, where it is wanted and there is something to draw."""
+        if path is None:
+            return None
+        from ..adapters.figures import save_figure
+        from ..adapters.noise_charts import noise_figure
 
-        path = self.file_path(parameters, CHART, context)
-        if path is not None and path.suffix.lower().lstrip(".") not in FORMATS:
-            raise SettingsError(messages.CHART_FORMAT_UNKNOWN(name=path.name))
+        figure = noise_figure(results)
+        return self.save(feedback, path, lambda path: save_figure(figure, path)) if figure is not None else None
+
+
+def _save_report(
+    path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int
+) -> None:
+    from ..adapters.noise_report import noise_page
+    from ..core.report import save_page
+
+    save_page(noise_page(results, notices, wavelet, levels), path)

@@ -1,7 +1,7 @@
 """``seaminspector:checkradiometry``: the radiometric acceptance of images against rules."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,8 +22,9 @@ from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import RasterError, SeamInspectorError, SettingsError, WindowError
 from . import groups
+from . import parameters as common
 from .base import Warnings
-from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
+from .rasterlists import RASTERS, RasterListAlgorithm
 
 if TYPE_CHECKING:
     from ..core.drawn_windows import DrawnWindow
@@ -80,9 +81,7 @@ class CheckRadiometry(RasterListAlgorithm):
             ),
             tr("One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."),
         )
-        self.addFile(
-            REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the histograms on one HTML page.")
-        )
+        self.addDescribed(*common.report(tr("All figures with the histograms on one HTML page.")))
         self.addNumbers({
             PASSED_COUNT: tr("Figures that passed"),
             FAILED_COUNT: tr("Figures that failed"),
@@ -96,8 +95,7 @@ class CheckRadiometry(RasterListAlgorithm):
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        from ..adapters import radiometry_report, radiometry_tables
-        from ..core import report
+        from ..adapters import radiometry_tables
 
         super().check(parameters, context)
         rules = self._rules(parameters, context)
@@ -134,10 +132,10 @@ class CheckRadiometry(RasterListAlgorithm):
         states = [finding.passed for finding in findings]
         return {
             OUTPUT: output_id,
-            REPORT: self.save(
+            common.REPORT: self.save(
                 feedback,
-                self.file_path(parameters, REPORT, context),
-                lambda path: report.save_page(radiometry_report.radiometry_page(results, notices, rules), path),
+                self.file_path(parameters, common.REPORT, context),
+                lambda path: _save_report(path, results, notices, rules),
             ),
             PASSED_COUNT: states.count(True),
             FAILED_COUNT: states.count(False),
@@ -220,3 +218,10 @@ class CheckRadiometry(RasterListAlgorithm):
             return not feedback.isCanceled()
 
         return assess(Pixels(image.ref), image, window, rules, seams, number, progress)
+
+
+def _save_report(path: Path, results: Sequence[Assessment], notices: Iterable[Message], rules: RuleSet) -> None:
+    from ..adapters.radiometry_report import radiometry_page
+    from ..core.report import save_page
+
+    save_page(radiometry_page(results, notices, rules), path)

@@ -9,15 +9,15 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingOutputString,
     QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFileDestination,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
+from . import parameters as common
 from . import sensors
 from .sensors import SensorAlgorithm, image_box, warn
 
-OUTPUT, REPORT = "OUTPUT", "REPORT"
+OUTPUT = "OUTPUT"
 RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
 
 
@@ -50,10 +50,7 @@ class CompareSensorModels(SensorAlgorithm):
             tr("One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."),
         )
         self.addDescribed(
-            QgsProcessingParameterFileDestination(
-                REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=False
-            ),
-            tr("The table with a chart and the recommendation."),
+            *common.report(tr("The table with a chart and the recommendation."), tr("HTML files (*.html)"))
         )
         self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
         self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
@@ -89,10 +86,10 @@ class CompareSensorModels(SensorAlgorithm):
             RECOMMENDATION: said,
             MODEL_COUNT: sum(row.errors is not None for row in result.rows),
         }
-        path = self.file_path(parameters, REPORT, context)
+        path = self.file_path(parameters, common.REPORT, context)
         if path is not None:
             from ..adapters.sensor_reports import save_comparison_report
 
             save_comparison_report(result, notices, path)
-            results[REPORT] = str(path)
+            results[common.REPORT] = str(path)
         return results

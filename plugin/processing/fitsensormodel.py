@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ..core.sensors.rpc import Domain
 
 MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
-OUTPUT, MODEL_FILE, RPC, REPORT = "OUTPUT", "MODEL_FILE", "RPC", "REPORT"
+OUTPUT, MODEL_FILE, RPC = "OUTPUT", "MODEL_FILE", "RPC"
 CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
 MODELS = ("polynomial_2d", "polynomial_3d", "rational", "dlt", "pushbroom", "rpc_bias")
 BIASES = ("shift", "shift_drift", "affine")
@@ -98,11 +98,13 @@ class FitSensorModel(SensorAlgorithm):
                 tr("RPC files (*.txt *.TXT)"),
                 tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT."),
             ),
-            (REPORT, tr("Report"), tr("HTML files (*.html)"), tr("Accuracy, warnings and a plot of the residuals.")),
         ):
             self.addDescribed(
                 QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False), purpose
             )
+        self.addDescribed(
+            *common.report(tr("Accuracy, warnings and a plot of the residuals."), tr("HTML files (*.html)"))
+        )
         for group, label in (("CHECK", tr("check points")), ("CONTROL", tr("control points"))):
             for error in _ERRORS:
                 kind = tr("Root mean square") if error.startswith("RMSE") else tr("Largest error")
@@ -150,12 +152,12 @@ class FitSensorModel(SensorAlgorithm):
             (notes if written else notices).append(said)
             (feedback.pushInfo if written else feedback.pushWarning)(sentence(said))
             results[RPC] = str(path) if written else None
-        path = self.file_path(parameters, REPORT, context)
+        path = self.file_path(parameters, common.REPORT, context)
         if path is not None:
             from ..adapters.sensor_reports import save_fit_report
 
             save_fit_report(done, found, box, notices, notes, path)
-            results[REPORT] = str(path)
+            results[common.REPORT] = str(path)
         control, check = done.control, done.check
         for group, errors in (("CHECK", check), ("CONTROL", control)):
             for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):

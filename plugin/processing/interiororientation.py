@@ -39,7 +39,7 @@ TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE = (
     "TEMPLATE_KIND", "TEMPLATE_DIRECTION", "TEMPLATE_CENTRE", "TEMPLATE_TONE"
 )
 SEARCH, MIN_CORRELATION, SURFACE, MODEL = "SEARCH", "MIN_CORRELATION", "SURFACE", "MODEL"
-OUTPUT, PARAMETERS, WORLD_FILE, REPORT = "OUTPUT", "PARAMETERS", "WORLD_FILE", "REPORT"
+OUTPUT, PARAMETERS, WORLD_FILE = "OUTPUT", "PARAMETERS", "WORLD_FILE"
 RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
 
 AUTOMATIC = "automatic"
@@ -65,6 +65,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         "reason; point at it on the map and give that point as its position, with the measurement off."
     )
     RASTER_LISTS = ()
+    DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         for definition, description in (*_inputs(), *_template_choices(), *_settings()):
@@ -130,10 +131,10 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..core.report import save_page
 
         results: dict[str, Any] = {}
-        path = self.file_path(parameters, REPORT, context)
+        path = self.file_path(parameters, common.REPORT, context)
         if path is not None:
             save_page(orientation_page(photo, made), path)
-            results[REPORT] = str(path)
+            results[common.REPORT] = str(path)
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             feedback.reportError(sentence(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why)))
@@ -338,8 +339,9 @@ def _outputs() -> list[common.Described]:
             ),
             tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
         ),
-        (
-            QgsProcessingParameterFileDestination(REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True),
+        common.report(
             tr("A page with a picture of each mark and the place that was found."),
+            tr("HTML files (*.html)"),
+            by_default=True,
         ),
     ]

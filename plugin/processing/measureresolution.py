@@ -11,7 +11,6 @@ from qgis.core import (
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
     QgsWkbTypes,
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
 RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
 REFERENCE_GROUP, REFERENCE_GRD, STEP = "REFERENCE_GROUP", "REFERENCE_GRD", "STEP"
 CRITERION, REVERSED = "CRITERION", "REVERSED"
-OUTPUT, CHART, REPORT = "OUTPUT", "CHART", "REPORT"
+OUTPUT = "OUTPUT"
 GRD_ALONG, GRD_ACROSS, GRD_MEAN = "GRD_ALONG", "GRD_ACROSS", "GRD_MEAN"
 
 
@@ -112,17 +111,9 @@ class MeasureResolution(SeamInspectorAlgorithm):
             ),
             tr("The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift."),
         )
+        self.addDescribed(*common.chart(tr("The profiles with their bars, threshold and verdict, group by group.")))
         self.addDescribed(
-            QgsProcessingParameterFileDestination(
-                CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", optional=True, createByDefault=False
-            ),
-            tr("The profiles with their bars, threshold and verdict, group by group."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFileDestination(
-                REPORT, tr("Report"), "HTML (*.html)", optional=True, createByDefault=False
-            ),
-            tr("A page with the distances, the target, the profiles and all measurements."),
+            *common.report(tr("A page with the distances, the target, the profiles and all measurements."))
         )
         self.addNumbers({
             GRD_ALONG: tr("Distance along the flight (cm)"),
@@ -147,11 +138,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         raster, target = self._raster, self._target(parameters, context)
         target.check()
         width, band = self._width(parameters, context), self._band(parameters, context, raster)
-        chart, report = (self.file_path(parameters, name, context) for name in (CHART, REPORT))
-        if chart is not None:
-            from ..adapters.figures import check_figure_path
-
-            check_figure_path(chart)
+        chart, report = self.chart_path(parameters, context), self.file_path(parameters, common.REPORT, context)
         lines = self.source(parameters, GROUPS, context)
         bar_lines.check_fields(lines.fields().names())
         count = lines.featureCount()
@@ -188,13 +175,13 @@ class MeasureResolution(SeamInspectorAlgorithm):
             from ..adapters.figures import save_figure
 
             save_figure(group_chart(resolution.results, target.criterion), chart)
-            results[CHART] = str(chart)
+            results[common.CHART] = str(chart)
         if report is not None:
             from ..adapters.bar_report import resolution_page
             from ..core.report import save_page
 
             save_page(resolution_page(raster, resolution, target), report)
-            results[REPORT] = str(report)
+            results[common.REPORT] = str(report)
         return results
 
     def _target(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Target:

@@ -15,6 +15,7 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
@@ -39,6 +40,8 @@ SOURCE_INDEX = "SOURCE_INDEX"
 LEVELS = "LEVELS"
 WAVELET = "WAVELET"
 MAX_RATIO = "MAX_RATIO"
+CHART = "CHART"
+REPORT = "REPORT"
 
 _LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
 
@@ -139,6 +142,18 @@ def max_ratio(description: str) -> Described:
         ),
         description,
     )
+
+
+def chart(description: str, by_default: bool = False) -> Described:
+    return _file(CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", by_default), description
+
+
+def report(description: str, filters: str = "HTML (*.html)", by_default: bool = False) -> Described:
+    return _file(REPORT, tr("Report"), filters, by_default), description
+
+
+def _file(name: str, title: str, filters: str, by_default: bool) -> QgsProcessingParameterDefinition:
+    return QgsProcessingParameterFileDestination(name, title, filters, optional=True, createByDefault=by_default)
 
 
 def raster_value(parameters: Parameters, name: str, context: QgsProcessingContext) -> object:

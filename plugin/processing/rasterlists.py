@@ -10,11 +10,9 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFileDestination,
     QgsProcessingParameterMultipleLayers,
 )
 
-from ..adapters.packages import missing_packages_sentence
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import SettingsError
@@ -25,17 +23,13 @@ from .window_features import WindowFeatures
 if TYPE_CHECKING:
     from ..core.drawn_windows import DrawnWindow
 
-RASTERS, WINDOWS, REPORT = "RASTERS", "WINDOWS", "REPORT"
+RASTERS, WINDOWS = "RASTERS", "WINDOWS"
 
 
 class RasterListAlgorithm(SeamInspectorAlgorithm):
     """An algorithm that measures single images, each for itself, on windows or as a whole."""
 
     RASTER_LISTS: tuple[str, ...] = (RASTERS,)
-
-    def canExecute(self) -> tuple[bool, str]:
-        missing = missing_packages_sentence(desk=True)  # with charts and reports
-        return not missing, missing
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         if not common.raster_values(parameters, RASTERS, context):
@@ -61,11 +55,6 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(
             QgsProcessingParameterFeatureSource(WINDOWS, tr("Windows"), [polygon], optional=True), description
         )
-
-    def addFile(self, name: str, words: str, filters: str, description: str) -> None:
-        """Add an optional output file."""
-        file = QgsProcessingParameterFileDestination(name, words, filters, optional=True, createByDefault=False)
-        self.addDescribed(file, description)
 
     def require_rasters(self, usable: Iterable[object]) -> None:
         """Raise SettingsError, with the reasons, when no raster is left."""
