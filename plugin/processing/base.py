@@ -141,6 +141,13 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """What lacks for the outputs asked for; empty when nothing does."""
         return missing_packages_sentence(desk=any(parameters.get(name) for name in self.DRAWN))
 
+    def decomposition(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
+        """The values of WAVELET and LEVELS."""
+        return (
+            self.parameterAsString(parameters, common.WAVELET, context),
+            self.parameterAsInt(parameters, common.LEVELS, context),
+        )
+
     def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
         """The raster of the parameter MOSAIC."""
         from ..core.rasters import describe_mosaic

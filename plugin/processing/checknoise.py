@@ -147,8 +147,7 @@ class CheckNoise(RasterListAlgorithm):
         """Wavelet and levels. Raises SettingsError when they can't be used."""
         from ..core.noise.measurement import check_noise_settings
 
-        wavelet = self.parameterAsString(parameters, common.WAVELET, context)
-        levels = self.parameterAsInt(parameters, common.LEVELS, context)
+        wavelet, levels = self.decomposition(parameters, context)
         check_noise_settings(wavelet, levels)
         return wavelet, levels
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
@@ -194,7 +193,7 @@ class CheckRadiometry(RasterListAlgorithm):
         if image.grid is None or not image.wkt:
             return []
         crs = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
-        transform = QgsCoordinateTransform(seamlines.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(seamlines, crs, context)
         lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
         return find_seams(lines, image.grid.pixel_width)
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
@@ -23,7 +22,7 @@ from ..core import messages
 from ..core.errors import SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
-from .sources import given_block
+from .sources import check_sources, given_block, given_sources
 from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
@@ -114,11 +113,11 @@ class InspectWindows(SeamInspectorAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._settings(parameters, context).check()
         self.describe_mosaic(parameters, context)
-        common.check_sources(parameters, context)
+        check_sources(parameters, context)
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._mosaic = self.describe_mosaic(parameters, context)
-        self._given = common.given_sources(self, parameters, context)
+        self._given = given_sources(self, parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -176,8 +175,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..core.inspection import Settings
 
         return Settings(
-            self.parameterAsString(parameters, common.WAVELET, context),
-            self.parameterAsInt(parameters, common.LEVELS, context),
+            *self.decomposition(parameters, context),
             self.parameterAsDouble(parameters, common.MAX_RATIO, context),
             self.parameterAsString(parameters, REFERENCE, context),
         )
@@ -191,7 +189,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         if "source" not in cells.fields().names():
             raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
         crs = layers.mosaic_crs(self._mosaic)
-        transform = QgsCoordinateTransform(cells.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(cells, crs, context)
         return layers.seam_cells(layers.features(cells), transform)
 
     @staticmethod

@@ -4,7 +4,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
@@ -145,7 +144,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         if count == 0:
             raise SettingsError(messages.NO_BAR_LINES())
         crs = layers.mosaic_crs(raster)
-        transform = QgsCoordinateTransform(lines.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(lines, crs, context)
         measured: list[MeasuredLine] = []
         for row in layers.features(lines):
             if feedback.isCanceled():

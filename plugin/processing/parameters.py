@@ -2,14 +2,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsProcessing,
-    QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingParameterDefinition,
@@ -24,12 +22,11 @@ from qgis.core import (
 
 from ..adapters.text import tr
 from ..core import messages, thresholds
-from ..core.errors import RasterError, SettingsError
+from ..core.errors import RasterError
 
 if TYPE_CHECKING:
     from ..core.messages import Message
     from ..core.rasters import RasterRef
-    from ..core.sources import Source
 
 Parameters = dict[str, Any]
 Described = tuple[QgsProcessingParameterDefinition, str]
@@ -42,20 +39,6 @@ WAVELET = "WAVELET"
 MAX_RATIO = "MAX_RATIO"
 CHART = "CHART"
 REPORT = "REPORT"
-
-_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
-
-
-@dataclass(frozen=True)
-class GivenSources:
-    """The values of SOURCES and SOURCE_INDEX in plain data, as far as they can be had before the work begins."""
-
-    refs: tuple[RasterRef, ...]
-    """The files of SOURCES."""
-    left_out: tuple[Message, ...]
-    """Why others have no file."""
-    index_path: str
-    """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
 
 
 def choice(
@@ -202,40 +185,8 @@ def raster_refs(
     return refs, left_out
 
 
-def check_sources(parameters: Parameters, context: QgsProcessingContext) -> None:
-    """Raise SettingsError when neither SOURCES nor SOURCE_INDEX names any."""
-    if not raster_values(parameters, SOURCES, context) and not parameters.get(SOURCE_INDEX):
-        raise SettingsError(messages.NO_SOURCES_GIVEN())
-
-
-def given_sources(
-    algorithm: QgsProcessingAlgorithm, parameters: Parameters, context: QgsProcessingContext
-) -> GivenSources:
-    """What the layers of SOURCES and SOURCE_INDEX say of their files; to be asked in their thread."""
-    from ..adapters.layers import layer_path
-
-    refs, left_out = raster_refs(parameters, SOURCES, context)
-    index = algorithm.parameterAsVectorLayer(parameters, SOURCE_INDEX, context)
-    return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
-
-
-def indexed_sources(
-    index: QgsProcessingFeatureSource, path: str, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
-) -> list[Source]:
-    """The orthoimages of an index layer with their footprints in a reference system.
-
-    Raises SettingsError when the layer is no such index.
-    """
-    from ..adapters import layers
-
-    transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
-    return layers.indexed_sources(layers.features(index), index.fields().names(), path, transform)
-
-
-def whole_number(value: object) -> int | None:
-    """A window's number from a field of any type."""
-    try:
-        number = float(str(value))
-    except ValueError:
-        return None
-    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None
+def transform(
+    source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
+) -> QgsCoordinateTransform:
+    """From the reference system of a layer to another one."""
+    return QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())

@@ -4,7 +4,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
@@ -84,7 +83,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         seamlines = self.source(parameters, SEAMLINES, context)
         mosaic = self._mosaic
         crs = layers.mosaic_crs(mosaic)
-        transform = QgsCoordinateTransform(seamlines.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(seamlines, crs, context)
         seams = find_seams(
             (layers.line_wkb(feature, transform) for feature in layers.features(seamlines)), mosaic.grid.pixel_width
         )

@@ -22,6 +22,7 @@ from ..core import messages
 from ..core.errors import RasterError, SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
+from .sources import check_sources, given_sources, indexed_sources
 from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
@@ -72,11 +73,11 @@ class PredictLoss(SeamInspectorAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.wavelets import check_decomposition
 
-        check_decomposition(*self._decomposition(parameters, context))
-        common.check_sources(parameters, context)
+        check_decomposition(*self.decomposition(parameters, context))
+        check_sources(parameters, context)
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._given = common.given_sources(self, parameters, context)
+        self._given = given_sources(self, parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -86,7 +87,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         from ..core.forecasts import forecast_window, not_foretold
         from ..core.runs import in_order
 
-        wavelet, levels = self._decomposition(parameters, context)
+        wavelet, levels = self.decomposition(parameters, context)
         self.check(parameters, context)
         windows = self.source(parameters, WINDOWS, context)
         if windows.featureCount() == 0:
@@ -119,12 +120,6 @@ class PredictLoss(SeamInspectorAlgorithm):
         self.style(output_id, style_path("predicted_windows"), context)
         return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 
-    def _decomposition(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
-        return (
-            self.parameterAsString(parameters, common.WAVELET, context),
-            self.parameterAsInt(parameters, common.LEVELS, context),
-        )
-
     def _system(
         self, windows: QgsProcessingFeatureSource, parameters: dict[str, Any], context: QgsProcessingContext
     ) -> tuple[QgsCoordinateReferenceSystem, str]:
@@ -155,10 +150,7 @@ class PredictLoss(SeamInspectorAlgorithm):
     ) -> list[Source]:
         from ..core.sources import gather_sources
 
-        indexed = []
-        if parameters.get(common.SOURCE_INDEX):
-            index = self.source(parameters, common.SOURCE_INDEX, context)
-            indexed = common.indexed_sources(index, self._given.index_path, crs, context)
+        indexed = indexed_sources(self, parameters, context, self._given, crs)
         warnings.say(self._given.left_out)
         sources, notices = gather_sources(self._given.refs, indexed, wkt)
         warnings.say(notices)

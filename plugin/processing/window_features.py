@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsFeature,
     QgsGeometry,
     QgsProcessingContext,
@@ -17,6 +16,8 @@ from ..core.errors import WindowError
 from ..core.messages import Message
 from ..core.windows import Extent
 from . import parameters as common
+
+_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ class WindowFeatures:
         self.renumbered = 0
         """How many windows had no number of their own."""
         self._source = source
-        self._transform = QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())
+        self._transform = common.transform(source, crs, context)
         self._names = set(source.fields().names())
         self._waiting: dict[int, tuple[QgsGeometry | None, str | None]] = {}
         self._numbers = self._given_numbers()
@@ -72,15 +73,24 @@ class WindowFeatures:
 
         if "window_id" not in self._names:
             return set()
-        numbers = (common.whole_number(feature["window_id"]) for feature in layers.features(self._source))
+        numbers = (_whole_number(feature["window_id"]) for feature in layers.features(self._source))
         return {number for number in numbers if number is not None}
 
     def _number(self, feature: QgsFeature) -> int:
         """The feature's own number when it is the first to have it, else the next free one."""
-        own = common.whole_number(feature["window_id"]) if "window_id" in self._names else None
+        own = _whole_number(feature["window_id"]) if "window_id" in self._names else None
         if own is not None and own in self._numbers:
             self._numbers.remove(own)
             return own
         self.renumbered += "window_id" in self._names
         self._last += 1
         return self._last
+
+
+def _whole_number(value: object) -> int | None:
+    """A window's number from a field of any type."""
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None
