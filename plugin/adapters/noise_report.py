@@ -1,18 +1,16 @@
 """The report of a noise check, one HTML page."""
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from ..core import report
 from ..core.messages import Message
 from ..core.noise.comparison import ClipNoise
-from ..core.noise.measurement import BandNoise, NoiseVerdict, judged_band
 from ..core.noise.requests import GroupedImage
 from ..core.report import Html
 from .figures import svg_text
 from .noise_charts import noise_figure
-from .noise_words import WORDS
+from .noise_words import WORDS, judged_noise, verdict_counts, verdict_of
 from .text import sentence, tr
 
 
@@ -27,20 +25,6 @@ def noise_page(results: Sequence[ClipNoise], notices: Iterable[Message], wavelet
     parts += [report.heading(tr("Windows")), _windows(results, levels)]
     parts += [report.heading(tr("How it is measured")), *map(report.paragraph, _method(wavelet, levels))]
     return report.page(tr("Random noise"), parts)
-
-
-def verdict_counts(results: Iterable[ClipNoise]) -> Counter[NoiseVerdict]:
-    """How many windows of rasters have each verdict."""
-    return Counter(_verdict(result) for result in results)
-
-
-def _verdict(result: ClipNoise) -> NoiseVerdict:
-    judged = _judged(result)
-    return judged.verdict if judged else NoiseVerdict.NOT_MEASURABLE
-
-
-def _judged(result: ClipNoise) -> BandNoise | None:
-    return result.bands[judged_band(result.bands)] if result.bands else None
 
 
 def _overview(results: Sequence[ClipNoise]) -> str:
@@ -63,7 +47,7 @@ def _rasters(results: Sequence[ClipNoise]) -> Html:
     rows = []
     for member, own in by_image.items():
         counts = verdict_counts(own)
-        sigmas = [judged.sigma for result in own if (judged := _judged(result)) and judged.sigma is not None]
+        sigmas = [judged.sigma for result in own if (judged := judged_noise(result)) and judged.sigma is not None]
         size = member.image.ground_sample_distance
         rows.append([
             member.image.ref.name,
@@ -83,7 +67,7 @@ def _windows(results: Sequence[ClipNoise], levels: int) -> Html:
     """The judged band of every window; what could not be measured, and notes, in words."""
     rows = []
     for result in results:
-        judged, window = _judged(result), result.part.window
+        judged, window = judged_noise(result), result.part.window
         head = [result.window_id, result.part.member.image.ref.name, result.part.member.group]
         if judged is None or judged.sigma is None:
             figures = [""] * (levels + 2)
@@ -94,7 +78,7 @@ def _windows(results: Sequence[ClipNoise], levels: int) -> Html:
             figures.append("\u00a0\u00a0".join(known))
             reason = judged.note
         place = f"{window.column},\u00a0{window.row}"
-        rows.append([*head, tr(WORDS[_verdict(result)]), *figures, place, sentence(reason) if reason else ""])
+        rows.append([*head, tr(WORDS[verdict_of(result)]), *figures, place, sentence(reason) if reason else ""])
     headings = [tr("window"), tr("raster"), tr("group"), tr("noise"), tr("sigma (DN)")]
     headings += [tr("detail {level}").format(level=level) for level in range(1, levels + 1)]
     headings += [tr("kurtosis by level"), tr("column, row"), tr("note")]

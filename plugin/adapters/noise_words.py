@@ -1,10 +1,12 @@
 """What was found about random noise, in plain words. Knows no matplotlib."""
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
+from ..core.noise.comparison import ClipNoise
 from ..core.noise.measurement import BandNoise, NoiseVerdict, judged_band
 from .curves import band_title
 from .text import sentence, tr
@@ -15,6 +17,22 @@ WORDS = {
     NoiseVerdict.STRONG: QT_TRANSLATE_NOOP("@default", "strong"),
     NoiseVerdict.NOT_MEASURABLE: QT_TRANSLATE_NOOP("@default", "not measurable"),
 }
+
+
+def verdict_counts(results: Iterable[ClipNoise]) -> Counter[NoiseVerdict]:
+    """How many windows of rasters have each verdict."""
+    return Counter(verdict_of(result) for result in results)
+
+
+def verdict_of(result: ClipNoise) -> NoiseVerdict:
+    """The verdict of the judged band."""
+    judged = judged_noise(result)
+    return judged.verdict if judged else NoiseVerdict.NOT_MEASURABLE
+
+
+def judged_noise(result: ClipNoise) -> BandNoise | None:
+    """The noise of the judged band; None where nothing could be measured."""
+    return result.bands[judged_band(result.bands)] if result.bands else None
 
 
 def noise_sentence(bands: Mapping[str, BandNoise]) -> str:

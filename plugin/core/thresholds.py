@@ -242,6 +242,7 @@ WGS84_WKT_CODE = "EPSG:4326"
 WGS84_SEMI_MAJOR_M = 6378137.0
 WGS84_FLATTENING = 1 / 298.257223563
 EGM96, EGM2008 = "EPSG:5773", "EPSG:3855"
+HEIGHT_DATUMS = ("auto", "ellipsoid", "egm96", "egm2008")  # auto: what the reference system says
 MAX_NEWTON_ITERATIONS = 30  # the inverse of a smooth model takes four or five
 MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
 MAX_RATIONAL_STEP_PX = 1e-7  # below a tenth of the accuracy that exact points have to be recovered with
@@ -293,6 +294,8 @@ MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quot
 RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
 # orthorectification
 MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
+RESAMPLINGS = ("nearest", "bilinear", "cubic", "cubicspline", "lanczos", "average")  # GDAL's warper
+ORTHO_FORMATS = ("GTiff", "COG")  # GDAL's drivers
 ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
 UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
 # the recommendation

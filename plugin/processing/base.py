@@ -1,7 +1,7 @@
 """What all our algorithms share: names, help, and errors as one clear sentence."""
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -15,17 +15,17 @@ from qgis.core import (
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
+    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from qgis.PyQt.QtGui import QIcon
 
 from ..adapters.packages import missing_packages_sentence
 from ..adapters.resources import icon_path
 from ..adapters.text import sentence, tr
-from ..core import messages
-from ..core.errors import RasterError, SeamInspectorError
+from ..core.errors import SeamInspectorError
+from . import groups
 from . import parameters as common
 
 if TYPE_CHECKING:
@@ -40,11 +40,12 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     ID: str
     NAME: str
-    GROUP = QT_TRANSLATE_NOOP("@default", "Seam inspection")
-    GROUP_ID = "Seam inspection"  # a model has its group's name for an id, and belongs to the same group
+    GROUP = groups.SEAM_INSPECTION
     HELP: str
     RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
     """Parameters with many rasters, which are opened one by one and not by QGIS."""
+    DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)
+    """Outputs with charts: where they are asked for, the package that draws them has to be there."""
 
     def name(self) -> str:
         return self.ID
@@ -56,7 +57,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         return tr(self.GROUP)
 
     def groupId(self) -> str:
-        return self.GROUP_ID
+        return self.GROUP  # a model has its group's name for an id, and belongs to the same group
 
     def shortHelpString(self) -> str:
         described = (
@@ -85,9 +86,17 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
         self.addParameter(definition)
 
+    def addNumbers(self, titles: Mapping[str, str]) -> None:
+        """Add numbers to the results, by name."""
+        for name, title in titles.items():
+            self.addOutput(QgsProcessingOutputNumber(name, title))
+
     def prepareAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
+        missing = self._missing_packages(parameters)
+        if missing:
+            raise QgsProcessingException(missing)
         try:
             self.prepare(parameters, context)
         except SeamInspectorError as error:
@@ -98,9 +107,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         try:
-            return self.execute(parameters, context, feedback)
+            results = self.execute(parameters, context, feedback)
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
+        return {name: value for name, value in results.items() if value is not None}
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
@@ -108,10 +118,13 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        """The work; raises SeamInspectorError for what the user can mend."""
+        """The work; raises SeamInspectorError for what the user can mend. A result that there is not may be None."""
         raise NotImplementedError
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        missing = self._missing_packages(parameters)
+        if missing:
+            return False, missing
         try:
             self.check(parameters, context)
         except SeamInspectorError as error:
@@ -124,25 +137,28 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
 
+    def _missing_packages(self, parameters: dict[str, Any]) -> str:
+        """What lacks for the outputs asked for; empty when nothing does."""
+        return missing_packages_sentence(desk=any(parameters.get(name) for name in self.DRAWN))
+
+    def decomposition(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
+        """The values of WAVELET and LEVELS."""
+        return (
+            self.parameterAsString(parameters, common.WAVELET, context),
+            self.parameterAsInt(parameters, common.LEVELS, context),
+        )
+
     def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
         """The raster of the parameter MOSAIC."""
-        from ..adapters.layers import raster_ref
         from ..core.rasters import describe_mosaic
 
-        value = common.raster_value(parameters, common.MOSAIC, context)
-        if value is None or value == "":
-            raise RasterError(messages.NOT_A_RASTER_LAYER(name=common.MOSAIC))
-        return describe_mosaic(raster_ref(value, context))
+        return describe_mosaic(common.required_raster(parameters, common.MOSAIC, context))
 
     def describe_picture(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Mosaic:
         """The raster of a parameter, which may lie anywhere."""
-        from ..adapters.layers import raster_ref
         from ..core.rasters import describe_picture
 
-        value = common.raster_value(parameters, name, context)
-        if value is None or value == "":
-            raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
-        return describe_picture(raster_ref(value, context))
+        return describe_picture(common.required_raster(parameters, name, context))
 
     def source(
         self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
@@ -154,7 +170,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         return source
 
     def sink(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext, *layout: Any) -> Sink:
-        """Where features of a layout (fields, geometry type, reference system) go, and its destination."""
+        """Where features go, and its destination; ``layout``: fields, and geometry type and reference system if any."""
         sink, destination = self.parameterAsSink(parameters, name, context, *layout)
         if sink is None:
             raise QgsProcessingException(self.invalidSinkError(parameters, name))
@@ -170,6 +186,15 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """Where an output file goes; None when it is not wanted."""
         path = self.parameterAsFileOutput(parameters, name, context) if parameters.get(name) else ""
         return Path(path) if path else None
+
+    def chart_path(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Path | None:
+        """Where the chart goes; None when it is not wanted. Raises SettingsError for an ending that can't be drawn."""
+        path = self.file_path(parameters, common.CHART, context)
+        if path is not None:
+            from ..adapters.figures import check_figure_path
+
+            check_figure_path(path)
+        return path
 
     @staticmethod
     def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:

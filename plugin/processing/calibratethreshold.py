@@ -4,28 +4,25 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFileDestination,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import SettingsError
+from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
 if TYPE_CHECKING:
     from ..core.calibration import Calibration, Verdicts
     from ..core.findings import Finding
 
-WINDOWS, PAIRS, OUTPUT, CHART = "WINDOWS", "PAIRS", "OUTPUT", "CHART"
+WINDOWS, PAIRS, OUTPUT = "WINDOWS", "PAIRS", "OUTPUT"
 MAX_RATIO, AUC, AUC_LOW, AUC_HIGH = "MAX_RATIO", "AUC", "AUC_LOW", "AUC_HIGH"
 VISIBLE_COUNT, INVISIBLE_COUNT, WANTED_COUNT = "VISIBLE_COUNT", "INVISIBLE_COUNT", "WANTED_COUNT"
 
@@ -70,49 +67,41 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             ),
         )
         self.addDescribed(
-            QgsProcessingParameterFileDestination(
-                CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", optional=True, createByDefault=True
-            ),
-            tr("ROC curves with their areas, and the judged windows of each measure."),
+            *common.chart(tr("ROC curves with their areas, and the judged windows of each measure."), by_default=True)
         )
-        for name, title in (
-            (MAX_RATIO, tr("Largest ratio of a significant loss")),
-            (AUC, tr("Area under the ROC curve")),
-            (AUC_LOW, tr("Area, lower end of its interval")),
-            (AUC_HIGH, tr("Area, upper end of its interval")),
-            (VISIBLE_COUNT, tr("Visible verdicts")),
-            (INVISIBLE_COUNT, tr("Invisible verdicts")),
-            (WANTED_COUNT, tr("Verdicts wanted")),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, title))
+        self.addNumbers({
+            MAX_RATIO: tr("Largest ratio of a significant loss"),
+            AUC: tr("Area under the ROC curve"),
+            AUC_LOW: tr("Area, lower end of its interval"),
+            AUC_HIGH: tr("Area, upper end of its interval"),
+            VISIBLE_COUNT: tr("Visible verdicts"),
+            INVISIBLE_COUNT: tr("Invisible verdicts"),
+            WANTED_COUNT: tr("Verdicts wanted"),
+        })
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         from ..adapters import calibration_table
-        from ..adapters.calibration_chart import calibration_figure
-        from ..adapters.figures import check_figure_path, save_figure
         from ..core.calibration import calibrate
 
-        chart = self.file_path(parameters, CHART, context)
-        if chart is not None:
-            check_figure_path(chart)
+        chart = self.chart_path(parameters, context)
         found = []
         for verdicts in self._verdicts(parameters, context, feedback):
             most = float("inf") if verdicts.measure == "contrast_1" else _HIGHEST_RATIO
             found.append(calibrate(verdicts, most))
             for notice in found[-1].notices:
                 feedback.pushWarning(sentence(notice))
-        output, output_id = self.sink(
-            parameters, OUTPUT, context, calibration_table.calibration_fields(), QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        output, output_id = self.sink(parameters, OUTPUT, context, calibration_table.calibration_fields())
         for one in found:
             self.write(output, calibration_table.calibration_features(one))
         results: dict[str, Any] = {OUTPUT: output_id, **_numbers(found[0])}
         if chart is not None:
+            from ..adapters.calibration_chart import calibration_figure
+            from ..adapters.figures import save_figure
+
             save_figure(calibration_figure(found), chart)
-            results[CHART] = str(chart)
+            results[common.CHART] = str(chart)
         return results
 
     def _verdicts(

@@ -1,26 +1,31 @@
 """``seaminspector:checknoise``: random noise of single images, in one group or two."""
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import SettingsError
+from . import groups
 from . import parameters as common
-from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
+from .base import Warnings
+from .rasterlists import RASTERS, RasterListAlgorithm
 
-SECOND_GROUP, OUTPUT, CHART = "SECOND_GROUP", "OUTPUT", "CHART"
+if TYPE_CHECKING:
+    from ..core.messages import Message
+    from ..core.noise.comparison import ClipNoise
+
+SECOND_GROUP, OUTPUT = "SECOND_GROUP", "OUTPUT"
 LOW_COUNT, MODERATE_COUNT, STRONG_COUNT = "LOW_COUNT", "MODERATE_COUNT", "STRONG_COUNT"
 
 
@@ -29,8 +34,7 @@ class CheckNoise(RasterListAlgorithm):
 
     ID = "checknoise"
     NAME = QT_TRANSLATE_NOOP("@default", "Check random noise")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Image quality")
-    GROUP_ID = "Image quality"
+    GROUP = groups.IMAGE_QUALITY
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "
@@ -65,36 +69,35 @@ class CheckNoise(RasterListAlgorithm):
                 "Gaussian noise), sigma in DN, and the verdict low, moderate or strong."
             ),
         )
-        self.addFile(
-            CHART,
-            tr("Chart"),
-            "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)",
-            tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF."),
+        self.addDescribed(
+            *common.chart(
+                tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.")
+            )
         )
-        self.addFile(REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the chart on one HTML page."))
-        self.addOutput(QgsProcessingOutputNumber(LOW_COUNT, tr("Windows with low noise")))
-        self.addOutput(QgsProcessingOutputNumber(MODERATE_COUNT, tr("Windows with moderate noise")))
-        self.addOutput(QgsProcessingOutputNumber(STRONG_COUNT, tr("Windows with strong noise")))
+        self.addDescribed(*common.report(tr("All figures with the chart on one HTML page.")))
+        self.addNumbers({
+            LOW_COUNT: tr("Windows with low noise"),
+            MODERATE_COUNT: tr("Windows with moderate noise"),
+            STRONG_COUNT: tr("Windows with strong noise"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         super().check(parameters, context)
         self._settings(parameters, context)
-        self._check_chart(parameters, context)
+        self.chart_path(parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        from ..adapters import noise_charts, noise_report, noise_tables
+        from ..adapters import noise_tables, noise_words
         from ..adapters.executors import open_executor
-        from ..adapters.figures import save_figure
-        from ..core import report
         from ..core.noise import comparison, planning
         from ..core.noise.measurement import NoiseVerdict
         from ..core.noise.requests import describe_images
 
         super().check(parameters, context)
         wavelet, levels = self._settings(parameters, context)
-        self._check_chart(parameters, context)
+        chart = self.chart_path(parameters, context)
         images = []
         for group, name in enumerate(self.RASTER_LISTS, 1):
             found, notices = describe_images(self.refs[name], group)
@@ -109,13 +112,10 @@ class CheckNoise(RasterListAlgorithm):
         notices = [*self.left_out, *plan.notices]
         sizes = planning.pixel_size_notice(plan)
         notices += [sizes] if sizes else []
-        self.say(notices, feedback)
+        Warnings(feedback).say(notices)
         if not plan.requests and not feedback.isCanceled():
             raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[:1])))
-        sink, output_id = self.sink(
-            parameters, OUTPUT, context, noise_tables.noise_fields(levels), QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        sink, output_id = self.sink(parameters, OUTPUT, context, noise_tables.noise_fields(levels))
         results: list[comparison.ClipNoise] = []
         with open_executor() as (executor, ahead):
             measured = comparison.measure_requests(
@@ -128,39 +128,46 @@ class CheckNoise(RasterListAlgorithm):
                         feedback.pushInfo(f"{clip.window_id}: {sentence(clip.reason)}")
                 results += clips
                 feedback.setProgress(100 * done / len(plan.requests))
-        counts = noise_report.verdict_counts(results)
+        counts = noise_words.verdict_counts(results)
         feedback.pushInfo(", ".join(f"{verdict.value}: {counts[verdict]}" for verdict in NoiseVerdict))
-        figure = noise_charts.noise_figure(results)
-        outputs = {
+        return {
             OUTPUT: output_id,
-            CHART: self.save(
+            common.CHART: self._save_chart(results, chart, feedback),
+            common.REPORT: self.save(
                 feedback,
-                self.file_path(parameters, CHART, context) if figure else None,
-                lambda path: save_figure(figure, path),
-            ),
-            REPORT: self.save(
-                feedback,
-                self.file_path(parameters, REPORT, context),
-                lambda path: report.save_page(noise_report.noise_page(results, notices, wavelet, levels), path),
+                self.file_path(parameters, common.REPORT, context),
+                lambda path: _save_report(path, results, notices, wavelet, levels),
             ),
             LOW_COUNT: counts[NoiseVerdict.LOW],
             MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
             STRONG_COUNT: counts[NoiseVerdict.STRONG],
         }
-        return {name: value for name, value in outputs.items() if value is not None}
 
     def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
         """Wavelet and levels. Raises SettingsError when they can't be used."""
         from ..core.noise.measurement import check_noise_settings
 
-        wavelet = self.parameterAsString(parameters, common.WAVELET, context)
-        levels = self.parameterAsInt(parameters, common.LEVELS, context)
+        wavelet, levels = self.decomposition(parameters, context)
         check_noise_settings(wavelet, levels)
         return wavelet, levels
 
-    def _check_chart(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ..adapters.figures import FORMATS
+    def _save_chart(
+        self, results: Sequence[ClipNoise], path: Path | None, feedback: QgsProcessingFeedback
+    ) -> str | None:
+        """Draw and write the chart, where it is wanted and there is something to draw."""
+        if path is None:
+            return None
+        from ..adapters.figures import save_figure
+        from ..adapters.noise_charts import noise_figure
 
-        path = self.file_path(parameters, CHART, context)
-        if path is not None and path.suffix.lower().lstrip(".") not in FORMATS:
-            raise SettingsError(messages.CHART_FORMAT_UNKNOWN(name=path.name))
+        figure = noise_figure(results)
+        return self.save(feedback, path, lambda path: save_figure(figure, path)) if figure is not None else None
+
+
+def _save_report(
+    path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int
+) -> None:
+    from ..adapters.noise_report import noise_page
+    from ..core.report import save_page
+
+    save_page(noise_page(results, notices, wavelet, levels), path)

@@ -1,29 +1,29 @@
 """``seaminspector:checkradiometry``: the radiometric acceptance of images against rules."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import RasterError, SeamInspectorError, SettingsError, WindowError
-from .rasterlists import RASTERS, REPORT, RasterListAlgorithm
+from . import groups
+from . import parameters as common
+from .base import Warnings
+from .rasterlists import RASTERS, RasterListAlgorithm
 
 if TYPE_CHECKING:
     from ..core.drawn_windows import DrawnWindow
@@ -44,8 +44,7 @@ class CheckRadiometry(RasterListAlgorithm):
 
     ID = "checkradiometry"
     NAME = QT_TRANSLATE_NOOP("@default", "Check radiometry")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Image quality")
-    GROUP_ID = "Image quality"
+    GROUP = groups.IMAGE_QUALITY
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "
@@ -81,12 +80,12 @@ class CheckRadiometry(RasterListAlgorithm):
             ),
             tr("One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."),
         )
-        self.addFile(
-            REPORT, tr("Report"), "HTML (*.html)", tr("All figures with the histograms on one HTML page.")
-        )
-        self.addOutput(QgsProcessingOutputNumber(PASSED_COUNT, tr("Figures that passed")))
-        self.addOutput(QgsProcessingOutputNumber(FAILED_COUNT, tr("Figures that failed")))
-        self.addOutput(QgsProcessingOutputNumber(NOT_MEASURABLE_COUNT, tr("Figures that can't be measured")))
+        self.addDescribed(*common.report(tr("All figures with the histograms on one HTML page.")))
+        self.addNumbers({
+            PASSED_COUNT: tr("Figures that passed"),
+            FAILED_COUNT: tr("Figures that failed"),
+            NOT_MEASURABLE_COUNT: tr("Figures that can't be measured"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         super().check(parameters, context)
@@ -95,8 +94,7 @@ class CheckRadiometry(RasterListAlgorithm):
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        from ..adapters import radiometry_report, radiometry_tables
-        from ..core import report
+        from ..adapters import radiometry_tables
 
         super().check(parameters, context)
         rules = self._rules(parameters, context)
@@ -104,15 +102,13 @@ class CheckRadiometry(RasterListAlgorithm):
         seamlines = self.source(parameters, SEAMLINES, context) if parameters.get(SEAMLINES) else None
         images = [image for ref in dict.fromkeys(self.refs[RASTERS]) if (image := self._image(ref)) is not None]
         self.require_rasters(images)
-        self.say(self.left_out, feedback)
-        sink, output_id = self.sink(
-            parameters, OUTPUT, context, radiometry_tables.radiometry_fields(), QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        warnings = Warnings(feedback)
+        warnings.say(self.left_out)
+        sink, output_id = self.sink(parameters, OUTPUT, context, radiometry_tables.radiometry_fields())
         results: list[Assessment] = []
         notices = list(self.left_out)
         jobs = list(self._jobs(images, drawn, notices))
-        self.say(notices[len(self.left_out) :], feedback)
+        warnings.say(notices[len(self.left_out) :])
         for done, (image, window, number) in enumerate(jobs):
             if feedback.isCanceled():
                 break
@@ -126,25 +122,24 @@ class CheckRadiometry(RasterListAlgorithm):
             if result is None:
                 break
             self.write(sink, radiometry_tables.radiometry_features(result))
-            self.say(result.notices, feedback)
+            warnings.say(result.notices)
             notices += result.notices
             results.append(result)
         if not results and not feedback.isCanceled():
             raise SettingsError(messages.NOTHING_MEASURED(why=tuple(notices[-1:])))
         findings = [finding for result in results for finding in result.findings]
         states = [finding.passed for finding in findings]
-        outputs = {
+        return {
             OUTPUT: output_id,
-            REPORT: self.save(
+            common.REPORT: self.save(
                 feedback,
-                self.file_path(parameters, REPORT, context),
-                lambda path: report.save_page(radiometry_report.radiometry_page(results, notices, rules), path),
+                self.file_path(parameters, common.REPORT, context),
+                lambda path: _save_report(path, results, notices, rules),
             ),
             PASSED_COUNT: states.count(True),
             FAILED_COUNT: states.count(False),
             NOT_MEASURABLE_COUNT: sum(finding.value is None for finding in findings),
         }
-        return {name: value for name, value in outputs.items() if value is not None}
 
     def _rules(self, parameters: dict[str, Any], context: QgsProcessingContext) -> RuleSet:
         from ..core.radiometry.rules import default_rules, load_rules
@@ -198,7 +193,7 @@ class CheckRadiometry(RasterListAlgorithm):
         if image.grid is None or not image.wkt:
             return []
         crs = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
-        transform = QgsCoordinateTransform(seamlines.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(seamlines, crs, context)
         lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
         return find_seams(lines, image.grid.pixel_width)
 
@@ -222,3 +217,10 @@ class CheckRadiometry(RasterListAlgorithm):
             return not feedback.isCanceled()
 
         return assess(Pixels(image.ref), image, window, rules, seams, number, progress)
+
+
+def _save_report(path: Path, results: Sequence[Assessment], notices: Iterable[Message], rules: RuleSet) -> None:
+    from ..adapters.radiometry_report import radiometry_page
+    from ..core.report import save_page
+
+    save_page(radiometry_page(results, notices, rules), path)

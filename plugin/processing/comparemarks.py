@@ -5,22 +5,19 @@ import math
 from typing import Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterNumber,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages
+from . import groups
 from .base import SeamInspectorAlgorithm
-from .interiororientation import InteriorOrientation
 
 FIRST, SECOND, PIXEL_SIZE, OUTPUT, DIFFERENCES = "FIRST", "SECOND", "PIXEL_SIZE", "OUTPUT", "DIFFERENCES"
 STATISTICS = ("COUNT", "MEAN", "STANDARD_DEVIATION", "MAXIMUM", "MINIMUM")
@@ -31,7 +28,7 @@ class CompareMarks(SeamInspectorAlgorithm):
 
     ID = "comparemarks"
     NAME = QT_TRANSLATE_NOOP("@default", "Compare marks")
-    GROUP, GROUP_ID = InteriorOrientation.GROUP, InteriorOrientation.GROUP_ID
+    GROUP = groups.PHOTOS
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the "
@@ -66,9 +63,8 @@ class CompareMarks(SeamInspectorAlgorithm):
             tr("The difference of each mark, the second measurement less the first, in pixels."),
         )
         for unit in ("PX", "UM"):
-            for name in STATISTICS[1:]:
-                self.addOutput(QgsProcessingOutputNumber(f"{name}_{unit}", f"{name} {unit}".lower().replace("_", " ")))
-        self.addOutput(QgsProcessingOutputNumber(STATISTICS[0], tr("Marks in both layers")))
+            self.addNumbers({f"{name}_{unit}": f"{name} {unit}".lower().replace("_", " ") for name in STATISTICS[1:]})
+        self.addNumbers({STATISTICS[0]: tr("Marks in both layers")})
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -88,18 +84,15 @@ class CompareMarks(SeamInspectorAlgorithm):
             feedback.pushWarning(sentence(messages.PIXEL_SIZE_UNKNOWN()))
         else:
             made["um"] = made["px"].scaled(size)
-        layout = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
-        sink, destination = self.sink(parameters, OUTPUT, context, marks.statistics_fields(), *layout)
+        sink, destination = self.sink(parameters, OUTPUT, context, marks.statistics_fields())
         self.write(sink, [marks.statistics_feature(unit, one) for unit, one in made.items()])
         fields = marks.difference_fields()
-        rows, rows_id = self.optional_sink(parameters, DIFFERENCES, context, fields, *layout)
+        rows, rows_id = self.optional_sink(parameters, DIFFERENCES, context, fields)
         self.write(
             rows,
             (tables.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance]) for one in found),
         )
-        results: dict[str, Any] = {OUTPUT: destination, "COUNT": len(found)}
-        if rows_id is not None:
-            results[DIFFERENCES] = rows_id
+        results: dict[str, Any] = {OUTPUT: destination, DIFFERENCES: rows_id, "COUNT": len(found)}
         for unit, one in made.items():
             values = (one.mean, one.standard_deviation, one.maximum, one.minimum)
             results.update({

@@ -4,23 +4,20 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingOutputString,
     QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFileDestination,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
+from . import parameters as common
 from . import sensors
 from .sensors import SensorAlgorithm, image_box, warn
 
-OUTPUT, REPORT = "OUTPUT", "REPORT"
+OUTPUT = "OUTPUT"
 RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
 
 
@@ -53,14 +50,11 @@ class CompareSensorModels(SensorAlgorithm):
             tr("One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."),
         )
         self.addDescribed(
-            QgsProcessingParameterFileDestination(
-                REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True, createByDefault=False
-            ),
-            tr("The table with a chart and the recommendation."),
+            *common.report(tr("The table with a chart and the recommendation."), tr("HTML files (*.html)"))
         )
         self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
         self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
-        self.addOutput(QgsProcessingOutputNumber(MODEL_COUNT, tr("Models judged")))
+        self.addNumbers({MODEL_COUNT: tr("Models judged")})
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -82,14 +76,7 @@ class CompareSensorModels(SensorAlgorithm):
             lambda share: feedback.setProgress(100 * share),
             feedback.isCanceled,
         )
-        sink, output = self.sink(
-            parameters,
-            OUTPUT,
-            context,
-            sensor_points.comparison_fields(),
-            QgsWkbTypes.Type.NoGeometry,
-            QgsCoordinateReferenceSystem(),
-        )
+        sink, output = self.sink(parameters, OUTPUT, context, sensor_points.comparison_fields())
         self.write(sink, sensor_points.comparison_features(result))
         said = sentence(result.reason)
         feedback.pushInfo(said)
@@ -99,10 +86,10 @@ class CompareSensorModels(SensorAlgorithm):
             RECOMMENDATION: said,
             MODEL_COUNT: sum(row.errors is not None for row in result.rows),
         }
-        path = self.file_path(parameters, REPORT, context)
+        path = self.file_path(parameters, common.REPORT, context)
         if path is not None:
             from ..adapters.sensor_reports import save_comparison_report
 
             save_comparison_report(result, notices, path)
-            results[REPORT] = str(path)
+            results[common.REPORT] = str(path)
         return results

@@ -6,7 +6,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
@@ -14,11 +13,10 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import tr
-from ..core import messages, thresholds
-from ..core.errors import PhotoError
+from ..core import thresholds
+from . import groups
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
-from .interiororientation import InteriorOrientation
 
 PHOTO, OPERATION, SIZE, OUTPUT = "PHOTO", "OPERATION", "SIZE", "OUTPUT"
 OPERATIONS = ("negative", "grey", "mean", "gaussian", "laplace", "sobel")
@@ -29,7 +27,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
 
     ID = "enhancephoto"
     NAME = QT_TRANSLATE_NOOP("@default", "Enhance photo")
-    GROUP, GROUP_ID = InteriorOrientation.GROUP, InteriorOrientation.GROUP_ID
+    GROUP = groups.PHOTOS
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "
@@ -43,9 +41,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
             QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")), tr("Any raster that GDAL reads.")
         )
         self.addDescribed(
-            QgsProcessingParameterEnum(
-                OPERATION, tr("Operation"), list(OPERATIONS), defaultValue=OPERATIONS[0], usesStaticStrings=True
-            ),
+            common.choice(OPERATION, tr("Operation"), OPERATIONS),
             tr(
                 "negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel "
                 "(length of the gradient) are floating point."
@@ -62,10 +58,10 @@ class EnhancePhoto(SeamInspectorAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.photos import Photo
 
-        Photo(self._ref(parameters, context))
+        Photo(common.required_raster(parameters, PHOTO, context))
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._photo = self._ref(parameters, context)
+        self._photo = common.required_raster(parameters, PHOTO, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -79,11 +75,3 @@ class EnhancePhoto(SeamInspectorAlgorithm):
             self._photo, path, operation, size, feedback.isCanceled, lambda share: feedback.setProgress(100 * share)
         )
         return {OUTPUT: path}
-
-    def _ref(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Any:
-        from ..adapters.layers import raster_ref
-
-        value = common.raster_value(parameters, PHOTO, context)
-        if value is None or value == "":
-            raise PhotoError(messages.NOT_A_RASTER_LAYER(name=PHOTO))
-        return raster_ref(value, context)

@@ -10,9 +10,7 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
@@ -23,6 +21,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SensorModelError
+from . import parameters as common
 from . import sensors
 from .sensors import SensorAlgorithm, image_box, warn
 
@@ -34,7 +33,7 @@ if TYPE_CHECKING:
     from ..core.sensors.rpc import Domain
 
 MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
-OUTPUT, MODEL_FILE, RPC, REPORT = "OUTPUT", "MODEL_FILE", "RPC", "REPORT"
+OUTPUT, MODEL_FILE, RPC = "OUTPUT", "MODEL_FILE", "RPC"
 CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
 MODELS = ("polynomial_2d", "polynomial_3d", "rational", "dlt", "pushbroom", "rpc_bias")
 BIASES = ("shift", "shift_drift", "affine")
@@ -58,9 +57,7 @@ class FitSensorModel(SensorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(*sensors.gcps())
         self.addDescribed(
-            QgsProcessingParameterEnum(
-                MODEL, tr("Model"), list(MODELS), defaultValue="rational", usesStaticStrings=True
-            ),
+            common.choice(MODEL, tr("Model"), MODELS, "rational"),
             tr(
                 "Fewest control points: polynomial_2d 3, 6, 10 and polynomial_3d 4, 10, 20 and rational 7, 19, 39 for "
                 "orders 1, 2, 3; dlt 6; pushbroom 4; rpc_bias 1, 2, 3 for shift, shift_drift, affine."
@@ -77,9 +74,7 @@ class FitSensorModel(SensorAlgorithm):
             tr("Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."),
         )
         self.addDescribed(
-            QgsProcessingParameterEnum(
-                BIAS, tr("Correction of the RPC"), list(BIASES), defaultValue="shift", usesStaticStrings=True
-            ),
+            common.choice(BIAS, tr("Correction of the RPC"), BIASES),
             tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
         )
         self.addDescribed(*sensors.image())
@@ -103,19 +98,23 @@ class FitSensorModel(SensorAlgorithm):
                 tr("RPC files (*.txt *.TXT)"),
                 tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT."),
             ),
-            (REPORT, tr("Report"), tr("HTML files (*.html)"), tr("Accuracy, warnings and a plot of the residuals.")),
         ):
             self.addDescribed(
                 QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False), purpose
             )
+        self.addDescribed(
+            *common.report(tr("Accuracy, warnings and a plot of the residuals."), tr("HTML files (*.html)"))
+        )
         for group, label in (("CHECK", tr("check points")), ("CONTROL", tr("control points"))):
             for error in _ERRORS:
                 kind = tr("Root mean square") if error.startswith("RMSE") else tr("Largest error")
                 words = tr("{kind} in {axis}, {group} (m)").format(kind=kind, axis=error[-1], group=label)
-                self.addOutput(QgsProcessingOutputNumber(f"{group}_{error}", words))
-        self.addOutput(QgsProcessingOutputNumber(CONTROL_COUNT, tr("Control points used")))
-        self.addOutput(QgsProcessingOutputNumber(CHECK_COUNT, tr("Check points used")))
-        self.addOutput(QgsProcessingOutputNumber(CONDITION, tr("Condition number")))
+                self.addNumbers({f"{group}_{error}": words})
+        self.addNumbers({
+            CONTROL_COUNT: tr("Control points used"),
+            CHECK_COUNT: tr("Check points used"),
+            CONDITION: tr("Condition number"),
+        })
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -153,12 +152,12 @@ class FitSensorModel(SensorAlgorithm):
             (notes if written else notices).append(said)
             (feedback.pushInfo if written else feedback.pushWarning)(sentence(said))
             results[RPC] = str(path) if written else None
-        path = self.file_path(parameters, REPORT, context)
+        path = self.file_path(parameters, common.REPORT, context)
         if path is not None:
             from ..adapters.sensor_reports import save_fit_report
 
             save_fit_report(done, found, box, notices, notes, path)
-            results[REPORT] = str(path)
+            results[common.REPORT] = str(path)
         control, check = done.control, done.check
         for group, errors in (("CHECK", check), ("CONTROL", control)):
             for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):
@@ -168,7 +167,7 @@ class FitSensorModel(SensorAlgorithm):
         condition = done.fit.condition
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
-        return {name: value for name, value in results.items() if value is not None}
+        return results
 
     def _wanted(
         self,

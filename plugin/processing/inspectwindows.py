@@ -6,13 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterString,
@@ -26,8 +22,8 @@ from ..core import messages
 from ..core.errors import SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
-from .drawn_windows import DrawnWindows
-from .sources import given_block
+from .sources import check_sources, given_block, given_sources
+from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
     from ..core.cells import Cell
@@ -66,13 +62,11 @@ class InspectWindows(SeamInspectorAlgorithm):
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
         self.addDescribed(
-            QgsProcessingParameterEnum(
+            common.choice(
                 REFERENCE,
                 tr("Verdict against"),
-                ["sources", "composite"],
-                defaultValue="sources",
+                ("sources", "composite"),
                 optional=True,  # else QGIS would refuse models that were drawn before there was this choice
-                usesStaticStrings=True,
             ),
             tr(
                 "sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the "
@@ -110,18 +104,20 @@ class InspectWindows(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSink(PAIRS, tr("Pairs"), table, optional=True, createByDefault=True),
             tr("The mosaic against each single source: ratios, similarity, sub-pixel offset."),
         )
-        self.addOutput(QgsProcessingOutputNumber(WINDOW_COUNT, tr("Windows")))
-        self.addOutput(QgsProcessingOutputNumber(SIGNIFICANT_COUNT, tr("Windows with a significant loss")))
-        self.addOutput(QgsProcessingOutputNumber(NOT_COMPARABLE_COUNT, tr("Windows that can't be compared")))
+        self.addNumbers({
+            WINDOW_COUNT: tr("Windows"),
+            SIGNIFICANT_COUNT: tr("Windows with a significant loss"),
+            NOT_COMPARABLE_COUNT: tr("Windows that can't be compared"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._settings(parameters, context).check()
         self.describe_mosaic(parameters, context)
-        common.check_sources(parameters, context)
+        check_sources(parameters, context)
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._mosaic = self.describe_mosaic(parameters, context)
-        self._given = common.given_sources(self, parameters, context)
+        self._given = given_sources(self, parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -140,19 +136,16 @@ class InspectWindows(SeamInspectorAlgorithm):
         cells = self._cells(parameters, context)
         block = given_block(self, parameters, context, self._mosaic, self._given, warnings, cells)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
-        drawn = DrawnWindows(windows, crs, context)
+        drawn = WindowFeatures(windows, crs, context)
 
         verdicts: Counter[Verdict] = Counter()
         with open_executor(self.parameterAsString(parameters, SCHEDULER, context)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
-            table = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
             output, output_id = self.sink(
                 parameters, OUTPUT, context, tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
             )
-            curves, curves_id = self.optional_sink(parameters, CURVES, context, tables.curve_fields(), *table)
-            pairs, pairs_id = self.optional_sink(
-                parameters, PAIRS, context, tables.pair_fields(settings.levels), *table
-            )
+            curves, curves_id = self.optional_sink(parameters, CURVES, context, tables.curve_fields())
+            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, tables.pair_fields(settings.levels))
             for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, feedback.isCanceled):
                 geometry, observer = drawn.taken(result.window_id)
                 if result.window is not None:
@@ -169,7 +162,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
         feedback.pushInfo(", ".join(f"{verdict.value}: {verdicts[verdict]}" for verdict in Verdict))
         self.style(output_id, style_path("windows"), context)
-        results = {
+        return {
             OUTPUT: output_id,
             CURVES: curves_id,
             PAIRS: pairs_id,
@@ -177,14 +170,12 @@ class InspectWindows(SeamInspectorAlgorithm):
             SIGNIFICANT_COUNT: verdicts[Verdict.SIGNIFICANT],
             NOT_COMPARABLE_COUNT: verdicts[Verdict.NOT_COMPARABLE],
         }
-        return {name: value for name, value in results.items() if value is not None}
 
     def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Settings:
         from ..core.inspection import Settings
 
         return Settings(
-            self.parameterAsString(parameters, common.WAVELET, context),
-            self.parameterAsInt(parameters, common.LEVELS, context),
+            *self.decomposition(parameters, context),
             self.parameterAsDouble(parameters, common.MAX_RATIO, context),
             self.parameterAsString(parameters, REFERENCE, context),
         )
@@ -198,11 +189,11 @@ class InspectWindows(SeamInspectorAlgorithm):
         if "source" not in cells.fields().names():
             raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
         crs = layers.mosaic_crs(self._mosaic)
-        transform = QgsCoordinateTransform(cells.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(cells, crs, context)
         return layers.seam_cells(layers.features(cells), transform)
 
     @staticmethod
-    def _requests(drawn: DrawnWindows, block: Block, settings: Settings) -> Iterator[WindowRequest]:
+    def _requests(drawn: WindowFeatures, block: Block, settings: Settings) -> Iterator[WindowRequest]:
         from ..core.inspection import WindowRequest, window_request
 
         for window in drawn.windows():

@@ -6,26 +6,16 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
-    QgsProcessingParameterBoolean,
-    QgsProcessingParameterDefinition,
-    QgsProcessingParameterEnum,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFile,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterNumber,
-    QgsProcessingParameterRasterLayer,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
-from ..core import messages, thresholds
+from ..core import messages
 from ..core.errors import PhotoError
+from . import groups, photos
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
@@ -36,21 +26,7 @@ if TYPE_CHECKING:
     from ..core.photos import Photo
     from ..core.rasters import RasterRef
 
-PHOTO, CALIBRATION, TEMPLATE, POSITIONS, MEASURE = "PHOTO", "CALIBRATION", "TEMPLATE", "POSITIONS", "MEASURE"
-TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE = (
-    "TEMPLATE_KIND", "TEMPLATE_DIRECTION", "TEMPLATE_CENTRE", "TEMPLATE_TONE"
-)
-SEARCH, MIN_CORRELATION, SURFACE, MODEL = "SEARCH", "MIN_CORRELATION", "SURFACE", "MODEL"
-OUTPUT, PARAMETERS, WORLD_FILE, REPORT = "OUTPUT", "PARAMETERS", "WORLD_FILE", "REPORT"
 RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
-
-AUTOMATIC = "automatic"
-KINDS = (AUTOMATIC, "cross", "dot", "ring with dot", "ring with cross", "wedge")
-DIRECTIONS = (AUTOMATIC, "upright", "diagonal")
-CENTRES = (AUTOMATIC, "whole", "interrupted")
-TONES = (AUTOMATIC, "light on dark", "dark on light")
-SURFACES = ("correlation", "brightness")
-MODELS = ("affine", "similarity", "projective")
 
 
 class InteriorOrientation(SeamInspectorAlgorithm):
@@ -58,8 +34,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     ID = "interiororientation"
     NAME = QT_TRANSLATE_NOOP("@default", "Interior orientation")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Interior orientation of photos")
-    GROUP_ID = "Interior orientation of photos"
+    GROUP = groups.PHOTOS
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to "
@@ -68,25 +43,28 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         "reason; point at it on the map and give that point as its position, with the measurement off."
     )
     RASTER_LISTS = ()
+    DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        for definition, description in (*_inputs(), *_template_choices(), *_settings()):
-            self.addDescribed(definition, description, advanced=definition.name() in _ADVANCED)
-        for definition, description in _outputs():
+        for definition, description in (*photos.inputs(), *photos.template_choices(), *photos.settings()):
+            self.addDescribed(definition, description, advanced=definition.name() in photos.ADVANCED)
+        for definition, description in photos.outputs():
             self.addDescribed(definition, description)
-        self.addOutput(QgsProcessingOutputNumber(RMS_UM, tr("Root mean square of the residuals (um)")))
-        self.addOutput(QgsProcessingOutputNumber(MARKS, tr("Marks measured or given")))
-        self.addOutput(QgsProcessingOutputNumber(FAILED, tr("Marks that failed")))
+        self.addNumbers({
+            RMS_UM: tr("Root mean square of the residuals (um)"),
+            MARKS: tr("Marks measured or given"),
+            FAILED: tr("Marks that failed"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.fiducials.calibration import check_calibration
 
         check_calibration(self._calibration(parameters, context), self._settings(parameters, context).model)
-        self._open(self._ref(parameters, PHOTO, context))
+        self._open(common.required_raster(parameters, photos.PHOTO, context))
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._photo_ref = self._ref(parameters, PHOTO, context)
-        self._template_ref = self._ref(parameters, TEMPLATE, context) if parameters.get(TEMPLATE) else None
+        self._photo_ref = common.required_raster(parameters, photos.PHOTO, context)
+        self._template_ref = common.raster(parameters, photos.TEMPLATE, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -104,12 +82,12 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         feedback.setProgress(80)
         crs = QgsCoordinateReferenceSystem.fromWkt(photo.wkt) if photo.wkt else QgsCoordinateReferenceSystem()
         sink, destination = self.sink(
-            parameters, OUTPUT, context, marks.mark_fields(), QgsWkbTypes.Type.Point, crs
+            parameters, photos.OUTPUT, context, marks.mark_fields(), QgsWkbTypes.Type.Point, crs
         )
         self.write(sink, (marks.mark_feature(mark, photo) for mark in made.marks))
         self._tell(made, feedback)
         failed = made.count(Status.FAILED)
-        results: dict[str, Any] = {OUTPUT: destination, MARKS: len(made.marks) - failed, FAILED: failed}
+        results: dict[str, Any] = {photos.OUTPUT: destination, MARKS: len(made.marks) - failed, FAILED: failed}
         if made.fitted is not None and made.fitted.redundancy:
             results[RMS_UM] = made.fitted.rms
         results.update(self._files(parameters, context, feedback, photo, calibration, made))
@@ -131,17 +109,17 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..core.report import save_page
 
         results: dict[str, Any] = {}
-        path = self.file_path(parameters, REPORT, context)
+        path = self.file_path(parameters, common.REPORT, context)
         if path is not None:
             save_page(orientation_page(photo, made), path)
-            results[REPORT] = str(path)
+            results[common.REPORT] = str(path)
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             feedback.reportError(sentence(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why)))
             return results
         for name, text in (
-            (PARAMETERS, outputs.parameters_text(photo, calibration, made)),
-            (WORLD_FILE, outputs.world_file(photo, made)),
+            (photos.PARAMETERS, outputs.parameters_text(photo, calibration, made)),
+            (photos.WORLD_FILE, outputs.world_file(photo, made)),
         ):
             path = self.file_path(parameters, name, context)
             if path is not None:
@@ -164,14 +142,6 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     # --- the inputs ---------------------------------------------------------------------------------------------
 
-    def _ref(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> RasterRef:
-        from ..adapters.layers import raster_ref
-
-        value = common.raster_value(parameters, name, context)
-        if value is None or value == "":
-            raise PhotoError(messages.NOT_A_RASTER_LAYER(name=name))
-        return raster_ref(value, context)
-
     @staticmethod
     def _open(ref: RasterRef) -> Photo:
         from ..core.photos import Photo
@@ -181,7 +151,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     def _calibration(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Calibration:
         from ..core.fiducials.calibration import read_calibration
 
-        path = self.parameterAsFile(parameters, CALIBRATION, context)
+        path = self.parameterAsFile(parameters, photos.CALIBRATION, context)
         if not path:
             raise PhotoError(messages.NO_CALIBRATION())
         return read_calibration(Path(path))
@@ -191,10 +161,10 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     ) -> dict[str, Position]:
         from ..adapters import layers, marks
 
-        if not parameters.get(POSITIONS):
+        if not parameters.get(photos.POSITIONS):
             return {}
-        source = self.source(parameters, POSITIONS, context)
-        measure = self.parameterAsBool(parameters, MEASURE, context)
+        source = self.source(parameters, photos.POSITIONS, context)
+        measure = self.parameterAsBool(parameters, photos.MEASURE, context)
         return marks.positions(layers.features(source), source.fields().names(), photo, measure)
 
     def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Settings:
@@ -202,159 +172,36 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..core.fiducials.results import Settings
         from ..core.fiducials.transformations import Model
 
-        word = {name: self.parameterAsEnumString(parameters, name, context) for name in (SURFACE, MODEL, TEMPLATE_TONE)}
+        surface, model, tone = (
+            self.parameterAsEnumString(parameters, name, context)
+            for name in (photos.SURFACE, photos.MODEL, photos.TEMPLATE_TONE)
+        )
         return Settings(
             template=self._template(parameters, context),
-            shapes=() if parameters.get(TEMPLATE) else self._shapes(parameters, context),
-            sign={TONES[1]: 1, TONES[2]: -1}.get(word[TEMPLATE_TONE]),
-            search=self.parameterAsDouble(parameters, SEARCH, context),
-            least=self.parameterAsDouble(parameters, MIN_CORRELATION, context),
-            surface=Surface(word[SURFACE]),
-            model=Model(word[MODEL]),
+            shapes=() if parameters.get(photos.TEMPLATE) else self._shapes(parameters, context),
+            sign={photos.TONES[1]: 1, photos.TONES[2]: -1}.get(tone),
+            search=self.parameterAsDouble(parameters, photos.SEARCH, context),
+            least=self.parameterAsDouble(parameters, photos.MIN_CORRELATION, context),
+            surface=Surface(surface),
+            model=Model(model),
         )
 
     def _template(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CutOut | None:
         from ..core.fiducials.templates import cut_out
 
-        if not parameters.get(TEMPLATE):
-            return None
-        ref = getattr(self, "_template_ref", None) or self._ref(parameters, TEMPLATE, context)
-        return cut_out(self._open(ref).grey())
+        ref = getattr(self, "_template_ref", None) or common.raster(parameters, photos.TEMPLATE, context)
+        return cut_out(self._open(ref).grey()) if ref is not None else None
 
     def _shapes(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[Shape, ...]:
         from ..core.fiducials.templates import chosen_shapes
 
         kind, direction, centre = (
-            None if word == AUTOMATIC else word
+            None if word == photos.AUTOMATIC else word
             for word in (
                 self.parameterAsEnumString(parameters, name, context)
-                for name in (TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE)
+                for name in (photos.TEMPLATE_KIND, photos.TEMPLATE_DIRECTION, photos.TEMPLATE_CENTRE)
             )
         )
-        diagonal = None if direction is None else direction == DIRECTIONS[2]
-        interrupted = None if centre is None else centre == CENTRES[2]
+        diagonal = None if direction is None else direction == photos.DIRECTIONS[2]
+        interrupted = None if centre is None else centre == photos.CENTRES[2]
         return chosen_shapes(kind, diagonal, interrupted)
-
-
-_ADVANCED = {TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE, SURFACE}
-
-
-def _inputs() -> list[common.Described]:
-    point = QgsProcessing.SourceType.TypeVectorPoint
-    return [
-        (
-            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")),
-            tr("The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey."),
-        ),
-        (
-            QgsProcessingParameterFile(CALIBRATION, tr("Calibration")),
-            tr(
-                "The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. "
-                "x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place "
-                "in it) are optional."
-            ),
-        ),
-        (
-            QgsProcessingParameterRasterLayer(TEMPLATE, tr("Template"), optional=True),
-            tr(
-                "A mark cut out of this photo or one like it, with some ground around; it takes the place of a drawn "
-                "one. A template that looks alike turned by 180 degrees is measured by its own centre, else by its "
-                "middle."
-            ),
-        ),
-        (
-            QgsProcessingParameterFeatureSource(POSITIONS, tr("Positions"), [point], optional=True),
-            tr(
-                "Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the "
-                "column and y the negative row). Without positions all of the photo is searched. A field 'measure' "
-                "with 0 says that a point is the mark itself."
-            ),
-        ),
-        (
-            QgsProcessingParameterBoolean(MEASURE, tr("Measure around the positions"), True),
-            tr("Off: the positions were measured by hand and are taken as they are; the other marks are measured."),
-        ),
-    ]
-
-
-def _template_choices() -> list[common.Described]:
-    return [
-        (
-            _choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
-            tr("What is drawn to look for, in the size that the photo has it; automatic tries all."),
-        ),
-        (
-            _choice(TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS),
-            tr("Whether the arms of a cross, or the wedges, stand upright or diagonally."),
-        ),
-        (
-            _choice(TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES),
-            tr("Whether a cross is open in the middle."),
-        ),
-        (
-            _choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES),
-            tr("Whether the mark is lighter than its ground, as on most positives, or darker."),
-        ),
-    ]
-
-
-def _settings() -> list[common.Described]:
-    number = QgsProcessingParameterNumber
-    return [
-        (
-            number(SEARCH, tr("Search (mm)"), number.Type.Double, thresholds.DEFAULT_SEARCH_MM, minValue=0.01),
-            tr("How far around a position the mark is looked for."),
-        ),
-        (
-            number(
-                MIN_CORRELATION, tr("Smallest correlation"), number.Type.Double, thresholds.DEFAULT_MIN_CORRELATION,
-                minValue=0, maxValue=1,
-            ),
-            tr("A mark whose best correlation is smaller fails."),
-        ),
-        (
-            _choice(SURFACE, tr("Surface"), SURFACES),
-            tr(
-                "What the second-degree surface is laid through: the correlations around the best pixel, or the "
-                "brightness of the photo as in the paper."
-            ),
-        ),
-        (
-            _choice(MODEL, tr("Transformation"), MODELS),
-            tr("Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."),
-        ),
-    ]
-
-
-def _outputs() -> list[common.Described]:
-    point = QgsProcessing.SourceType.TypeVectorPoint
-    return [
-        (
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Marks"), point),
-            tr(
-                "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, "
-                "residuals in um, correlation, status and reason."
-            ),
-        ),
-        (
-            QgsProcessingParameterFileDestination(
-                PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"), optional=True
-            ),
-            tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy."),
-        ),
-        (
-            QgsProcessingParameterFileDestination(
-                WORLD_FILE, tr("World file"), tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)"), optional=True,
-                createByDefault=False,
-            ),
-            tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
-        ),
-        (
-            QgsProcessingParameterFileDestination(REPORT, tr("Report"), tr("HTML files (*.html)"), optional=True),
-            tr("A page with a picture of each mark and the place that was found."),
-        ),
-    ]
-
-
-def _choice(name: str, description: str, words: tuple[str, ...]) -> QgsProcessingParameterDefinition:
-    return QgsProcessingParameterEnum(name, description, list(words), defaultValue=words[0], usesStaticStrings=True)

@@ -4,15 +4,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterFileDestination,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
     QgsWkbTypes,
@@ -22,6 +19,8 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import RasterError, SettingsError
+from . import groups
+from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
 if TYPE_CHECKING:
@@ -32,10 +31,8 @@ if TYPE_CHECKING:
 RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
 REFERENCE_GROUP, REFERENCE_GRD, STEP = "REFERENCE_GROUP", "REFERENCE_GRD", "STEP"
 CRITERION, REVERSED = "CRITERION", "REVERSED"
-OUTPUT, CHART, REPORT = "OUTPUT", "CHART", "REPORT"
+OUTPUT = "OUTPUT"
 GRD_ALONG, GRD_ACROSS, GRD_MEAN = "GRD_ALONG", "GRD_ACROSS", "GRD_MEAN"
-
-_WHOLE, _REAL = QgsProcessingParameterNumber.Type.Integer, QgsProcessingParameterNumber.Type.Double
 
 
 class MeasureResolution(SeamInspectorAlgorithm):
@@ -43,8 +40,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
 
     ID = "measureresolution"
     NAME = QT_TRANSLATE_NOOP("@default", "Measure ground resolved distance")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
-    GROUP_ID = "Ground resolution"
+    GROUP = groups.GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line "
@@ -70,33 +66,36 @@ class MeasureResolution(SeamInspectorAlgorithm):
             ),
         )
         self.addDescribed(
-            self._number(WIDTH, tr("Width to average (pixels)"), _REAL, thresholds.DEFAULT_BAR_WIDTH_PX, 0),
+            common.real(WIDTH, tr("Width to average (pixels)"), thresholds.DEFAULT_BAR_WIDTH_PX, 0),
             tr("How far either side of the line the profile is averaged; it should stay within the bars' length."),
         )
         self.addDescribed(
-            self._number(BAND, tr("Band"), _WHOLE, 0, 0), tr("Number of the band to measure; 0 for every band.")
+            QgsProcessingParameterNumber(BAND, tr("Band"), defaultValue=0, minValue=0),
+            tr("Number of the band to measure; 0 for every band."),
         )
         self.addDescribed(
-            self._number(BARS, tr("Bars in a group"), _WHOLE, thresholds.DEFAULT_BARS, thresholds.MIN_BARS),
+            QgsProcessingParameterNumber(
+                BARS, tr("Bars in a group"), defaultValue=thresholds.DEFAULT_BARS, minValue=thresholds.MIN_BARS
+            ),
             tr("How many bars each group of the target has."),
         )
         self.addDescribed(
-            self._number(REFERENCE_GROUP, tr("Reference group"), _WHOLE, thresholds.DEFAULT_REFERENCE_GROUP),
+            QgsProcessingParameterNumber(
+                REFERENCE_GROUP, tr("Reference group"), defaultValue=thresholds.DEFAULT_REFERENCE_GROUP
+            ),
             tr("Number of the group whose distance is known. Higher numbers are finer."),
         )
         self.addDescribed(
-            self._number(
-                REFERENCE_GRD, tr("Distance of the reference group (cm)"), _REAL, thresholds.DEFAULT_REFERENCE_GRD_CM
-            ),
+            common.real(REFERENCE_GRD, tr("Distance of the reference group (cm)"), thresholds.DEFAULT_REFERENCE_GRD_CM),
             tr("Width of one bar and one gap of the reference group together, centimetres on the ground."),
         )
         self.addDescribed(
-            self._number(STEP, tr("Step from group to group"), _REAL, thresholds.DEFAULT_GROUP_STEP),
+            common.real(STEP, tr("Step from group to group"), thresholds.DEFAULT_GROUP_STEP, decimals=6),
             tr("How many times as wide the next coarser group is; the sixth root of 2 on most targets."),
             advanced=True,
         )
         self.addDescribed(
-            self._number(CRITERION, tr("Criterion"), _REAL, thresholds.DEFAULT_CRITERION),
+            common.real(CRITERION, tr("Criterion"), thresholds.DEFAULT_CRITERION),
             tr("Share of the full amplitude that the bars of a resolved group keep."),
             advanced=True,
         )
@@ -111,29 +110,23 @@ class MeasureResolution(SeamInspectorAlgorithm):
             ),
             tr("The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift."),
         )
+        self.addDescribed(*common.chart(tr("The profiles with their bars, threshold and verdict, group by group.")))
         self.addDescribed(
-            QgsProcessingParameterFileDestination(
-                CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", optional=True, createByDefault=False
-            ),
-            tr("The profiles with their bars, threshold and verdict, group by group."),
+            *common.report(tr("A page with the distances, the target, the profiles and all measurements."))
         )
-        self.addDescribed(
-            QgsProcessingParameterFileDestination(
-                REPORT, tr("Report"), "HTML (*.html)", optional=True, createByDefault=False
-            ),
-            tr("A page with the distances, the target, the profiles and all measurements."),
-        )
-        self.addOutput(QgsProcessingOutputNumber(GRD_ALONG, tr("Distance along the flight (cm)")))
-        self.addOutput(QgsProcessingOutputNumber(GRD_ACROSS, tr("Distance across the flight (cm)")))
-        self.addOutput(QgsProcessingOutputNumber(GRD_MEAN, tr("Geometric mean of both distances (cm)")))
+        self.addNumbers({
+            GRD_ALONG: tr("Distance along the flight (cm)"),
+            GRD_ACROSS: tr("Distance across the flight (cm)"),
+            GRD_MEAN: tr("Geometric mean of both distances (cm)"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._target(parameters, context).check()
         self._width(parameters, context)
-        self._band(parameters, context, self._describe(parameters, context))
+        self._band(parameters, context, self.describe_picture(parameters, RASTER, context))
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._raster = self._describe(parameters, context)
+        self._raster = self.describe_picture(parameters, RASTER, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -144,20 +137,16 @@ class MeasureResolution(SeamInspectorAlgorithm):
         raster, target = self._raster, self._target(parameters, context)
         target.check()
         width, band = self._width(parameters, context), self._band(parameters, context, raster)
-        chart, report = (self.file_path(parameters, name, context) for name in (CHART, REPORT))
-        if chart is not None:
-            from ..adapters.figures import check_figure_path
-
-            check_figure_path(chart)
-        groups = self.source(parameters, GROUPS, context)
-        bar_lines.check_fields(groups.fields().names())
-        count = groups.featureCount()
+        chart, report = self.chart_path(parameters, context), self.file_path(parameters, common.REPORT, context)
+        lines = self.source(parameters, GROUPS, context)
+        bar_lines.check_fields(lines.fields().names())
+        count = lines.featureCount()
         if count == 0:
             raise SettingsError(messages.NO_BAR_LINES())
         crs = layers.mosaic_crs(raster)
-        transform = QgsCoordinateTransform(groups.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(lines, crs, context)
         measured: list[MeasuredLine] = []
-        for row in layers.features(groups):
+        for row in layers.features(lines):
             if feedback.isCanceled():
                 break
             line = bar_lines.bar_line(row, raster.grid, transform)
@@ -174,26 +163,25 @@ class MeasureResolution(SeamInspectorAlgorithm):
             parameters, OUTPUT, context, bar_lines.result_fields(), QgsWkbTypes.Type.LineString, crs
         )
         self.write(sink, bar_lines.result_features(resolution.results, raster.grid))
-        results: dict[str, Any] = {OUTPUT: destination}
+        results: dict[str, Any] = {
+            OUTPUT: destination,
+            GRD_ALONG: resolution.worst("along"),
+            GRD_ACROSS: resolution.worst("across"),
+            GRD_MEAN: resolution.mean,
+        }
         if chart is not None:
             from ..adapters.bar_charts import group_chart
             from ..adapters.figures import save_figure
 
             save_figure(group_chart(resolution.results, target.criterion), chart)
-            results[CHART] = str(chart)
+            results[common.CHART] = str(chart)
         if report is not None:
             from ..adapters.bar_report import resolution_page
             from ..core.report import save_page
 
             save_page(resolution_page(raster, resolution, target), report)
-            results[REPORT] = str(report)
-        numbers = {
-            GRD_ALONG: resolution.worst("along"), GRD_ACROSS: resolution.worst("across"), GRD_MEAN: resolution.mean
-        }
-        return {**results, **{name: value for name, value in numbers.items() if value is not None}}
-
-    def _describe(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
-        return self.describe_picture(parameters, RASTER, context)
+            results[common.REPORT] = str(report)
+        return results
 
     def _target(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Target:
         from ..core.resolution.target import Target
@@ -222,14 +210,3 @@ class MeasureResolution(SeamInspectorAlgorithm):
             count = len(raster.band_names)
             raise RasterError(messages.BAND_NOT_THERE(name=raster.ref.name, band=number, count=count))
         return None if number == 0 else band_index(raster.ref, number)
-
-    @staticmethod
-    def _number(
-        name: str, description: str, kind: QgsProcessingParameterNumber.Type, default: float, least: float | None = None
-    ) -> QgsProcessingParameterNumber:
-        number = QgsProcessingParameterNumber(name, description, kind, default)
-        if least is not None:
-            number.setMinimum(least)
-        if kind == _REAL:
-            number.setMetadata({"widget_wrapper": {"decimals": 6 if name == STEP else 2}})
-        return number

@@ -5,22 +5,20 @@ from typing import Any
 
 from qgis.core import (
     NULL,
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterNumber,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SettingsError
+from . import groups
+from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
 OBSERVATIONS, REQUIRED_GRD, REFERENCE_HEIGHT = "OBSERVATIONS", "REQUIRED_GRD", "REFERENCE_HEIGHT"
@@ -32,8 +30,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
 
     ID = "minimumheight"
     NAME = QT_TRANSLATE_NOOP("@default", "Minimum flying height")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
-    GROUP_ID = "Ground resolution"
+    GROUP = groups.GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each "
@@ -51,13 +48,11 @@ class MinimumHeight(SeamInspectorAlgorithm):
             ),
         )
         self.addDescribed(
-            self._positive(
-                REQUIRED_GRD, tr("Required distance (cm)"), thresholds.DEFAULT_REQUIRED_GRD_CM, optional=False
-            ),
+            common.real(REQUIRED_GRD, tr("Required distance (cm)"), thresholds.DEFAULT_REQUIRED_GRD_CM),
             tr("The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies."),
         )
         self.addDescribed(
-            self._positive(REFERENCE_HEIGHT, tr("Reference height (metres)"), None, optional=True),
+            common.real(REFERENCE_HEIGHT, tr("Reference height (metres)"), None, optional=True),
             tr("The minimum height that the results are compared with, if there is one."),
         )
         self.addDescribed(
@@ -75,7 +70,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
             ),
             tr("The observations that were used, each with its minimum height 'h_min'."),
         )
-        self.addOutput(QgsProcessingOutputNumber(GROUP_COUNT, tr("Groups")))
+        self.addNumbers({GROUP_COUNT: tr("Groups")})
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.resolution.height import check_heights
@@ -106,18 +101,16 @@ class MinimumHeight(SeamInspectorAlgorithm):
         if not observations:
             raise SettingsError(messages.NO_OBSERVATIONS())
         results = minimum_heights(observations, required, reference)
-        layout = QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
-        sink, destination = self.sink(parameters, OUTPUT, context, heights.height_fields(keys), *layout)
+        sink, destination = self.sink(parameters, OUTPUT, context, heights.height_fields(keys))
         self.write(sink, (heights.height_feature(result, keys) for result in results))
-        passes, passes_id = self.optional_sink(parameters, HEIGHTS, context, heights.pass_fields(keys), *layout)
+        passes, passes_id = self.optional_sink(parameters, HEIGHTS, context, heights.pass_fields(keys))
         self.write(passes, (heights.pass_feature(one, keys, required) for one in observations))
         for result in results:
             name = ", ".join(result.key) or tr("all passes")
             feedback.pushInfo(f"{name}: {result.mean_m:.1f} m")
             if result.notice is not None:
                 feedback.pushWarning(f"{name}: {sentence(result.notice)}")
-        found = {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
-        return {name: value for name, value in found.items() if value is not None}
+        return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
 
     def _limits(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[float, float | None]:
         """The required distance in cm, and the reference height in m where one is given."""
@@ -125,11 +118,3 @@ class MinimumHeight(SeamInspectorAlgorithm):
         has_reference = given is not None and given != "" and given != NULL
         reference = self.parameterAsDouble(parameters, REFERENCE_HEIGHT, context) if has_reference else None
         return self.parameterAsDouble(parameters, REQUIRED_GRD, context), reference
-
-    @staticmethod
-    def _positive(name: str, description: str, default: float | None, optional: bool) -> QgsProcessingParameterNumber:
-        number = QgsProcessingParameterNumber(
-            name, description, QgsProcessingParameterNumber.Type.Double, default, optional
-        )
-        number.setMetadata({"widget_wrapper": {"decimals": 2}})
-        return number

@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterCrs,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFile,
     QgsProcessingParameterNumber,
@@ -18,8 +16,9 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
-from ..core import messages
-from ..core.errors import CancelledError, RasterError, SensorModelError, SettingsError
+from ..core import messages, thresholds
+from ..core.errors import CancelledError, SensorModelError, SettingsError
+from . import parameters as common
 from . import sensors
 from .sensors import SensorAlgorithm, warn
 
@@ -31,8 +30,6 @@ if TYPE_CHECKING:
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
 RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
 ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
-METHODS = ("nearest", "bilinear", "cubic", "cubicspline", "lanczos", "average")
-FORMATS = ("GTiff", "COG")
 
 
 class Orthorectify(SensorAlgorithm):
@@ -85,32 +82,27 @@ class Orthorectify(SensorAlgorithm):
             tr("Empty: the whole image. It is widened to whole pixels."),
         )
         self.addDescribed(
-            QgsProcessingParameterEnum(
-                RESAMPLING, tr("Resampling"), list(METHODS), defaultValue="cubic", usesStaticStrings=True
-            ),
+            common.choice(RESAMPLING, tr("Resampling"), thresholds.RESAMPLINGS, "cubic"),
             tr("How pixels are interpolated."),
         )
         self.addDescribed(
-            QgsProcessingParameterEnum(
-                FORMAT, tr("Format"), list(FORMATS), defaultValue="GTiff", usesStaticStrings=True
-            ),
+            common.choice(FORMAT, tr("Format"), thresholds.ORTHO_FORMATS),
             tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
         )
         self.addDescribed(
             QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage")),
             tr("A GeoTIFF; empty where the image or the terrain model ends."),
         )
-        self.addOutput(QgsProcessingOutputNumber(ERROR_RMS, tr("Root mean square against the exact model (px)")))
-        self.addOutput(QgsProcessingOutputNumber(ERROR_MAX, tr("Largest error against the exact model (px)")))
-        self.addOutput(QgsProcessingOutputNumber(UNCOVERED, tr("Share of the image without terrain heights")))
+        self.addNumbers({
+            ERROR_RMS: tr("Root mean square against the exact model (px)"),
+            ERROR_MAX: tr("Largest error against the exact model (px)"),
+            UNCOVERED: tr("Share of the image without terrain heights"),
+        })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.sensors.images import describe_image
 
-        image = self._raster(parameters, sensors.IMAGE, context)
-        if image is None:
-            raise RasterError(messages.NOT_A_RASTER_LAYER(name=sensors.IMAGE))
-        describe_image(image)
+        describe_image(common.required_raster(parameters, sensors.IMAGE, context))
         given = parameters.get(HEIGHT) not in (None, "")
         if given == bool(parameters.get(sensors.DEM)):
             raise SettingsError(messages.DEM_AND_HEIGHT() if given else messages.NO_DEM())

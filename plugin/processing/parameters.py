@@ -1,19 +1,19 @@
 """Parameters that several algorithms have, and how their values are read."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsProcessing,
-    QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
@@ -22,12 +22,11 @@ from qgis.core import (
 
 from ..adapters.text import tr
 from ..core import messages, thresholds
-from ..core.errors import RasterError, SettingsError
+from ..core.errors import RasterError
 
 if TYPE_CHECKING:
     from ..core.messages import Message
     from ..core.rasters import RasterRef
-    from ..core.sources import Source
 
 Parameters = dict[str, Any]
 Described = tuple[QgsProcessingParameterDefinition, str]
@@ -38,20 +37,28 @@ SOURCE_INDEX = "SOURCE_INDEX"
 LEVELS = "LEVELS"
 WAVELET = "WAVELET"
 MAX_RATIO = "MAX_RATIO"
+CHART = "CHART"
+REPORT = "REPORT"
 
-_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+
+def choice(
+    name: str, title: str, words: Sequence[str], default: str = "", optional: bool = False
+) -> QgsProcessingParameterDefinition:
+    """A choice that models and scripts name by its word; the first one where there is no default."""
+    return QgsProcessingParameterEnum(
+        name, title, list(words), defaultValue=default or words[0], optional=optional, usesStaticStrings=True
+    )
 
 
-@dataclass(frozen=True)
-class GivenSources:
-    """The values of SOURCES and SOURCE_INDEX in plain data, as far as they can be had before the work begins."""
-
-    refs: tuple[RasterRef, ...]
-    """The files of SOURCES."""
-    left_out: tuple[Message, ...]
-    """Why others have no file."""
-    index_path: str
-    """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
+def real(
+    name: str, title: str, default: float | None, least: float | None = None, optional: bool = False, decimals: int = 2
+) -> QgsProcessingParameterDefinition:
+    """A number that the form shows with so many decimals."""
+    number = QgsProcessingParameterNumber(name, title, QgsProcessingParameterNumber.Type.Double, default, optional)
+    if least is not None:
+        number.setMinimum(least)
+    number.setMetadata({"widget_wrapper": {"decimals": decimals}})
+    return number
 
 
 def mosaic(optional: bool = False) -> Described:
@@ -101,13 +108,7 @@ def levels() -> Described:
 
 def wavelet() -> Described:
     return (
-        QgsProcessingParameterEnum(
-            WAVELET,
-            tr("Wavelet"),
-            list(thresholds.WAVELETS),
-            defaultValue=thresholds.DEFAULT_WAVELET,
-            usesStaticStrings=True,
-        ),
+        choice(WAVELET, tr("Wavelet"), thresholds.WAVELETS, thresholds.DEFAULT_WAVELET),
         tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."),
     )
 
@@ -126,10 +127,38 @@ def max_ratio(description: str) -> Described:
     )
 
 
+def chart(description: str, by_default: bool = False) -> Described:
+    return _file(CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", by_default), description
+
+
+def report(description: str, filters: str = "HTML (*.html)", by_default: bool = False) -> Described:
+    return _file(REPORT, tr("Report"), filters, by_default), description
+
+
+def _file(name: str, title: str, filters: str, by_default: bool) -> QgsProcessingParameterDefinition:
+    return QgsProcessingParameterFileDestination(name, title, filters, optional=True, createByDefault=by_default)
+
+
 def raster_value(parameters: Parameters, name: str, context: QgsProcessingContext) -> object:
     """A raster parameter as it was given: a layer, a layer's id, or a path."""
     value = parameters.get(name)
     return value.valueAsString(context.expressionContext())[0] if isinstance(value, QgsProperty) else value
+
+
+def raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef | None:
+    """The file of a raster parameter, to be asked in its layer's thread; None when it is not given."""
+    from ..adapters.layers import raster_ref
+
+    value = raster_value(parameters, name, context)
+    return raster_ref(value, context) if value else None
+
+
+def required_raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef:
+    """The same for one that has to be there: raises RasterError when it is not given."""
+    ref = raster(parameters, name, context)
+    if ref is None:
+        raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
+    return ref
 
 
 def raster_values(parameters: Parameters, name: str, context: QgsProcessingContext) -> list[object]:
@@ -140,46 +169,24 @@ def raster_values(parameters: Parameters, name: str, context: QgsProcessingConte
     return list(value) if isinstance(value, (list, tuple)) else [value]
 
 
-def check_sources(parameters: Parameters, context: QgsProcessingContext) -> None:
-    """Raise SettingsError when neither SOURCES nor SOURCE_INDEX names any."""
-    if not raster_values(parameters, SOURCES, context) and not parameters.get(SOURCE_INDEX):
-        raise SettingsError(messages.NO_SOURCES_GIVEN())
-
-
-def given_sources(
-    algorithm: QgsProcessingAlgorithm, parameters: Parameters, context: QgsProcessingContext
-) -> GivenSources:
-    """What the layers of SOURCES and SOURCE_INDEX say of their files; to be asked in their thread."""
-    from ..adapters.layers import layer_path, raster_ref
+def raster_refs(
+    parameters: Parameters, name: str, context: QgsProcessingContext
+) -> tuple[list[RasterRef], list[Message]]:
+    """The files of a parameter of several rasters, and why others have none; to be asked in their layers' thread."""
+    from ..adapters.layers import raster_ref
 
     refs: list[RasterRef] = []
     left_out: list[Message] = []
-    for value in raster_values(parameters, SOURCES, context):
+    for value in raster_values(parameters, name, context):
         try:
             refs.append(raster_ref(value, context))
         except RasterError as error:
             left_out.append(error.message)
-    index = algorithm.parameterAsVectorLayer(parameters, SOURCE_INDEX, context)
-    return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
+    return refs, left_out
 
 
-def indexed_sources(
-    index: QgsProcessingFeatureSource, path: str, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
-) -> list[Source]:
-    """The orthoimages of an index layer with their footprints in a reference system.
-
-    Raises SettingsError when the layer is no such index.
-    """
-    from ..adapters import layers
-
-    transform = QgsCoordinateTransform(index.sourceCrs(), crs, context.transformContext())
-    return layers.indexed_sources(layers.features(index), index.fields().names(), path, transform)
-
-
-def whole_number(value: object) -> int | None:
-    """A window's number from a field of any type."""
-    try:
-        number = float(str(value))
-    except ValueError:
-        return None
-    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None
+def transform(
+    source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
+) -> QgsCoordinateTransform:
+    """From the reference system of a layer to another one."""
+    return QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())

@@ -4,13 +4,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateTransform,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterNumber,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
@@ -51,11 +49,11 @@ class PlaceWindows(SeamInspectorAlgorithm):
         )
         self.addDescribed(*common.mosaic())
         self.addDescribed(
-            self._length(SIDE, tr("Window side (metres)"), thresholds.STANDARD_SIDE_M),
+            common.real(SIDE, tr("Window side (metres)"), thresholds.STANDARD_SIDE_M, 0.01),
             tr("What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
         )
         self.addDescribed(
-            self._length(SPACING, tr("Spacing (metres)"), thresholds.STANDARD_SPACING_M),
+            common.real(SPACING, tr("Spacing (metres)"), thresholds.STANDARD_SPACING_M, 0.01),
             tr("Distance between the centres of neighbouring windows, measured along the seam."),
         )
         self.addDescribed(*common.levels())
@@ -85,7 +83,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         seamlines = self.source(parameters, SEAMLINES, context)
         mosaic = self._mosaic
         crs = layers.mosaic_crs(mosaic)
-        transform = QgsCoordinateTransform(seamlines.sourceCrs(), crs, context.transformContext())
+        transform = common.transform(seamlines, crs, context)
         seams = find_seams(
             (layers.line_wkb(feature, transform) for feature in layers.features(seamlines)), mosaic.grid.pixel_width
         )
@@ -121,11 +119,3 @@ class PlaceWindows(SeamInspectorAlgorithm):
             self.parameterAsDouble(parameters, SPACING, context),
             self.parameterAsInt(parameters, common.LEVELS, context),
         )
-
-    @staticmethod
-    def _length(name: str, description: str, default: float) -> QgsProcessingParameterNumber:
-        length = QgsProcessingParameterNumber(
-            name, description, QgsProcessingParameterNumber.Type.Double, default, minValue=0.01
-        )
-        length.setMetadata({"widget_wrapper": {"decimals": 2}})
-        return length

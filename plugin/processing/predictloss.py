@@ -10,7 +10,6 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsWkbTypes,
@@ -23,7 +22,8 @@ from ..core import messages
 from ..core.errors import RasterError, SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
-from .drawn_windows import DrawnWindows
+from .sources import check_sources, given_sources, indexed_sources
+from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
     from ..core.forecasts import ForecastRequest
@@ -68,17 +68,16 @@ class PredictLoss(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSink(PAIRS, tr("Source pairs"), table, optional=True, createByDefault=True),
             tr("Every two sources of a window: agreement of their detail, ratio to be expected, shift between them."),
         )
-        self.addOutput(QgsProcessingOutputNumber(WINDOW_COUNT, tr("Windows")))
-        self.addOutput(QgsProcessingOutputNumber(NOT_COMPARABLE_COUNT, tr("Windows that can't be compared")))
+        self.addNumbers({WINDOW_COUNT: tr("Windows"), NOT_COMPARABLE_COUNT: tr("Windows that can't be compared")})
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         from ..core.wavelets import check_decomposition
 
-        check_decomposition(*self._decomposition(parameters, context))
-        common.check_sources(parameters, context)
+        check_decomposition(*self.decomposition(parameters, context))
+        check_sources(parameters, context)
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._given = common.given_sources(self, parameters, context)
+        self._given = given_sources(self, parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -88,7 +87,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         from ..core.forecasts import forecast_window, not_foretold
         from ..core.runs import in_order
 
-        wavelet, levels = self._decomposition(parameters, context)
+        wavelet, levels = self.decomposition(parameters, context)
         self.check(parameters, context)
         windows = self.source(parameters, WINDOWS, context)
         if windows.featureCount() == 0:
@@ -96,15 +95,14 @@ class PredictLoss(SeamInspectorAlgorithm):
         warnings = Warnings(feedback)
         crs, wkt = self._system(windows, parameters, context)
         sources = self._sources(parameters, crs, wkt, context, warnings)
-        drawn = DrawnWindows(windows, crs, context)
+        drawn = WindowFeatures(windows, crs, context)
         requests = self._requests(drawn, sources, wkt, wavelet, levels)
 
         count = not_comparable = 0
         with open_executor() as (executor, ahead):
             polygons = tables.forecast_fields(levels), QgsWkbTypes.Type.Polygon, crs
             output, output_id = self.sink(parameters, OUTPUT, context, *polygons)
-            rows = tables.forecast_pair_fields(levels), QgsWkbTypes.Type.NoGeometry, QgsCoordinateReferenceSystem()
-            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, *rows)
+            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, tables.forecast_pair_fields(levels))
             for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, feedback.isCanceled):
                 geometry, _observer = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
@@ -120,14 +118,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         if drawn.renumbered:
             feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
         self.style(output_id, style_path("predicted_windows"), context)
-        results = {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
-        return {name: value for name, value in results.items() if value is not None}
-
-    def _decomposition(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
-        return (
-            self.parameterAsString(parameters, common.WAVELET, context),
-            self.parameterAsInt(parameters, common.LEVELS, context),
-        )
+        return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 
     def _system(
         self, windows: QgsProcessingFeatureSource, parameters: dict[str, Any], context: QgsProcessingContext
@@ -159,10 +150,7 @@ class PredictLoss(SeamInspectorAlgorithm):
     ) -> list[Source]:
         from ..core.sources import gather_sources
 
-        indexed = []
-        if parameters.get(common.SOURCE_INDEX):
-            index = self.source(parameters, common.SOURCE_INDEX, context)
-            indexed = common.indexed_sources(index, self._given.index_path, crs, context)
+        indexed = indexed_sources(self, parameters, context, self._given, crs)
         warnings.say(self._given.left_out)
         sources, notices = gather_sources(self._given.refs, indexed, wkt)
         warnings.say(notices)
@@ -170,7 +158,7 @@ class PredictLoss(SeamInspectorAlgorithm):
 
     @staticmethod
     def _requests(
-        drawn: DrawnWindows, sources: list[Source], wkt: str, wavelet: str, levels: int
+        drawn: WindowFeatures, sources: list[Source], wkt: str, wavelet: str, levels: int
     ) -> Iterator[ForecastRequest]:
         from ..core.forecasts import ForecastRequest, forecast_request
 

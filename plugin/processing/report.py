@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateTransform,
     QgsFeature,
     QgsProcessing,
     QgsProcessingContext,
@@ -21,7 +20,7 @@ from ..core import messages
 from ..core.errors import SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
-from .sources import given_block
+from .sources import given_block, given_sources
 
 if TYPE_CHECKING:
     from ..adapters.window_report import ReportRequest
@@ -34,6 +33,7 @@ class Report(SeamInspectorAlgorithm):
 
     ID = "report"
     NAME = QT_TRANSLATE_NOOP("@default", "Report of an inspection")
+    DRAWN = (OUTPUT,)
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map "
@@ -82,7 +82,7 @@ class Report(SeamInspectorAlgorithm):
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._mosaic = self.describe_mosaic(parameters, context) if parameters.get(common.MOSAIC) else None
-        self._given = common.given_sources(self, parameters, context)
+        self._given = given_sources(self, parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -116,7 +116,7 @@ class Report(SeamInspectorAlgorithm):
             if self._given.refs or parameters.get(common.SOURCE_INDEX):
                 block = given_block(self, parameters, context, self._mosaic, self._given, Warnings(feedback))
             crs = layers.mosaic_crs(self._mosaic)
-            transform = QgsCoordinateTransform(windows.sourceCrs(), crs, context.transformContext())
+            transform = common.transform(windows, crs, context)
         found = findings.read_findings(layers.features(windows), windows.fields().names(), transform)
         curves = self._rows(parameters, CURVES, context)
         pairs = self._rows(parameters, PAIRS, context)

@@ -10,25 +10,23 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SettingsError
+from . import groups
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
 from .parameters import Described
 
 if TYPE_CHECKING:
     from ..core.messages import Message
-    from ..core.rasters import RasterRef
     from ..core.sensors.images import Image
     from ..core.sensors.kinds import Wanted
     from ..core.sensors.layout import Box
@@ -38,14 +36,12 @@ if TYPE_CHECKING:
 GCPS, GCPS_CRS, IMAGE, IMAGE_RPC, DEM = "GCPS", "GCPS_CRS", "IMAGE", "IMAGE_RPC", "DEM"
 HEIGHTS, DEM_HEIGHTS = "HEIGHTS", "DEM_HEIGHTS"
 CHECK_SHARE, ROBUST, ORBIT_HEIGHT = "CHECK_SHARE", "ROBUST", "ORBIT_HEIGHT"
-DATUMS = ("auto", "ellipsoid", "egm96", "egm2008")
 
 
 class SensorAlgorithm(SeamInspectorAlgorithm):
     """An algorithm of sensor models."""
 
-    GROUP = QT_TRANSLATE_NOOP("@default", "Satellite images")
-    GROUP_ID = "Satellite images"
+    GROUP = groups.SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
@@ -56,14 +52,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return super().checkParameterValues(given, context)
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._image_ref = self._raster(parameters, IMAGE, context)
-        self._dem = self._raster(parameters, DEM, context)
-
-    def _raster(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> RasterRef | None:
-        from ..adapters.layers import raster_ref
-
-        value = common.raster_value(parameters, name, context)
-        return raster_ref(value, context) if value else None
+        self._image_ref = common.raster(parameters, IMAGE, context)
+        self._dem = common.raster(parameters, DEM, context)
 
     def _image(self) -> Image | None:
         from ..core.sensors.images import describe_image
@@ -201,9 +191,8 @@ def dem(purpose: str) -> Described:
 
 
 def heights(name: str, label: str) -> Described:
-    definition = QgsProcessingParameterEnum(name, label, list(DATUMS), defaultValue="auto", usesStaticStrings=True)
     return (
-        definition,
+        common.choice(name, label, thresholds.HEIGHT_DATUMS),
         tr(
             "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning "
             "where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid. "

@@ -6,7 +6,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
 )
@@ -14,6 +13,8 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..adapters.text import tr
 from ..core import thresholds
+from . import groups
+from . import parameters as common
 from .base import SeamInspectorAlgorithm
 
 RASTER, PATTERN, DEMOSAIC, OUTPUT = "RASTER", "PATTERN", "DEMOSAIC", "OUTPUT"
@@ -24,8 +25,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
 
     ID = "simulatebayer"
     NAME = QT_TRANSLATE_NOOP("@default", "Simulate a Bayer filter")
-    GROUP = QT_TRANSLATE_NOOP("@default", "Ground resolution")
-    GROUP_ID = "Ground resolution"
+    GROUP = groups.GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its "
@@ -39,17 +39,11 @@ class SimulateBayer(SeamInspectorAlgorithm):
             tr("A colour image, or one of a single band, north-up or without georeference."),
         )
         self.addDescribed(
-            QgsProcessingParameterEnum(
-                PATTERN, tr("Pattern"), list(thresholds.BAYER_PATTERNS),
-                defaultValue=thresholds.BAYER_PATTERNS[0], usesStaticStrings=True,
-            ),
+            common.choice(PATTERN, tr("Pattern"), thresholds.BAYER_PATTERNS),
             tr("Colours of the filter over the first two pixels of the first row, then of the second."),
         )
         self.addDescribed(
-            QgsProcessingParameterEnum(
-                DEMOSAIC, tr("Interpolation"), list(thresholds.DEMOSAICS),
-                defaultValue=thresholds.DEMOSAICS[0], usesStaticStrings=True,
-            ),
+            common.choice(DEMOSAIC, tr("Interpolation"), thresholds.DEMOSAICS),
             tr(
                 "bilinear: the mean of the nearest pixels of the colour. edge_aware: along edges, by OpenCV, which has "
                 "to be installed."

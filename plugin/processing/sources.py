@@ -2,17 +2,71 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingContext
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingAlgorithm, QgsProcessingContext
 
+from ..core import messages
+from ..core.errors import SettingsError
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
 
 if TYPE_CHECKING:
     from ..core.cells import Cell
     from ..core.inspection import Block
-    from ..core.rasters import Mosaic
+    from ..core.messages import Message
+    from ..core.rasters import Mosaic, RasterRef
+    from ..core.sources import Source
+
+
+@dataclass(frozen=True)
+class GivenSources:
+    """The values of SOURCES and SOURCE_INDEX in plain data, as far as they can be had before the work begins."""
+
+    refs: tuple[RasterRef, ...]
+    """The files of SOURCES."""
+    left_out: tuple[Message, ...]
+    """Why others have no file."""
+    index_path: str
+    """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
+
+
+def check_sources(parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    """Raise SettingsError when neither SOURCES nor SOURCE_INDEX names any."""
+    if not common.raster_values(parameters, common.SOURCES, context) and not parameters.get(common.SOURCE_INDEX):
+        raise SettingsError(messages.NO_SOURCES_GIVEN())
+
+
+def given_sources(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> GivenSources:
+    """What the layers of SOURCES and SOURCE_INDEX say of their files; to be asked in their thread."""
+    from ..adapters.layers import layer_path
+
+    refs, left_out = common.raster_refs(parameters, common.SOURCES, context)
+    index = algorithm.parameterAsVectorLayer(parameters, common.SOURCE_INDEX, context)
+    return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
+
+
+def indexed_sources(
+    algorithm: SeamInspectorAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    given: GivenSources,
+    crs: QgsCoordinateReferenceSystem,
+) -> list[Source]:
+    """The orthoimages of SOURCE_INDEX with their footprints in a reference system; none where it is not given.
+
+    Raises SettingsError when the layer is no such index.
+    """
+    from ..adapters import layers
+
+    if not parameters.get(common.SOURCE_INDEX):
+        return []
+    index = algorithm.source(parameters, common.SOURCE_INDEX, context)
+    transform = common.transform(index, crs, context)
+    return layers.indexed_sources(layers.features(index), index.fields().names(), given.index_path, transform)
 
 
 def given_block(
@@ -20,7 +74,7 @@ def given_block(
     parameters: dict[str, Any],
     context: QgsProcessingContext,
     mosaic: Mosaic,
-    given: common.GivenSources,
+    given: GivenSources,
     warnings: Warnings,
     cells: Iterable[Cell] = (),
 ) -> Block:
@@ -28,10 +82,7 @@ def given_block(
     from ..adapters.layers import mosaic_crs
     from ..core.inspection import make_block
 
-    indexed = []
-    if parameters.get(common.SOURCE_INDEX):
-        index = algorithm.source(parameters, common.SOURCE_INDEX, context)
-        indexed = common.indexed_sources(index, given.index_path, mosaic_crs(mosaic), context)
+    indexed = indexed_sources(algorithm, parameters, context, given, mosaic_crs(mosaic))
     warnings.say(given.left_out)
     block, notices = make_block(mosaic, given.refs, indexed, cells)
     warnings.say(notices)

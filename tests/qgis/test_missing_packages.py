@@ -11,14 +11,29 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import Qgis, QgsProject
+from qgis.core import Qgis, QgsProcessingProvider, QgsProject
 from qgis.gui import QgisInterface
 from seam_inspector.plugin.adapters import packages
 
-from tests.qgis.runs import assert_sentence
+from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run
+from tests.qgis.scenes import Scene
 
 Told = list[tuple[str, Any]]
 NAMES = {"pywt": "PyWavelets", "matplotlib": "matplotlib"}
+DRAWN = (
+    ("calibratethreshold", "CHART"),
+    ("checknoise", "CHART"),
+    ("checknoise", "REPORT"),
+    ("checkradiometry", "REPORT"),
+    ("comparesensormodels", "REPORT"),
+    ("fitsensormodel", "REPORT"),
+    ("measureresolution", "CHART"),
+    ("measureresolution", "REPORT"),
+    ("report", "OUTPUT"),
+)
+"""Algorithms and their files with charts."""
+DRAWING = "bar_charts bar_report calibration_chart charts figures noise_charts noise_report radiometry_report".split()
+"""Modules that can't be imported without matplotlib."""
 
 
 @pytest.fixture
@@ -70,6 +85,43 @@ def test_a_missing_package_is_named_once_and_used_after_a_restart(
     assert plugin.desk("seamInspectorAction").dock is not None
     assert plugin.desk("seamInspectorAction").dock.session.windows() == []
     assert told == []
+
+
+@pytest.fixture
+def without_matplotlib(provider: QgsProcessingProvider, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A system where only matplotlib is missing; modules that need it can't be imported."""
+    find = packages.find_spec
+    monkeypatch.setattr(packages, "find_spec", lambda name: None if name == "matplotlib" else find(name))
+    for name in ("matplotlib", *(f"seam_inspector.plugin.adapters.{name}" for name in DRAWING)):
+        monkeypatch.setitem(sys.modules, name, None)
+
+
+@pytest.mark.usefixtures("without_matplotlib")
+@pytest.mark.parametrize(("name", "output"), DRAWN)
+def test_a_chart_or_report_is_refused_before_anything_is_measured(name: str, output: str, tmp_path: Path) -> None:
+    job = algorithm(name)
+    others = {one.name(): None for one in job.destinationParameterDefinitions()}
+    asked_for = {**others, output: str(tmp_path / "page.html")}
+    assert_refused(name, "the Python package.s. matplotlib.*then restart QGIS", **asked_for)
+
+
+@pytest.mark.usefixtures("without_matplotlib")
+@pytest.mark.parametrize("name", ["checknoise", "checkradiometry"])
+def test_without_chart_and_report_images_are_measured_all_the_same(name: str, scene: Scene) -> None:
+    assert algorithm(name).canExecute() == (True, "")
+    outcome = run(name, RASTERS=[str(scene.mosaic)], CHART=None, REPORT=None)
+    assert outcome.complaint is None
+    assert outcome.rows()
+
+
+def test_every_file_with_charts_is_among_those_tested(provider: QgsProcessingProvider) -> None:
+    drawn = {
+        (one.name(), output.name())
+        for one in provider.algorithms()
+        for output in one.destinationParameterDefinitions()
+        if output.name() in getattr(algorithm(one.name()), "DRAWN", ())
+    }
+    assert drawn == set(DRAWN)
 
 
 @pytest.mark.parametrize(

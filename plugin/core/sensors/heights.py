@@ -20,9 +20,9 @@ def with_heights(
 ) -> tuple[Points, list[Message]]:
     """Points with heights above the ellipsoid, and what to say about them.
 
-    Heights that points have refer to ``datum`` (one of ``terrain.DATUMS``); points without get the terrain model's.
-    Those that lie off the terrain model are left out. Raises RasterError for a terrain model that can't be used and
-    for heights that PROJ has no grid for.
+    Heights that points have refer to ``datum`` (one of ``thresholds.HEIGHT_DATUMS``); points without get the terrain
+    model's. Those that lie off the terrain model are left out. Raises RasterError for a terrain model that can't be
+    used and for heights that PROJ has no grid for.
     """
     notices: list[Message] = []
     heights = points.ground[:, 2].copy()

@@ -29,8 +29,6 @@ from .rpc import Domain, RpcOfModel, rpc_of, to_metadata
 from .solve import Scaling
 from .terrain import Terrain, constant_terrain, load_terrain
 
-RESAMPLING = ("nearest", "bilinear", "cubic", "cubicspline", "lanczos", "average")
-FORMATS = ("GTiff", "COG")
 _NO_HEIGHT = -32768.0
 
 
@@ -46,7 +44,7 @@ class Request:
     domain: Domain
     dem: RasterRef | None
     datum: str
-    """What the heights of ``dem`` refer to; one of ``terrain.DATUMS``."""
+    """What the heights of ``dem`` refer to; one of ``thresholds.HEIGHT_DATUMS``."""
     height: float | None
     """Constant height above the ellipsoid, m, instead of ``dem``."""
     output: Path
@@ -57,7 +55,9 @@ class Request:
     extent: Extent | None = None
     """In the target system; None: the whole image."""
     resampling: str = "cubic"
+    """One of ``thresholds.RESAMPLINGS``."""
     format: str = "GTiff"
+    """One of ``thresholds.ORTHO_FORMATS``."""
 
 
 @dataclass(frozen=True)

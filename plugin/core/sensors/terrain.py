@@ -14,10 +14,8 @@ from ..systems import extent_on, heights_above_ellipsoid, transform_points, vert
 from ..windows import Extent
 from .ground import WGS84
 
-AUTO, ELLIPSOID = "auto", "ellipsoid"
-VERTICAL = {"egm96": thresholds.EGM96, "egm2008": thresholds.EGM2008}
-DATUMS = (AUTO, ELLIPSOID, *VERTICAL)
-"""What heights may refer to; ``auto`` is what the reference system says."""
+AUTO, ELLIPSOID, _EGM96, _EGM2008 = thresholds.HEIGHT_DATUMS
+VERTICAL = {_EGM96: thresholds.EGM96, _EGM2008: thresholds.EGM2008}
 
 
 @dataclass(frozen=True)
@@ -66,8 +64,8 @@ def constant_terrain(height: float, extent: Extent) -> Terrain:
 def load_terrain(ref: RasterRef, extent: Extent, datum: str) -> Terrain:
     """The heights of a raster over longitudes and latitudes (west, south, east, north), brought to the ellipsoid.
 
-    ``datum`` is one of ``DATUMS``. Raises RasterError where the raster lies elsewhere, is rotated, has no reference
-    system, is too large there, or where PROJ has no grid for its heights.
+    ``datum`` is one of ``thresholds.HEIGHT_DATUMS``. Raises RasterError where the raster lies elsewhere, is rotated,
+    has no reference system, is too large there, or where PROJ has no grid for its heights.
     """
     dataset = open_dataset(ref)
     wkt = dataset.GetProjection() or ref.wkt

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsFeature,
     QgsGeometry,
     QgsProcessingContext,
@@ -18,9 +17,11 @@ from ..core.messages import Message
 from ..core.windows import Extent
 from . import parameters as common
 
+_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+
 
 @dataclass(frozen=True)
-class DrawnWindow:
+class WindowFeature:
     """One feature."""
 
     window_id: int
@@ -30,7 +31,7 @@ class DrawnWindow:
     """Why not."""
 
 
-class DrawnWindows:
+class WindowFeatures:
     """All of them; what a result needs of a window is kept until it is taken."""
 
     def __init__(
@@ -40,13 +41,13 @@ class DrawnWindows:
         self.renumbered = 0
         """How many windows had no number of their own."""
         self._source = source
-        self._transform = QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())
+        self._transform = common.transform(source, crs, context)
         self._names = set(source.fields().names())
         self._waiting: dict[int, tuple[QgsGeometry | None, str | None]] = {}
         self._numbers = self._given_numbers()
         self._last = max(self._numbers, default=0)
 
-    def windows(self) -> Iterator[DrawnWindow]:
+    def windows(self) -> Iterator[WindowFeature]:
         """One per feature, in the layer's order."""
         from ..adapters import layers
 
@@ -56,9 +57,9 @@ class DrawnWindows:
             try:
                 extent = layers.extent(layers.window_geometry(feature, self._transform))
                 geometry = layers.rectangle(extent)
-                window = DrawnWindow(number, extent)
+                window = WindowFeature(number, extent)
             except WindowError as error:
-                window = DrawnWindow(number, None, error.message)
+                window = WindowFeature(number, None, error.message)
             observer = (feature["observer"] or None) if "observer" in self._names else None
             self._waiting[number] = geometry, observer
             yield window
@@ -72,15 +73,24 @@ class DrawnWindows:
 
         if "window_id" not in self._names:
             return set()
-        numbers = (common.whole_number(feature["window_id"]) for feature in layers.features(self._source))
+        numbers = (_whole_number(feature["window_id"]) for feature in layers.features(self._source))
         return {number for number in numbers if number is not None}
 
     def _number(self, feature: QgsFeature) -> int:
         """The feature's own number when it is the first to have it, else the next free one."""
-        own = common.whole_number(feature["window_id"]) if "window_id" in self._names else None
+        own = _whole_number(feature["window_id"]) if "window_id" in self._names else None
         if own is not None and own in self._numbers:
             self._numbers.remove(own)
             return own
         self.renumbered += "window_id" in self._names
         self._last += 1
         return self._last
+
+
+def _whole_number(value: object) -> int | None:
+    """A window's number from a field of any type."""
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None
