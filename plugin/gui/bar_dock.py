@@ -16,11 +16,9 @@ from qgis.core import (
     QgsRasterLayer,
     QgsVectorLayer,
 )
-from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
+from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import (
-    QAction,
     QComboBox,
     QDoubleSpinBox,
     QFormLayout,
@@ -35,7 +33,6 @@ from ..adapters import bar_layer
 from ..adapters.bar_jobs import bar_job
 from ..adapters.bar_lines import pixel_segment
 from ..adapters.layers import layer_ref, mosaic_crs
-from ..adapters.resources import icon_path
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SeamInspectorError
@@ -48,28 +45,27 @@ from .bar_profile import BarProfile
 from .bar_tool import BarTool
 from .clipped_label import ClippedLabel
 from .layer_box import LayerBox
+from .tool_dock import ToolDock
 
 if TYPE_CHECKING:
     from ..core.resolution.groups import GroupResult
 
-_MESSAGE_SECONDS = 8
 _Filter = QgsMapLayerProxyModel.Filter
 
 
-class BarDock(QgsDockWidget):
-    """Owns the map tool, the profile and the tasks; ``close_desk`` lets go of all of them."""
+class BarDock(ToolDock):
+    """Owns the map tool, the profile and the tasks."""
 
     def __init__(self, iface: QgisInterface) -> None:
-        super().__init__(tr("Bar groups"), iface.mainWindow())
-        self.setObjectName("SeamInspectorBarDock")
-        self._iface = iface
-        self._canvas = iface.mapCanvas()
+        super().__init__(iface, tr("Bar groups"), "SeamInspectorBarDock")
         self._background = Background(self)
         self._described: tuple[str, Mosaic] | None = None
         self._waiting: BarLine | None = None  # the newest line, while an older one is measured
-        self._previous_tool: QgsMapTool | None = None
         self.results: tuple[GroupResult, ...] = ()
-        self.tool = BarTool(self._canvas)
+        tool = BarTool(self._canvas)
+        self._offer_tool(
+            tool, "bar_group", tr("Draw a line across the bars of the group: drag, or click at both ends.")
+        )
         self.image = LayerBox(_Filter.RasterLayer, tr("no image"))
         self.image.only_files()
         self.lines = LayerBox(_Filter.LineLayer, tr("new layer"))
@@ -84,35 +80,20 @@ class BarDock(QgsDockWidget):
         self.direction = QComboBox()
         for direction, words in zip(DIRECTIONS, (tr("along"), tr("across"))):
             self.direction.addItem(words, direction)
-        self.draw = QAction(QIcon(icon_path("bar_group")), tr("Draw"), self)
-        self.draw.setToolTip(tr("Draw a line across the bars of the group: drag, or click at both ends."))
-        self.draw.setCheckable(True)
-        self.draw.triggered.connect(self._toggle_tool)
         self.profile = BarProfile()
         self.verdict = ClippedLabel(3)
         self._lay_out()
         self.image.layerChanged.connect(self._image_changed)
         self.direction.currentIndexChanged.connect(self._take_next)
-        self.tool.moved.connect(self._line_moved)
-        self.tool.drawn.connect(self._line_drawn)
-        self.tool.cancelled.connect(self._line_cancelled)
-        self.tool.finished.connect(self._leave_tool)
+        tool.moved.connect(self._line_moved)
+        tool.drawn.connect(self._line_drawn)
+        tool.cancelled.connect(self._line_cancelled)
         self._background.ended.connect(self._task_ended)
-        self._background.failed.connect(self._show_message)
-        self._canvas.mapToolSet.connect(self._tool_set)
+        self._background.failed.connect(self._warn)
         self._image_changed()
 
-    @property
-    def standard_width(self) -> int:
-        """Pixels at which nothing is cut off on the right of the map."""
-        return max(420, 46 * self.fontMetrics().averageCharWidth())
-
     def close_desk(self) -> None:
-        """Leave nothing behind: map tool, canvas items, connections, tasks."""
-        self._canvas.mapToolSet.disconnect(self._tool_set)
-        if self._canvas.mapTool() is self.tool:
-            self._leave_tool()
-        self.tool.close()
+        super().close_desk()
         self._background.close()
 
     def target(self) -> Target:
@@ -143,7 +124,7 @@ class BarDock(QgsDockWidget):
             shape = QgsGeometry.fromPolylineXY([start, end])
             bar_layer.add_bar_line(layer, shape, transform, self.group.value(), self.direction.currentData())
         except SeamInspectorError as error:
-            self._show_message(error.message)
+            self._warn(error.message)
             return
         layer.triggerRepaint()
         self.group.setValue(self.group.value() + 1)
@@ -225,33 +206,14 @@ class BarDock(QgsDockWidget):
         has_image = self._raster() is not None
         self.draw.setEnabled(has_image)
         if not has_image:
-            if self._canvas.mapTool() is self.tool:
-                self._leave_tool()
+            self._leave_tool()
             if not self.verdict.text():
                 self.verdict.setText(sentence(messages.NO_BAR_IMAGE()))
 
     # widgets
 
-    def _toggle_tool(self, checked: bool) -> None:
-        if checked:
-            self._previous_tool = self._canvas.mapTool()
-            self._canvas.setMapTool(self.tool)
-        else:
-            self._leave_tool()
-
-    def _leave_tool(self) -> None:
-        if self._previous_tool is not None:
-            self._canvas.setMapTool(self._previous_tool)
-        else:
-            self._canvas.unsetMapTool(self.tool)
-
-    def _tool_set(self, tool: QgsMapTool, _old: QgsMapTool | None = None) -> None:
-        self.draw.setChecked(tool is self.tool)
-
-    def _show_message(self, message: Message) -> None:
-        self._iface.messageBar().pushMessage(
-            tr("Seam Inspector"), sentence(message), Qgis.MessageLevel.Warning, _MESSAGE_SECONDS
-        )
+    def _warn(self, message: Message) -> None:
+        self._show_message(sentence(message), Qgis.MessageLevel.Warning)
 
     @staticmethod
     def _whole(value: int) -> QSpinBox:

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsProject, QgsRasterLayer, QgsRectangle
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsRubberBand
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QPoint, Qt
 from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QAction, QApplication
@@ -230,6 +231,17 @@ def test_the_previous_tool_comes_back_and_nothing_stays(operator: Operator) -> N
         assert canvas.mapTool() is previous
         assert len(canvas.scene().items()) == items
     canvas.unsetMapTool(previous)
+
+
+def test_a_previous_tool_that_was_deleted_meanwhile(operator: Operator) -> None:
+    operator.dock.draw.trigger()
+    previous = QgsMapTool(operator.canvas)
+    operator.canvas.setMapTool(previous)
+    operator.dock.draw.trigger()
+    sip.delete(previous)
+    operator.dock.draw.trigger()
+    assert operator.canvas.mapTool() is None
+    assert not operator.dock.draw.isChecked()
 
 
 def test_an_image_that_vanishes(operator: Operator) -> None:
