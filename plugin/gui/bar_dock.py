@@ -30,14 +30,15 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..adapters import bar_layer
-from ..adapters.bar_jobs import bar_job
+from ..adapters.bar_jobs import bar_job, image_job
 from ..adapters.bar_lines import pixel_segment
 from ..adapters.layers import layer_ref, mosaic_crs
+from ..adapters.tasks import End, Outcome
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SeamInspectorError
 from ..core.messages import Message
-from ..core.rasters import Mosaic, describe_picture
+from ..core.rasters import Mosaic
 from ..core.resolution.groups import BarLine, Resolution
 from ..core.resolution.target import DIRECTIONS, Target
 from .background import Background
@@ -59,7 +60,7 @@ class BarDock(ToolDock):
     def __init__(self, iface: QgisInterface) -> None:
         super().__init__(iface, tr("Bar groups"), "SeamInspectorBarDock")
         self._background = Background(self)
-        self._described: tuple[str, Mosaic] | None = None
+        self._raster: Mosaic | None = None  # the image, once it is open
         self._waiting: BarLine | None = None  # the newest line, while an older one is measured
         self.results: tuple[GroupResult, ...] = ()
         tool = BarTool(self._canvas)
@@ -113,7 +114,7 @@ class BarDock(ToolDock):
             self._measure(line)
 
     def _line_drawn(self, start: QgsPointXY, end: QgsPointXY) -> None:
-        raster, line = self._raster(), self._bar_line(start, end)
+        raster, line = self._raster, self._bar_line(start, end)
         if raster is None or line is None:
             return
         self._measure(line)
@@ -150,35 +151,36 @@ class BarDock(ToolDock):
 
     def _bar_line(self, start: QgsPointXY, end: QgsPointXY) -> BarLine | None:
         """A line of the map in pixels of the image; None without image or where the map has no place on it."""
-        raster = self._raster()
-        if raster is None:
+        if self._raster is None:
             return None
-        map_crs = self._canvas.mapSettings().destinationCrs()
-        transform = QgsCoordinateTransform(map_crs, mosaic_crs(raster), QgsProject.instance().transformContext())
+        map_crs, crs = self._canvas.mapSettings().destinationCrs(), mosaic_crs(self._raster)
+        transform = QgsCoordinateTransform(map_crs, crs, QgsProject.instance().transformContext())
         try:
             ends = [transform.transform(start), transform.transform(end)]
         except QgsCsException:
             return None
         if ends[0] == ends[1]:
             return None
-        return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, raster.grid))
+        return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, self._raster.grid))
 
     # measuring, in the background
 
     def _measure(self, line: BarLine) -> None:
         """Measure a line as soon as the one before is done; those between are left out."""
-        raster = self._raster()
-        if raster is None:
+        if self._raster is None:
             return
         if self._background.is_under_way(_KEY):
             self._waiting = line
             return
         self._waiting = None
-        job = bar_job(raster, line, self.target(), thresholds.DEFAULT_BAR_WIDTH_PX)
+        job = bar_job(self._raster, line, self.target(), thresholds.DEFAULT_BAR_WIDTH_PX)
         self._background.start(tr("Measure a bar group"), job, self._take, _KEY)
 
-    def _task_ended(self, _key: object, _outcome: object) -> None:
-        if self._waiting is not None:
+    def _task_ended(self, key: object, outcome: Outcome) -> None:
+        if key == _IMAGE_KEY and outcome.end is not End.DONE:
+            self.image.show_layer("")  # cancelled in QGIS, or failed, which a message told
+            self._image_changed()
+        elif self._waiting is not None:
             self._measure(self._waiting)
 
     def _take(self, resolution: object) -> None:
@@ -187,28 +189,36 @@ class BarDock(ToolDock):
         self.profile.show_results(self.results, self.target().criterion)
         self.verdict.setText(_verdict(resolution))
 
-    def _raster(self) -> Mosaic | None:
-        """The image; its header is read once."""
+    def _image_changed(self) -> None:
+        """Open the image, in the background: it may lie on a slow network."""
+        self._background.abandon()  # what is under way is of the image before
+        self._raster = self._waiting = None
+        self.draw.setEnabled(False)
         layer = self.image.currentLayer()
         if not isinstance(layer, QgsRasterLayer):
-            return None
-        if self._described is None or self._described[0] != layer.id():
-            try:
-                self._described = layer.id(), describe_picture(layer_ref(layer))
-            except SeamInspectorError as error:
-                self.verdict.setText(sentence(error.message))
-                return None
-        return self._described[1]
+            self._refuse(messages.NO_BAR_IMAGE())
+            return
+        try:
+            job = image_job(layer_ref(layer))
+        except SeamInspectorError as error:
+            self._refuse(error.message)
+            return
+        self.verdict.setText(tr("Reading the pictures ..."))
+        self._background.start(tr("Read pictures"), job, self._take_image, _IMAGE_KEY)
 
-    def _image_changed(self) -> None:
-        self._described = None
-        self.verdict.setText("")
-        has_image = self._raster() is not None
-        self.draw.setEnabled(has_image)
-        if not has_image:
-            self._leave_tool()
-            if not self.verdict.text():
-                self.verdict.setText(sentence(messages.NO_BAR_IMAGE()))
+    def _take_image(self, found: object) -> None:
+        if isinstance(found, Mosaic):
+            self._raster = found
+            self.draw.setEnabled(True)
+            self.verdict.setText("")
+        else:
+            assert isinstance(found, Message)
+            self._refuse(found)
+
+    def _refuse(self, why: Message) -> None:
+        """There is no image to draw on."""
+        self._leave_tool()
+        self.verdict.setText(sentence(why))
 
     # widgets
 
@@ -247,7 +257,7 @@ class BarDock(ToolDock):
         self.setWidget(body)
 
 
-_KEY = "bar group"
+_KEY, _IMAGE_KEY = "bar group", "image"
 
 
 def _row(*widgets: QWidget) -> QWidget:

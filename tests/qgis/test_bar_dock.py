@@ -7,7 +7,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsProject, QgsRasterLayer, QgsRectangle
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsPointXY,
+    QgsProject,
+    QgsRasterLayer,
+    QgsRectangle,
+)
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsRubberBand
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QPoint, Qt
@@ -81,6 +88,7 @@ def operator(
     dock.image.setLayer(raster)
     dock.reference_group.setValue(1)
     dock.reference_grd.setValue(COARSEST_CM)
+    wait_until(dock.draw.isEnabled, "for the image")
     dock.draw.trigger()
     yield Operator(dock, canvas, scene)
     dock.close_desk()
@@ -139,6 +147,70 @@ def test_pixels_are_read_in_the_background_and_the_last_line_wins(
     assert len(measured) < 20  # those that came too fast are left out
     assert measured[-1].end[0] == pytest.approx(end[0], abs=0.3)
     assert "resolved" in operator.dock.verdict.text()
+
+
+@pytest.fixture
+def slow_header(operator: Operator, monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
+    """Images open once it is set, at the latest at the test's end."""
+    may_end, genuine = threading.Event(), bar_jobs.describe_picture
+
+    def describe(ref):  # type: ignore[no-untyped-def]
+        may_end.wait()
+        return genuine(ref)
+
+    monkeypatch.setattr(bar_jobs, "describe_picture", describe)
+    yield may_end
+    may_end.set()
+    wait_for_tasks()
+
+
+def another_image(operator: Operator) -> QgsRasterLayer:
+    """The target's file as a second layer, chosen in the dock."""
+    image = QgsRasterLayer(operator.scene.path, "the same")
+    QgsProject.instance().addMapLayer(image)
+    operator.dock.image.setLayer(image)
+    return image
+
+
+def test_an_image_that_opens_slowly(operator: Operator, slow_header: threading.Event) -> None:
+    another_image(operator)
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    operator.release(end)
+    settle()
+    assert operator.dock.verdict.text() == "Reading the pictures ..."
+    assert not operator.dock.draw.isEnabled()
+    assert operator.rows() == []
+    assert not operator.dock.results
+    slow_header.set()
+    wait_until(operator.dock.draw.isEnabled, "for the image")
+    assert operator.dock.draw.isChecked()  # the tool stays at hand meanwhile
+    operator.draw(1)
+    assert operator.rows() == [(1, "along")]
+
+
+def test_an_image_whose_opening_is_stopped_is_not_chosen(operator: Operator, slow_header: threading.Event) -> None:
+    another_image(operator)
+    wait_until(QgsApplication.taskManager().activeTasks)
+    for task in QgsApplication.taskManager().activeTasks():
+        task.cancel()
+    slow_header.set()
+    wait_until(lambda: operator.dock.image.currentLayer() is None)
+    assert operator.dock.verdict.text().startswith("No image of a bar target is chosen")
+    assert not operator.dock.draw.isChecked()
+
+
+def test_an_image_that_can_not_be_opened_says_why(operator: Operator, tmp_path: Path) -> None:
+    gone = tmp_path / "gone.tif"
+    gone.write_bytes(Path(operator.scene.path).read_bytes())
+    image = QgsRasterLayer(str(gone), "gone")
+    QgsProject.instance().addMapLayer(image)
+    gone.unlink()
+    operator.dock.image.setLayer(image)
+    wait_until(lambda: "gone.tif does not exist" in operator.dock.verdict.text())
+    assert not operator.dock.draw.isEnabled()
+    assert not operator.dock.draw.isChecked()
 
 
 def test_two_clicks_draw_as_well_as_a_drag(operator: Operator) -> None:
