@@ -18,7 +18,9 @@ from qgis.core import (
 )
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
+    QBoxLayout,
     QComboBox,
     QDoubleSpinBox,
     QFormLayout,
@@ -134,7 +136,7 @@ class BarDock(ToolDock):
         self._waiting = None
         self.results = ()
         self.profile.show_results([], self.target().criterion)
-        self.verdict.setText("")
+        self.verdict.setText(self.draw.toolTip())
 
     def _new_layer(self, raster: Mosaic) -> QgsVectorLayer:
         folder = Path(QgsProject.instance().homePath() or QgsApplication.qgisSettingsDirPath())
@@ -210,7 +212,7 @@ class BarDock(ToolDock):
         if isinstance(found, Mosaic):
             self._raster = found
             self.draw.setEnabled(True)
-            self.verdict.setText("")
+            self.verdict.setText(self.draw.toolTip())
         else:
             assert isinstance(found, Message)
             self._refuse(found)
@@ -221,6 +223,12 @@ class BarDock(ToolDock):
         self.verdict.setText(sentence(why))
 
     # widgets
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Side by side when the dock is wide, one above the other when it is narrow."""
+        super().resizeEvent(event)
+        directions = QBoxLayout.Direction
+        self._sides.setDirection(directions.LeftToRight if self.is_wide else directions.TopToBottom)
 
     def _warn(self, message: Message) -> None:
         self._show_message(sentence(message), Qgis.MessageLevel.Warning)
@@ -247,13 +255,19 @@ class BarDock(ToolDock):
         form.addRow(tr("Bars"), self.bars)
         form.addRow(tr("Reference"), _row(self.reference_group, self.reference_grd))
         form.addRow(tr("Group"), _row(self.group, self.direction, button))
-        body, layout = QWidget(), QVBoxLayout()
-        layout.setContentsMargins(4, 2, 4, 4)
-        layout.setSpacing(3)
-        layout.addLayout(form)
-        layout.addWidget(self.profile, 1)
-        layout.addWidget(self.verdict)
-        body.setLayout(layout)
+        settings = QVBoxLayout()
+        settings.addLayout(form)
+        settings.addStretch()
+        shown = QVBoxLayout()
+        shown.addWidget(self.profile, 1)
+        shown.addWidget(self.verdict)
+        self._sides = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._sides.setContentsMargins(4, 2, 4, 4)
+        self._sides.setSpacing(6)
+        self._sides.addLayout(settings)
+        self._sides.addLayout(shown, 1)
+        body = QWidget()
+        body.setLayout(self._sides)
         self.setWidget(body)
 
 

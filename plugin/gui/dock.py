@@ -94,8 +94,7 @@ class InspectionDock(ToolDock):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Side by side when the dock is wide, one above the other when it is narrow."""
         super().resizeEvent(event)
-        wide = self.width() > 1.4 * self.height()
-        orientation = Qt.Orientation.Horizontal if wide else Qt.Orientation.Vertical
+        orientation = Qt.Orientation.Horizontal if self.is_wide else Qt.Orientation.Vertical
         if orientation != self._splitter.orientation():
             self._splitter.setOrientation(orientation)
             self._splitter.setSizes([2000, 3000])  # shares; Qt fits them to the room there is

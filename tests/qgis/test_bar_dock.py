@@ -18,10 +18,11 @@ from qgis.core import (
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsRubberBand
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QPoint, Qt
-from qgis.PyQt.QtGui import QKeyEvent
+from qgis.PyQt.QtGui import QColor, QKeyEvent
 from qgis.PyQt.QtWidgets import QAction, QApplication
 from seam_inspector.plugin.adapters import bar_jobs
 from seam_inspector.plugin.gui.bar_dock import BarDock
+from seam_inspector.plugin.gui.painted_chart import chart_style
 
 from tests.qgis.bar_scenes import COARSEST_CM, BarScene, bar_layer, make_bar_scene
 from tests.qgis.scenes import at, layer
@@ -250,6 +251,52 @@ def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
     operator.move((7, 3))
     wait_until(lambda: "px long" in operator.dock.verdict.text())
     assert operator.dock.profile.bands_shown == 0
+
+
+def test_the_profile_is_drawn_in_a_thread_and_goes_with_its_line(operator: Operator) -> None:
+    profile = operator.dock.profile
+    profile.resize(400, 300)
+
+    def colours() -> set[str]:
+        profile.grab()  # asks for what is to be seen now
+        wait_until(lambda: profile.is_drawn, "for the chart")
+        image = profile.grab().toImage()
+        return {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
+
+    assert len(colours()) == 1  # nothing was measured
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    wait_until(lambda: operator.dock.results, "for the profile")
+    assert {"#0072b2", chart_style(profile).limit} <= colours()
+    operator.release(end, RIGHT)
+    assert len(colours()) == 1
+    assert operator.dock.verdict.text() == operator.dock.draw.toolTip()
+
+
+def test_side_by_side_where_the_dock_is_wide(operator: Operator) -> None:
+    dock = operator.dock
+    for width, height, is_beside in ((420, 800, False), (1200, 320, True), (420, 800, False)):
+        dock.setFloating(True)  # the tests' main window is not shown, nor would be what is docked there
+        dock.resize(width, height)
+        dock.show()
+        settle()
+        profile, last = dock.profile, dock.group
+        place = profile.mapTo(dock, QPoint()) - last.mapTo(dock, QPoint())
+        assert (place.x() > 0) == is_beside
+        assert (place.y() < 0) == is_beside
+    dock.hide()
+
+
+def test_drawn_lines_are_seen_on_bright_and_on_dark_ground_with_their_numbers(operator: Operator) -> None:
+    operator.draw(1)
+    lines = operator.dock.line_layer()
+    assert lines is not None
+    assert not lines.isModified() or lines.isEditable()
+    inner, outer = (part.color() for part in reversed(lines.renderer().symbol().symbolLayers()))
+    assert inner.lightness() > 120 > outer.lightness()
+    assert lines.labelsEnabled()
+    assert lines.labeling().settings().fieldName == "group"
 
 
 def test_a_line_over_another_group_than_its_number_says_is_told(operator: Operator) -> None:
