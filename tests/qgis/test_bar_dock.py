@@ -292,7 +292,6 @@ def test_drawn_lines_are_seen_on_bright_and_on_dark_ground_with_their_numbers(op
     operator.draw(1)
     lines = operator.dock.line_layer()
     assert lines is not None
-    assert not lines.isModified() or lines.isEditable()
     inner, outer = (part.color() for part in reversed(lines.renderer().symbol().symbolLayers()))
     assert inner.lightness() > 120 > outer.lightness()
     assert lines.labelsEnabled()
