@@ -9,6 +9,7 @@ from typing import Any
 
 from qgis.core import QgsPointXY, QgsProject, QgsRasterLayer, QgsRectangle, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop, QPoint, Qt, QTimer
+from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QTabWidget, QWidget
 from qgis.utils import iface, plugins
@@ -105,9 +106,11 @@ class Desk:
         return layers
 
     def load_seamlines(self, path: Path) -> QgsVectorLayer:
-        """Add the layer ``seamlines`` of a GeoPackage."""
+        """Add the layer ``seamlines`` of a GeoPackage, in a colour that is seen on the mosaic."""
         layer = QgsVectorLayer(f"{path}|layername=seamlines", "seamlines")
         assert layer.isValid()
+        layer.renderer().symbol().setColor(QColor("#00e5ff"))
+        layer.renderer().symbol().setWidth(0.4)
         self.project.addMapLayer(layer)
         return layer
 

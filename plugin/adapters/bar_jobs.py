@@ -1,12 +1,25 @@
-"""The job that measures one bar group in the background."""
+"""The jobs of bar groups: opening the image of a target, and measuring one group in it."""
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..core.rasters import Mosaic
+from ..core.errors import SeamInspectorError
+from ..core.rasters import Mosaic, RasterRef, describe_picture
 from ..core.resolution.groups import BarLine, judge, measure_line
 from ..core.resolution.target import Target
 from .tasks import Cancelled, Job
+
+
+def image_job(ref: RasterRef) -> Job:
+    """Opens an image; yields the Mosaic, or the Message why it can't be used."""
+
+    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        try:
+            yield 1.0, describe_picture(ref)
+        except SeamInspectorError as error:
+            yield 1.0, error.message
+
+    return job
 
 
 def bar_job(raster: Mosaic, line: BarLine, target: Target, width: float) -> Job:

@@ -18,6 +18,7 @@ from qgis.core import (
 from ..core import messages
 from ..core.errors import WindowLayerError
 from .bar_lines import DIRECTION, GROUP
+from .resources import style_path
 from .tables import table_fields
 from .text import tr
 from .window_layer import edit_step
@@ -26,7 +27,7 @@ _LAYER_NAME = "bar_groups"
 
 
 def create_bar_layer(crs: QgsCoordinateReferenceSystem, folder: Path) -> QgsVectorLayer:
-    """A new, empty GeoPackage in a folder. Raises WindowLayerError when it can't be written there."""
+    """A new, empty GeoPackage in a folder, styled. Raises WindowLayerError when it can't be written there."""
     path, number = folder / f"{_LAYER_NAME}.gpkg", 1
     while path.exists():
         number += 1
@@ -42,6 +43,7 @@ def create_bar_layer(crs: QgsCoordinateReferenceSystem, folder: Path) -> QgsVect
     layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Bar groups"), "ogr")
     if failed or not layer.isValid():
         raise WindowLayerError(messages.BAR_LAYER_NOT_CREATED(folder=folder))
+    layer.loadNamedStyle(style_path("bar_groups"))
     return layer
 
 

@@ -16,11 +16,11 @@ from qgis.core import (
     QgsRasterLayer,
     QgsVectorLayer,
 )
-from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
+from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QIcon
+from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
-    QAction,
+    QBoxLayout,
     QComboBox,
     QDoubleSpinBox,
     QFormLayout,
@@ -32,15 +32,15 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ..adapters import bar_layer
-from ..adapters.bar_jobs import bar_job
+from ..adapters.bar_jobs import bar_job, image_job
 from ..adapters.bar_lines import pixel_segment
 from ..adapters.layers import layer_ref, mosaic_crs
-from ..adapters.resources import icon_path
+from ..adapters.tasks import End, Outcome
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SeamInspectorError
 from ..core.messages import Message
-from ..core.rasters import Mosaic, describe_picture
+from ..core.rasters import Mosaic
 from ..core.resolution.groups import BarLine, Resolution
 from ..core.resolution.target import DIRECTIONS, Target
 from .background import Background
@@ -48,28 +48,27 @@ from .bar_profile import BarProfile
 from .bar_tool import BarTool
 from .clipped_label import ClippedLabel
 from .layer_box import LayerBox
+from .tool_dock import ToolDock
 
 if TYPE_CHECKING:
     from ..core.resolution.groups import GroupResult
 
-_MESSAGE_SECONDS = 8
 _Filter = QgsMapLayerProxyModel.Filter
 
 
-class BarDock(QgsDockWidget):
-    """Owns the map tool, the profile and the tasks; ``close_desk`` lets go of all of them."""
+class BarDock(ToolDock):
+    """Owns the map tool, the profile and the tasks."""
 
     def __init__(self, iface: QgisInterface) -> None:
-        super().__init__(tr("Bar groups"), iface.mainWindow())
-        self.setObjectName("SeamInspectorBarDock")
-        self._iface = iface
-        self._canvas = iface.mapCanvas()
+        super().__init__(iface, tr("Bar groups"), "SeamInspectorBarDock")
         self._background = Background(self)
-        self._described: tuple[str, Mosaic] | None = None
+        self._raster: Mosaic | None = None  # the image, once it is open
         self._waiting: BarLine | None = None  # the newest line, while an older one is measured
-        self._previous_tool: QgsMapTool | None = None
         self.results: tuple[GroupResult, ...] = ()
-        self.tool = BarTool(self._canvas)
+        tool = BarTool(self._canvas)
+        self._offer_tool(
+            tool, "bar_group", tr("Draw a line across the bars of the group: drag, or click at both ends.")
+        )
         self.image = LayerBox(_Filter.RasterLayer, tr("no image"))
         self.image.only_files()
         self.lines = LayerBox(_Filter.LineLayer, tr("new layer"))
@@ -84,35 +83,20 @@ class BarDock(QgsDockWidget):
         self.direction = QComboBox()
         for direction, words in zip(DIRECTIONS, (tr("along"), tr("across"))):
             self.direction.addItem(words, direction)
-        self.draw = QAction(QIcon(icon_path("bar_group")), tr("Draw"), self)
-        self.draw.setToolTip(tr("Draw a line across the bars of the group: drag, or click at both ends."))
-        self.draw.setCheckable(True)
-        self.draw.triggered.connect(self._toggle_tool)
         self.profile = BarProfile()
         self.verdict = ClippedLabel(3)
         self._lay_out()
         self.image.layerChanged.connect(self._image_changed)
         self.direction.currentIndexChanged.connect(self._take_next)
-        self.tool.moved.connect(self._line_moved)
-        self.tool.drawn.connect(self._line_drawn)
-        self.tool.cancelled.connect(self._line_cancelled)
-        self.tool.finished.connect(self._leave_tool)
+        tool.moved.connect(self._line_moved)
+        tool.drawn.connect(self._line_drawn)
+        tool.cancelled.connect(self._line_cancelled)
         self._background.ended.connect(self._task_ended)
-        self._background.failed.connect(self._show_message)
-        self._canvas.mapToolSet.connect(self._tool_set)
+        self._background.failed.connect(self._warn)
         self._image_changed()
 
-    @property
-    def standard_width(self) -> int:
-        """Pixels at which nothing is cut off on the right of the map."""
-        return max(420, 46 * self.fontMetrics().averageCharWidth())
-
     def close_desk(self) -> None:
-        """Leave nothing behind: map tool, canvas items, connections, tasks."""
-        self._canvas.mapToolSet.disconnect(self._tool_set)
-        if self._canvas.mapTool() is self.tool:
-            self._leave_tool()
-        self.tool.close()
+        super().close_desk()
         self._background.close()
 
     def target(self) -> Target:
@@ -132,7 +116,7 @@ class BarDock(QgsDockWidget):
             self._measure(line)
 
     def _line_drawn(self, start: QgsPointXY, end: QgsPointXY) -> None:
-        raster, line = self._raster(), self._bar_line(start, end)
+        raster, line = self._raster, self._bar_line(start, end)
         if raster is None or line is None:
             return
         self._measure(line)
@@ -143,7 +127,7 @@ class BarDock(QgsDockWidget):
             shape = QgsGeometry.fromPolylineXY([start, end])
             bar_layer.add_bar_line(layer, shape, transform, self.group.value(), self.direction.currentData())
         except SeamInspectorError as error:
-            self._show_message(error.message)
+            self._warn(error.message)
             return
         layer.triggerRepaint()
         self.group.setValue(self.group.value() + 1)
@@ -152,7 +136,7 @@ class BarDock(QgsDockWidget):
         self._waiting = None
         self.results = ()
         self.profile.show_results([], self.target().criterion)
-        self.verdict.setText("")
+        self.verdict.setText(self.draw.toolTip())
 
     def _new_layer(self, raster: Mosaic) -> QgsVectorLayer:
         folder = Path(QgsProject.instance().homePath() or QgsApplication.qgisSettingsDirPath())
@@ -169,35 +153,36 @@ class BarDock(QgsDockWidget):
 
     def _bar_line(self, start: QgsPointXY, end: QgsPointXY) -> BarLine | None:
         """A line of the map in pixels of the image; None without image or where the map has no place on it."""
-        raster = self._raster()
-        if raster is None:
+        if self._raster is None:
             return None
-        map_crs = self._canvas.mapSettings().destinationCrs()
-        transform = QgsCoordinateTransform(map_crs, mosaic_crs(raster), QgsProject.instance().transformContext())
+        map_crs, crs = self._canvas.mapSettings().destinationCrs(), mosaic_crs(self._raster)
+        transform = QgsCoordinateTransform(map_crs, crs, QgsProject.instance().transformContext())
         try:
             ends = [transform.transform(start), transform.transform(end)]
         except QgsCsException:
             return None
         if ends[0] == ends[1]:
             return None
-        return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, raster.grid))
+        return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, self._raster.grid))
 
     # measuring, in the background
 
     def _measure(self, line: BarLine) -> None:
         """Measure a line as soon as the one before is done; those between are left out."""
-        raster = self._raster()
-        if raster is None:
+        if self._raster is None:
             return
         if self._background.is_under_way(_KEY):
             self._waiting = line
             return
         self._waiting = None
-        job = bar_job(raster, line, self.target(), thresholds.DEFAULT_BAR_WIDTH_PX)
+        job = bar_job(self._raster, line, self.target(), thresholds.DEFAULT_BAR_WIDTH_PX)
         self._background.start(tr("Measure a bar group"), job, self._take, _KEY)
 
-    def _task_ended(self, _key: object, _outcome: object) -> None:
-        if self._waiting is not None:
+    def _task_ended(self, key: object, outcome: Outcome) -> None:
+        if key == _IMAGE_KEY and outcome.end is not End.DONE:
+            self.image.show_layer("")  # cancelled in QGIS, or failed, which a message told
+            self._image_changed()
+        elif self._waiting is not None:
             self._measure(self._waiting)
 
     def _take(self, resolution: object) -> None:
@@ -206,52 +191,47 @@ class BarDock(QgsDockWidget):
         self.profile.show_results(self.results, self.target().criterion)
         self.verdict.setText(_verdict(resolution))
 
-    def _raster(self) -> Mosaic | None:
-        """The image; its header is read once."""
+    def _image_changed(self) -> None:
+        """Open the image, in the background: it may lie on a slow network."""
+        self._background.abandon()  # what is under way is of the image before
+        self._raster = self._waiting = None
+        self.draw.setEnabled(False)
         layer = self.image.currentLayer()
         if not isinstance(layer, QgsRasterLayer):
-            return None
-        if self._described is None or self._described[0] != layer.id():
-            try:
-                self._described = layer.id(), describe_picture(layer_ref(layer))
-            except SeamInspectorError as error:
-                self.verdict.setText(sentence(error.message))
-                return None
-        return self._described[1]
+            self._refuse(messages.NO_BAR_IMAGE())
+            return
+        try:
+            job = image_job(layer_ref(layer))
+        except SeamInspectorError as error:
+            self._refuse(error.message)
+            return
+        self.verdict.setText(tr("Reading the pictures ..."))
+        self._background.start(tr("Read pictures"), job, self._take_image, _IMAGE_KEY)
 
-    def _image_changed(self) -> None:
-        self._described = None
-        self.verdict.setText("")
-        has_image = self._raster() is not None
-        self.draw.setEnabled(has_image)
-        if not has_image:
-            if self._canvas.mapTool() is self.tool:
-                self._leave_tool()
-            if not self.verdict.text():
-                self.verdict.setText(sentence(messages.NO_BAR_IMAGE()))
+    def _take_image(self, found: object) -> None:
+        if isinstance(found, Mosaic):
+            self._raster = found
+            self.draw.setEnabled(True)
+            self.verdict.setText(self.draw.toolTip())
+        else:
+            assert isinstance(found, Message)
+            self._refuse(found)
+
+    def _refuse(self, why: Message) -> None:
+        """There is no image to draw on."""
+        self._leave_tool()
+        self.verdict.setText(sentence(why))
 
     # widgets
 
-    def _toggle_tool(self, checked: bool) -> None:
-        if checked:
-            self._previous_tool = self._canvas.mapTool()
-            self._canvas.setMapTool(self.tool)
-        else:
-            self._leave_tool()
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Side by side when the dock is wide, one above the other when it is narrow."""
+        super().resizeEvent(event)
+        directions = QBoxLayout.Direction
+        self._sides.setDirection(directions.LeftToRight if self.is_wide else directions.TopToBottom)
 
-    def _leave_tool(self) -> None:
-        if self._previous_tool is not None:
-            self._canvas.setMapTool(self._previous_tool)
-        else:
-            self._canvas.unsetMapTool(self.tool)
-
-    def _tool_set(self, tool: QgsMapTool, _old: QgsMapTool | None = None) -> None:
-        self.draw.setChecked(tool is self.tool)
-
-    def _show_message(self, message: Message) -> None:
-        self._iface.messageBar().pushMessage(
-            tr("Seam Inspector"), sentence(message), Qgis.MessageLevel.Warning, _MESSAGE_SECONDS
-        )
+    def _warn(self, message: Message) -> None:
+        self._show_message(sentence(message), Qgis.MessageLevel.Warning)
 
     @staticmethod
     def _whole(value: int) -> QSpinBox:
@@ -275,17 +255,23 @@ class BarDock(QgsDockWidget):
         form.addRow(tr("Bars"), self.bars)
         form.addRow(tr("Reference"), _row(self.reference_group, self.reference_grd))
         form.addRow(tr("Group"), _row(self.group, self.direction, button))
-        body, layout = QWidget(), QVBoxLayout()
-        layout.setContentsMargins(4, 2, 4, 4)
-        layout.setSpacing(3)
-        layout.addLayout(form)
-        layout.addWidget(self.profile, 1)
-        layout.addWidget(self.verdict)
-        body.setLayout(layout)
+        settings = QVBoxLayout()
+        settings.addLayout(form)
+        settings.addStretch()
+        shown = QVBoxLayout()
+        shown.addWidget(self.profile, 1)
+        shown.addWidget(self.verdict)
+        self._sides = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._sides.setContentsMargins(4, 2, 4, 4)
+        self._sides.setSpacing(6)
+        self._sides.addLayout(settings)
+        self._sides.addLayout(shown, 1)
+        body = QWidget()
+        body.setLayout(self._sides)
         self.setWidget(body)
 
 
-_KEY = "bar group"
+_KEY, _IMAGE_KEY = "bar group", "image"
 
 
 def _row(*widgets: QWidget) -> QWidget:

@@ -1,45 +1,70 @@
 """The profile of one bar group as a chart. Imports matplotlib: load it only when a chart is to be seen."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
 
-from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
+from qgis.PyQt.QtWidgets import QWidget
 
 from ..adapters.bar_charts import draw_profiles
+from ..adapters.charts import ChartStyle
 from ..adapters.text import tr
+from ..core.resolution.bars import BarReading
 from ..core.resolution.groups import GroupResult
-from .painted_chart import chart_style
+from .chart_painter import Room, draw_figure, fit_figure, set_font
+from .painted_chart import PaintedChart, chart_style
 
-# after qgis.PyQt, whose binding matplotlib then takes
-from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg  # isort: skip
 from matplotlib.figure import Figure  # isort: skip
 
 
-class BarProfile(FigureCanvasQTAgg):
+@dataclass(frozen=True)
+class ProfileDrawing:
+    """What is to be drawn."""
+
+    number: int
+    """Of the readings: others have another one."""
+    readings: Mapping[str, BarReading] = field(compare=False)
+    criterion: float
+    style: ChartStyle
+    room: Room
+
+
+class BarProfile(PaintedChart):
     """Shows the profiles of a line by band, with their bars and the threshold of the gaps between them."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(Figure(layout="constrained"))
-        self.setParent(parent)
-        self._axes = self.figure.add_subplot()
-        line = self.fontMetrics().height()
-        self.setMinimumSize(11 * line, 8 * line)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.show_results([], 0.5)
+        super().__init__(partial(draw_figure, figure), parent)
+        self._number = 0
+        self._readings: Mapping[str, BarReading] = {}
+        self._criterion = 0.0
 
     @property
     def bands_shown(self) -> int:
         """How many profiles are to be seen."""
-        return len({line.get_label() for line in self._axes.get_lines() if not line.get_label().startswith("_")})
+        return len(self._readings)
 
     def show_results(self, results: Sequence[GroupResult], criterion: float) -> None:
-        """Draw what a line showed; an empty frame where nothing was measured."""
-        style = chart_style(self)
-        self.figure.set_facecolor(style.background)
-        self._axes.clear()
-        readings = {result.band: result.reading for result in results if result.reading is not None}
-        draw_profiles(self._axes, readings, criterion, style)
-        self._axes.tick_params(labelsize=8)
-        self._axes.set_xlabel(tr("along the line, px"), fontsize=8, color=style.text)
-        self._axes.set_ylabel("DN", fontsize=8, color=style.text)
-        self.draw_idle()
+        """Draw what a line showed; nothing where nothing was measured."""
+        self._number += 1
+        self._readings = {result.band: result.reading for result in results if result.reading is not None}
+        self._criterion = criterion
+        self._ask()
+
+    def _request(self) -> ProfileDrawing:
+        return ProfileDrawing(self._number, self._readings, self._criterion, chart_style(self), self._room(""))
+
+
+def figure(request: ProfileDrawing) -> Figure:
+    """The chart; an empty sheet where there is no profile."""
+    made = Figure(facecolor=request.style.background)
+    fit_figure(made, request.room)
+    if not request.readings:
+        return made
+    axes = made.add_subplot()
+    draw_profiles(axes, request.readings, request.criterion, request.style)
+    axes.set_xlabel(tr("along the line, px"), color=request.style.text)
+    axes.set_ylabel("DN", color=request.style.text)
+    set_font(axes, request.room)
+    made.tight_layout(pad=0.4)
+    return made

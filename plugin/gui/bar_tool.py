@@ -2,16 +2,17 @@
 from __future__ import annotations
 
 from qgis.core import QgsGeometry, QgsPointXY, QgsWkbTypes
-from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsRubberBand
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsRubberBand
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QKeyEvent
-from qgis.PyQt.QtWidgets import QApplication
+
+from .drawing_tool import DrawingTool, is_drag
 
 _LINE, _CASING = QColor("#ffd400"), QColor(0, 0, 0, 170)
 
 
-class BarTool(QgsMapTool):
+class BarTool(DrawingTool):
     """The first press sets an end, a release after a drag or a second click the other one.
 
     Esc takes the first end back; the right button does too, or ends when there is none.
@@ -23,42 +24,17 @@ class BarTool(QgsMapTool):
     """Both ends of a finished line, on the map."""
     cancelled = pyqtSignal()
     """The line under way was given up."""
-    finished = pyqtSignal()
-    """The operator is done; whoever set this tool restores the previous one."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
         self._band: QgsRubberBand | None = None
         self._start: QgsPointXY | None = None
         self._pressed_at: QPoint | None = None
-        self._active = False
-        self.setCursor(Qt.CursorShape.CrossCursor)
 
     @property
     def is_drawing(self) -> bool:
         """Whether a first end is set."""
         return self._start is not None
-
-    def close(self) -> None:
-        """Leave the canvas as if the tool had never been there. It can't be used afterwards."""
-        self.canvas().unsetMapTool(self)
-        self.deleteLater()
-
-    def activate(self) -> None:
-        super().activate()
-        if not self._active:
-            self._active = True
-            self.canvas().keyPressed.connect(self._key_pressed)
-
-    def deactivate(self) -> None:
-        if self._active:
-            self._active = False
-            self.canvas().keyPressed.disconnect(self._key_pressed)
-        self._forget()
-        if self._band is not None and not sip.isdeleted(self.canvas()):
-            self.canvas().scene().removeItem(self._band)
-        self._band = None
-        super().deactivate()
 
     def canvasPressEvent(self, event: QgsMapMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._start is None:
@@ -77,7 +53,7 @@ class BarTool(QgsMapTool):
             else:
                 self.finished.emit()
         elif event.button() == Qt.MouseButton.LeftButton and self._start is not None:
-            if self._pressed_at is not None and not self._is_far(event.pixelPoint(), self._pressed_at):
+            if self._pressed_at is not None and not is_drag(self._pressed_at, event.pixelPoint()):
                 self._pressed_at = None  # the first of two clicks
                 return
             start = self._start
@@ -90,10 +66,6 @@ class BarTool(QgsMapTool):
             event.accept()
             self._give_up()
 
-    @staticmethod
-    def _is_far(one: QPoint, other: QPoint) -> bool:
-        return (one - other).manhattanLength() > QApplication.startDragDistance()
-
     def _give_up(self) -> None:
         self._forget()
         self.cancelled.emit()
@@ -102,6 +74,12 @@ class BarTool(QgsMapTool):
         self._start = self._pressed_at = None
         if self._band is not None and not sip.isdeleted(self.canvas()):
             self._band.reset(QgsWkbTypes.GeometryType.LineGeometry)
+
+    def _clear(self) -> None:
+        self._forget()
+        if self._band is not None and not sip.isdeleted(self.canvas()):
+            self.canvas().scene().removeItem(self._band)
+        self._band = None
 
     def _show(self, end: QgsPointXY) -> None:
         if self._band is None:

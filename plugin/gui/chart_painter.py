@@ -6,7 +6,7 @@ mark of the one that the mouse points at. A new window, band or hidden raster mo
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 
@@ -77,6 +77,16 @@ class Picture(NamedTuple):
     """Where the points that can be seen are, in the interface's pixels from the upper left."""
     axes: tuple[float, float, float, float]
     """Left, top, right, bottom of the axes, likewise."""
+
+
+class FigurePicture(NamedTuple):
+    """A whole figure that was drawn."""
+
+    request: Any
+    pixels: bytes
+    """RGBA, row by row."""
+    width: int
+    height: int
 
 
 class ChartPainter:
@@ -209,6 +219,15 @@ class ChartPainter:
         axes.xaxis.set_label_coords(0.5, -(TICK_PX + line) / up)  # their own places take a third of the drawing
         axes.yaxis.set_label_coords(-(left - 1.2 * line) / across, 0.5)
         set_font(axes, room)
+
+
+def draw_figure(figure: Callable[[Any], Figure], request: Any) -> FigurePicture:
+    """What ``figure`` makes of a request, as pixels. Has no part in Qt."""
+    with courteous():
+        canvas = FigureCanvasAgg(figure(request))
+        canvas.draw()
+        pixels = np.asarray(canvas.buffer_rgba())
+        return FigurePicture(request, pixels.tobytes(), pixels.shape[1], pixels.shape[0])
 
 
 def fit_figure(figure: Figure, room: Room) -> None:

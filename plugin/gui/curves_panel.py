@@ -1,21 +1,11 @@
-"""The tab with the curves of the selected windows. matplotlib is loaded in the background."""
+"""The tab with the curves of the selected windows."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QEvent, Qt, QTimer
-from qgis.PyQt.QtGui import QPalette, QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QSizePolicy,
-    QSplitter,
-    QStackedWidget,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSplitter, QToolButton, QWidget
 
 from ..adapters.curves import (
     BAND_ORDER,
@@ -28,7 +18,8 @@ from ..adapters.curves import (
     window_curves,
 )
 from ..adapters.text import tr
-from .chart_loader import ChartLoader, chart_missing
+from .chart_loader import chart_missing
+from .chart_panel import ChartPanel
 from .curves_export import CurvesExport
 from .curves_selection import selected_results, title
 
@@ -43,28 +34,21 @@ if TYPE_CHECKING:
 _TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
 _WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the chart
 _MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
-_RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
 
 
-class CurvesPanel(QWidget):
+class CurvesPanel(ChartPanel):
     """Curves of one window, or mean and range of several; words where there is nothing to draw."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._session = session
+        super().__init__(session, parent)
         self._hidden: set[Key] = set()
         self._colours: dict[str, int] = {}
         self._band = ""  # the user's choice, kept while other windows lack it
         self._idle_text = ""
-        self._loader = ChartLoader()
-        self._loader.start()
         self._chart: CurvesChart | None = None
         self._legend: CurvesLegend | None = None
         self._legend_width = 0
         self._border_moved = False
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._refresh)
         self._build()
         session.selectionChanged.connect(self._refresh_now)
         session.inputsChanged.connect(self._refresh_now)
@@ -89,19 +73,9 @@ class CurvesPanel(QWidget):
         self._logarithmic.toggled.connect(self._refresh_now)
         self._export = CurvesExport()
         self._export.said.connect(self._session.messageRaised)
-        self._text = QLabel()
-        self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._text.setWordWrap(True)
-        self._text.setAutoFillBackground(True)
-        self._text.setBackgroundRole(QPalette.ColorRole.Base)
-        self._text.setForegroundRole(QPalette.ColorRole.Text)
-        self._text.setMargin(self.fontMetrics().height())
-        self._text.setMinimumSize(1, 1)
         self._splitter = QSplitter(Qt.Orientation.Horizontal)
         self._splitter.setChildrenCollapsible(False)
         self._splitter.splitterMoved.connect(self._on_border_moved)
-        self._pages = QStackedWidget()
-        self._pages.addWidget(self._text)
         self._pages.addWidget(self._splitter)
         self._status = QLabel()
         self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -112,12 +86,7 @@ class CurvesPanel(QWidget):
         tools.addWidget(self._logarithmic)
         tools.addStretch()
         tools.addWidget(self._export)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(self.fontMetrics().height() // 5)
-        layout.addLayout(tools)
-        layout.addWidget(self._pages, 1)
-        layout.addWidget(self._status)
+        self._lay_out(tools, self._status)
 
     def _build_chart(self) -> None:
         """Put the chart in its place."""
@@ -138,23 +107,10 @@ class CurvesPanel(QWidget):
 
     # when to draw
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._refresh_now()
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit_legend()
         self._show_point()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() in _RESTYLING:
-            self._refresh_now()
-
-    def _refresh_now(self, *_: object) -> None:
-        """As soon as the signals under way have been handled."""
-        self._timer.start(0)
 
     def _refresh_soon(self) -> None:
         if not self._timer.isActive():
@@ -172,7 +128,7 @@ class CurvesPanel(QWidget):
             self._refresh_soon()
 
     def _refresh(self) -> None:
-        """Show what is selected now. Only changes are drawn, and nothing while the panel is out of sight."""
+        """Only changes are drawn."""
         if not self.isVisible():
             return
         results, missing = selected_results(self._session)

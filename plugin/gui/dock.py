@@ -3,8 +3,8 @@ from __future__ import annotations
 
 from typing import Callable
 
-from qgis.core import Qgis, QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
-from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
+from qgis.core import QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
+from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QIcon, QKeySequence, QResizeEvent
 from qgis.PyQt.QtWidgets import (
@@ -17,7 +17,6 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ..adapters.resources import icon_path
 from ..adapters.text import tr
 from .curves_panel import CurvesPanel
 from .images_panel import ImagesPanel
@@ -27,24 +26,24 @@ from .noise_panel import NoisePanel
 from .report_writer import ReportWriter
 from .scroll_body import ScrollBody
 from .session import Session
+from .tool_dock import ToolDock
 from .window_tool import WindowTool
 from .windows_panel import WindowsPanel
 
 _SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
-_MESSAGE_SECONDS = 8
 
 
-class InspectionDock(QgsDockWidget):
-    """Owns the session, the map tool and the panels; ``close_desk`` lets go of all of them."""
+class InspectionDock(ToolDock):
+    """Owns the session, the map tool and the panels."""
 
     def __init__(self, iface: QgisInterface) -> None:
-        super().__init__(tr("Seam Inspector"), iface.mainWindow())
-        self.setObjectName("SeamInspectorDock")
-        self._iface = iface
-        self._canvas = iface.mapCanvas()
+        super().__init__(iface, tr("Seam Inspector"), "SeamInspectorDock")
         self.session = Session(self)
-        self.tool = WindowTool(self._canvas, self.session)
-        self._previous_tool: QgsMapTool | None = None
+        self._offer_tool(
+            WindowTool(self._canvas, self.session),
+            "draw_window",
+            tr("Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square."),
+        )
         self.inputs = InputsPanel(self.session)
         self.windows = WindowsPanel(self.session)
         self.judge = JudgeBar(self.session, order=self.windows.ordered_fids)
@@ -62,21 +61,10 @@ class InspectionDock(QgsDockWidget):
         self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.orderChanged.connect(self.judge.refresh)
         self.windows.zoomRequested.connect(self.zoom_to)
-        self.tool.finished.connect(self._leave_tool)
-        self._canvas.mapToolSet.connect(self._tool_set)
         self._enable_actions()
 
-    @property
-    def standard_width(self) -> int:
-        """Pixels at which nothing is cut off on the right of the map."""
-        return max(420, 46 * self.fontMetrics().averageCharWidth())
-
     def close_desk(self) -> None:
-        """Leave nothing behind: map tool, canvas items, connections, tasks."""
-        self._canvas.mapToolSet.disconnect(self._tool_set)
-        if self._canvas.mapTool() is self.tool:
-            self._leave_tool()
-        self.tool.close()
+        super().close_desk()
         self.reports.close()
         self.session.close()
         for panel in (self.inputs, self.windows, self.judge, self.curves, self.images, self.noise):
@@ -106,20 +94,12 @@ class InspectionDock(QgsDockWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Side by side when the dock is wide, one above the other when it is narrow."""
         super().resizeEvent(event)
-        wide = self.width() > 1.4 * self.height()
-        orientation = Qt.Orientation.Horizontal if wide else Qt.Orientation.Vertical
+        orientation = Qt.Orientation.Horizontal if self.is_wide else Qt.Orientation.Vertical
         if orientation != self._splitter.orientation():
             self._splitter.setOrientation(orientation)
             self._splitter.setSizes([2000, 3000])  # shares; Qt fits them to the room there is
 
     def _make_actions(self) -> None:
-        self.draw = self._action(
-            QIcon(icon_path("draw_window")),
-            tr("Draw"),
-            tr("Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square."),
-            self._toggle_tool,
-        )
-        self.draw.setCheckable(True)
         self.place = self._action(
             QgsApplication.getThemeIcon("/mActionMultiEdit.svg"),
             tr("Place"),
@@ -210,22 +190,6 @@ class InspectionDock(QgsDockWidget):
         body.addActions([*self.judge.actions_for_dock(), self.undo])
         self.setWidget(ScrollBody(body))
 
-    def _toggle_tool(self, checked: bool) -> None:
-        if checked:
-            self._previous_tool = self._canvas.mapTool()
-            self._canvas.setMapTool(self.tool)
-        else:
-            self._leave_tool()
-
-    def _leave_tool(self) -> None:
-        if self._previous_tool is not None:
-            self._canvas.setMapTool(self._previous_tool)
-        else:
-            self._canvas.unsetMapTool(self.tool)
-
-    def _tool_set(self, tool: QgsMapTool, _old: QgsMapTool | None = None) -> None:
-        self.draw.setChecked(tool is self.tool)
-
     def _place(self) -> None:
         self.session.place_windows()
 
@@ -269,8 +233,3 @@ class InspectionDock(QgsDockWidget):
         self.progress.setValue(done)
         self.progress.setFormat(tr("{done} of {asked} windows").format(done=done, asked=asked))
         self.stop.setEnabled(asked > 0)
-
-    def _show_message(self, text: str, level: int) -> None:
-        self._iface.messageBar().pushMessage(
-            tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS
-        )

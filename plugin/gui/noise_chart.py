@@ -2,17 +2,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import partial
 from typing import NamedTuple
 
-import numpy as np
 from qgis.PyQt.QtWidgets import QWidget
 
 from ..adapters.charts import ChartStyle
-from ..adapters.courtesy import courteous
 from ..adapters.curves import band_title
 from ..adapters.noise_charts import draw_noise_clip
 from ..core.noise.measurement import BandNoise
-from .chart_painter import ROOMY_LINES, Room, fit_figure, set_font
+from .chart_painter import ROOMY_LINES, Room, draw_figure, fit_figure, set_font
 from .painted_chart import PaintedChart
 
 from matplotlib.axes import Axes  # isort: skip
@@ -32,21 +31,11 @@ class NoiseDrawing(NamedTuple):
     room: Room
 
 
-class NoisePicture(NamedTuple):
-    """What was drawn."""
-
-    request: NoiseDrawing
-    pixels: bytes
-    """RGBA, row by row."""
-    width: int
-    height: int
-
-
 class NoiseChart(PaintedChart):
     """Shows the curves of one window's bands with the rising rule drawn in."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(draw, parent)
+        super().__init__(partial(draw_figure, figure), parent)
         self._bands: Mapping[str, BandNoise] = {}
         self._style: ChartStyle | None = None
 
@@ -64,15 +53,6 @@ class NoiseChart(PaintedChart):
         if self._style is None:
             return None
         return NoiseDrawing(self._bands, self._style, self._room(""))
-
-
-def draw(request: NoiseDrawing) -> NoisePicture:
-    """As pixels. Has no part in Qt."""
-    with courteous():
-        canvas = figure(request).canvas
-        canvas.draw()
-        pixels = np.asarray(canvas.buffer_rgba())
-        return NoisePicture(request, pixels.tobytes(), pixels.shape[1], pixels.shape[0])
 
 
 def figure(request: NoiseDrawing) -> Figure:

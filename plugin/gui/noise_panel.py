@@ -4,9 +4,9 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from qgis.PyQt.QtCore import QEvent, Qt, QTimer
-from qgis.PyQt.QtGui import QCloseEvent, QHideEvent, QPalette, QShowEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QCloseEvent, QHideEvent
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
 from ..adapters.noise_jobs import noise_job
 from ..adapters.noise_words import band_lines, noise_sentence
@@ -17,7 +17,8 @@ from ..core.noise.comparison import ClipNoise
 from ..core.noise.measurement import judged_band
 from ..core.rasters import RasterRef
 from .background import Background
-from .chart_loader import ChartLoader, chart_missing
+from .chart_loader import chart_missing
+from .chart_panel import ChartPanel
 from .clipped_label import ClippedLabel
 from .verdicts import rich_tip
 
@@ -30,27 +31,20 @@ if TYPE_CHECKING:
 _Key = tuple[RasterRef, DrawnWindow]
 _LOADING_MS = 100  # between looks whether matplotlib is there
 _MOST_KEPT = 500  # results, for going back and forth
-_RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
 
 
-class NoisePanel(QWidget):
+class NoisePanel(ChartPanel):
     """Measures the first selected window, in the background and only while the panel is in sight."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._session = session
+        super().__init__(session, parent)
         self._background = Background(self)
         self._background.ended.connect(self._ended)
         self._results: dict[_Key, ClipNoise | Message] = {}
         self._wanted: _Key | None = None
         self._refs: list[RasterRef] = []  # of the box's entries, the mosaic's first
         self._source: RasterRef | None = None  # the user's choice, kept while it does not cover a window
-        self._loader = ChartLoader()
-        self._loader.start()
         self._chart: NoiseChart | None = None
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._refresh)
         self._build()
         session.selectionChanged.connect(self._refresh_now)
         session.windowsChanged.connect(self._refresh_now)
@@ -66,26 +60,11 @@ class NoisePanel(QWidget):
         self._rasters.setEnabled(False)
         self._rasters.activated.connect(self._on_raster_chosen)
         self._window = QLabel()
-        self._text = QLabel()
-        self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._text.setWordWrap(True)
-        self._text.setAutoFillBackground(True)
-        self._text.setBackgroundRole(QPalette.ColorRole.Base)
-        self._text.setForegroundRole(QPalette.ColorRole.Text)
-        self._text.setMargin(self.fontMetrics().height())
-        self._text.setMinimumSize(1, 1)
-        self._pages = QStackedWidget()
-        self._pages.addWidget(self._text)
         self._words = ClippedLabel(2)
         top = QHBoxLayout()
         top.addWidget(self._rasters, 1)
         top.addWidget(self._window)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(self.fontMetrics().height() // 5)
-        layout.addLayout(top)
-        layout.addWidget(self._pages, 1)
-        layout.addWidget(self._words)
+        self._lay_out(top, self._words)
 
     def _fill_rasters(self, request: WindowRequest) -> None:
         refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
@@ -101,10 +80,6 @@ class NoisePanel(QWidget):
 
     # When to measure
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._refresh_now()
-
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self._wanted = None
@@ -116,11 +91,6 @@ class NoisePanel(QWidget):
         self._background.close()
         super().closeEvent(event)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() in _RESTYLING:
-            self._refresh_now()
-
     def _on_raster_chosen(self, index: int) -> None:
         self._source = self._refs[index] if index else None
         self._refresh_now()
@@ -130,13 +100,8 @@ class NoisePanel(QWidget):
         self._results.clear()
         self._refresh_now()
 
-    def _refresh_now(self, *_: object) -> None:
-        """As soon as the signals under way have been handled."""
-        if self.isVisible():
-            self._timer.start(0)
-
     def _refresh(self) -> None:
-        """Show what is selected now, or have it measured; out of sight nothing is."""
+        """Show what was measured, or have it measured."""
         if not self.isVisible():
             return
         selected = self._session.selected()

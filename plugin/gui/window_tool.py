@@ -5,16 +5,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateTransform, QgsCsException, QgsPointXY, QgsProject, QgsRectangle
-from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapTool
-from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt, pyqtSignal
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent
+from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt
 from qgis.PyQt.QtGui import QKeyEvent
-from qgis.PyQt.QtWidgets import QApplication
 
 from ..adapters.text import sentence, tr
 from ..core import messages, thresholds
 from ..core.errors import SeamInspectorError, WindowError
 from ..core.placing import window_side_px
 from ..core.windows import Extent, Grid, PixelWindow, snap_window, standard_window
+from .drawing_tool import DrawingTool, is_drag
 from .overlay import Overlay, Tone
 
 if TYPE_CHECKING:
@@ -38,53 +38,38 @@ class _Draft:
     seam_point: Point | None = None
 
 
-class WindowTool(QgsMapTool):
+class WindowTool(DrawingTool):
     """Click: the standard window, on the seam when one is near. Drag: a rectangle, with Shift a square.
 
     Esc cancels a drag, the right button ends. Middle button, wheel and Space move the map as ever: the canvas
     keeps these to itself, and no flag of this tool (zooming by Shift and drag, context menu) takes the others.
     """
 
-    finished = pyqtSignal()
-    """The operator is done; whoever set this tool restores the previous one."""
-
     def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
         super().__init__(canvas)
         self._session = session
         self._overlay = Overlay(canvas)
-        self._active = False
         self._pressed_at: QPoint | None = None
         self._anchor: Point | None = None  # where the drag began, on the mosaic
         self._is_drag = False
         self._is_square = False
         self._cursor: QgsPointXY | None = None  # on the map; None while it is elsewhere
-        self.setCursor(Qt.CursorShape.CrossCursor)
 
-    def close(self) -> None:
-        """Leave the canvas as if the tool had never been there. It can't be used afterwards."""
-        self.canvas().unsetMapTool(self)
-        self.deleteLater()
+    def _listen(self) -> None:
+        super()._listen()
+        self.canvas().keyReleased.connect(self._key_released)
+        self.canvas().viewport().installEventFilter(self)
+        self._session.inputsChanged.connect(self._show_draft)
 
-    def activate(self) -> None:
-        super().activate()
-        if not self._active:
-            self._active = True
-            # While a button is down the canvas hands keys to nobody but the listeners of these signals.
-            self.canvas().keyPressed.connect(self._key_pressed)
-            self.canvas().keyReleased.connect(self._key_released)
-            self.canvas().viewport().installEventFilter(self)
-            self._session.inputsChanged.connect(self._show_draft)
+    def _listen_no_more(self) -> None:
+        super()._listen_no_more()
+        self.canvas().keyReleased.disconnect(self._key_released)
+        self.canvas().viewport().removeEventFilter(self)
+        self._session.inputsChanged.disconnect(self._show_draft)
 
-    def deactivate(self) -> None:
-        if self._active:
-            self._active = False
-            self.canvas().keyPressed.disconnect(self._key_pressed)
-            self.canvas().keyReleased.disconnect(self._key_released)
-            self.canvas().viewport().removeEventFilter(self)
-            self._session.inputsChanged.disconnect(self._show_draft)
+    def _clear(self) -> None:
         self._forget()
         self._overlay.close()
-        super().deactivate()
 
     def canvasPressEvent(self, event: QgsMapMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
@@ -135,8 +120,7 @@ class WindowTool(QgsMapTool):
         self._cursor = event.mapPoint()
         self._is_square = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if self._pressed_at is not None:
-            moved = (event.pixelPoint() - self._pressed_at).manhattanLength()
-            self._is_drag = self._is_drag or moved > QApplication.startDragDistance()
+            self._is_drag = self._is_drag or is_drag(self._pressed_at, event.pixelPoint())
 
     def _end_drag(self) -> None:
         self._pressed_at = self._anchor = None

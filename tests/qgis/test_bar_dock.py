@@ -7,13 +7,22 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsProject, QgsRasterLayer, QgsRectangle
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsPointXY,
+    QgsProject,
+    QgsRasterLayer,
+    QgsRectangle,
+)
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsRubberBand
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QPoint, Qt
-from qgis.PyQt.QtGui import QKeyEvent
+from qgis.PyQt.QtGui import QColor, QKeyEvent
 from qgis.PyQt.QtWidgets import QAction, QApplication
 from seam_inspector.plugin.adapters import bar_jobs
 from seam_inspector.plugin.gui.bar_dock import BarDock
+from seam_inspector.plugin.gui.painted_chart import chart_style
 
 from tests.qgis.bar_scenes import COARSEST_CM, BarScene, bar_layer, make_bar_scene
 from tests.qgis.scenes import at, layer
@@ -80,6 +89,7 @@ def operator(
     dock.image.setLayer(raster)
     dock.reference_group.setValue(1)
     dock.reference_grd.setValue(COARSEST_CM)
+    wait_until(dock.draw.isEnabled, "for the image")
     dock.draw.trigger()
     yield Operator(dock, canvas, scene)
     dock.close_desk()
@@ -140,6 +150,70 @@ def test_pixels_are_read_in_the_background_and_the_last_line_wins(
     assert "resolved" in operator.dock.verdict.text()
 
 
+@pytest.fixture
+def slow_header(operator: Operator, monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
+    """Images open once it is set, at the latest at the test's end."""
+    may_end, genuine = threading.Event(), bar_jobs.describe_picture
+
+    def describe(ref):  # type: ignore[no-untyped-def]
+        may_end.wait()
+        return genuine(ref)
+
+    monkeypatch.setattr(bar_jobs, "describe_picture", describe)
+    yield may_end
+    may_end.set()
+    wait_for_tasks()
+
+
+def another_image(operator: Operator) -> QgsRasterLayer:
+    """The target's file as a second layer, chosen in the dock."""
+    image = QgsRasterLayer(operator.scene.path, "the same")
+    QgsProject.instance().addMapLayer(image)
+    operator.dock.image.setLayer(image)
+    return image
+
+
+def test_an_image_that_opens_slowly(operator: Operator, slow_header: threading.Event) -> None:
+    another_image(operator)
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    operator.release(end)
+    settle()
+    assert operator.dock.verdict.text() == "Reading the pictures ..."
+    assert not operator.dock.draw.isEnabled()
+    assert operator.rows() == []
+    assert not operator.dock.results
+    slow_header.set()
+    wait_until(operator.dock.draw.isEnabled, "for the image")
+    assert operator.dock.draw.isChecked()  # the tool stays at hand meanwhile
+    operator.draw(1)
+    assert operator.rows() == [(1, "along")]
+
+
+def test_an_image_whose_opening_is_stopped_is_not_chosen(operator: Operator, slow_header: threading.Event) -> None:
+    another_image(operator)
+    wait_until(QgsApplication.taskManager().activeTasks)
+    for task in QgsApplication.taskManager().activeTasks():
+        task.cancel()
+    slow_header.set()
+    wait_until(lambda: operator.dock.image.currentLayer() is None)
+    assert operator.dock.verdict.text().startswith("No image of a bar target is chosen")
+    assert not operator.dock.draw.isChecked()
+
+
+def test_an_image_that_can_not_be_opened_says_why(operator: Operator, tmp_path: Path) -> None:
+    gone = tmp_path / "gone.tif"
+    gone.write_bytes(Path(operator.scene.path).read_bytes())
+    image = QgsRasterLayer(str(gone), "gone")
+    QgsProject.instance().addMapLayer(image)
+    gone.unlink()
+    operator.dock.image.setLayer(image)
+    wait_until(lambda: "gone.tif does not exist" in operator.dock.verdict.text())
+    assert not operator.dock.draw.isEnabled()
+    assert not operator.dock.draw.isChecked()
+
+
 def test_two_clicks_draw_as_well_as_a_drag(operator: Operator) -> None:
     start, end = operator.ends(2)
     operator.press(start)
@@ -177,6 +251,51 @@ def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
     operator.move((7, 3))
     wait_until(lambda: "px long" in operator.dock.verdict.text())
     assert operator.dock.profile.bands_shown == 0
+
+
+def test_the_profile_is_drawn_in_a_thread_and_goes_with_its_line(operator: Operator) -> None:
+    profile = operator.dock.profile
+    profile.resize(400, 300)
+
+    def colours() -> set[str]:
+        profile.grab()  # asks for what is to be seen now
+        wait_until(lambda: profile.is_drawn, "for the chart")
+        image = profile.grab().toImage()
+        return {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
+
+    assert len(colours()) == 1  # nothing was measured
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    wait_until(lambda: operator.dock.results, "for the profile")
+    assert {"#0072b2", chart_style(profile).limit} <= colours()
+    operator.release(end, RIGHT)
+    assert len(colours()) == 1
+    assert operator.dock.verdict.text() == operator.dock.draw.toolTip()
+
+
+def test_side_by_side_where_the_dock_is_wide(operator: Operator) -> None:
+    dock = operator.dock
+    for width, height, is_beside in ((420, 800, False), (1200, 320, True), (420, 800, False)):
+        dock.setFloating(True)  # the tests' main window is not shown, nor would be what is docked there
+        dock.resize(width, height)
+        dock.show()
+        settle()
+        profile, last = dock.profile, dock.group
+        place = profile.mapTo(dock, QPoint()) - last.mapTo(dock, QPoint())
+        assert (place.x() > 0) == is_beside
+        assert (place.y() < 0) == is_beside
+    dock.hide()
+
+
+def test_drawn_lines_are_seen_on_bright_and_on_dark_ground_with_their_numbers(operator: Operator) -> None:
+    operator.draw(1)
+    lines = operator.dock.line_layer()
+    assert lines is not None
+    inner, outer = (part.color() for part in reversed(lines.renderer().symbol().symbolLayers()))
+    assert inner.lightness() > 120 > outer.lightness()
+    assert lines.labelsEnabled()
+    assert lines.labeling().settings().fieldName == "group"
 
 
 def test_a_line_over_another_group_than_its_number_says_is_told(operator: Operator) -> None:
@@ -230,6 +349,17 @@ def test_the_previous_tool_comes_back_and_nothing_stays(operator: Operator) -> N
         assert canvas.mapTool() is previous
         assert len(canvas.scene().items()) == items
     canvas.unsetMapTool(previous)
+
+
+def test_a_previous_tool_that_was_deleted_meanwhile(operator: Operator) -> None:
+    operator.dock.draw.trigger()
+    previous = QgsMapTool(operator.canvas)
+    operator.canvas.setMapTool(previous)
+    operator.dock.draw.trigger()
+    sip.delete(previous)
+    operator.dock.draw.trigger()
+    assert operator.canvas.mapTool() is None
+    assert not operator.dock.draw.isChecked()
 
 
 def test_an_image_that_vanishes(operator: Operator) -> None:

@@ -5,7 +5,6 @@ import gc
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -13,11 +12,7 @@ import pytest
 from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import (
-    QApplication,
-    QToolButton,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QApplication, QToolButton
 from seam_inspector.plugin.adapters.pictures import Picture
 from seam_inspector.plugin.gui.images_panel import ImagesPanel
 
@@ -29,34 +24,9 @@ from tests.qgis.images_desk import (
     leave,
     make_pictures,
     noise,
-    open_desk,
     painted,
     turn_wheel,
 )
-
-
-@pytest.fixture
-def session(qgis_app: object) -> Session:
-    return Session()
-
-
-@pytest.fixture
-def desk(session: Session) -> Iterator[QWidget]:
-    desk = open_desk(session)
-    yield desk
-    desk.close()
-    desk.deleteLater()
-
-
-@pytest.fixture
-def panel(desk: QWidget, session: Session) -> ImagesPanel:
-    """Shows window 1 with two sources."""
-    session.ready[1] = make_pictures()
-    session.select([1])
-    panel = desk.findChild(ImagesPanel)
-    QApplication.processEvents()
-    return panel
-
 
 # --- pixels ------------------------------------------------------------------------------------------------------
 

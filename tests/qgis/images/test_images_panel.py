@@ -1,19 +1,11 @@
 """The images panel: what it shows and when, and the mosaic flipped over the source under the mouse."""
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 from qgis.PyQt.QtCore import QEvent, Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import (
-    QApplication,
-    QLineEdit,
-    QPushButton,
-    QScrollArea,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QPushButton, QScrollArea, QWidget
 from seam_inspector.plugin.gui.images_panel import ImagesPanel
 
 from tests.qgis.images_desk import (
@@ -24,36 +16,11 @@ from tests.qgis.images_desk import (
     make_pictures,
     names,
     noise,
-    open_desk,
     painted,
     press,
     release,
     text,
 )
-
-
-@pytest.fixture
-def session(qgis_app: object) -> Session:
-    return Session()
-
-
-@pytest.fixture
-def desk(session: Session) -> Iterator[QWidget]:
-    desk = open_desk(session)
-    yield desk
-    desk.close()
-    desk.deleteLater()
-
-
-@pytest.fixture
-def panel(desk: QWidget, session: Session) -> ImagesPanel:
-    """Shows window 1 with two sources."""
-    session.ready[1] = make_pictures()
-    session.select([1])
-    panel = desk.findChild(ImagesPanel)
-    QApplication.processEvents()
-    return panel
-
 
 # --- what is shown -----------------------------------------------------------------------------------------------
 
