@@ -17,7 +17,7 @@ from .measuring import judged_band, judged_plane
 from .messages import Message
 from .prediction import Feather, expected_ratios, feathers
 from .rasters import Clip, Mosaic, Raster, describe, read_clip
-from .shifts import Shift, find_shift
+from .shifts import Shift, Spectra, find_shift
 from .sources import Source, covers, sources_over
 from .systems import extent_on
 from .windows import Extent, PixelWindow, snap_window
@@ -105,13 +105,14 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     notices = (*unreadable, *refused)
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     found = feathers(planes, request.wavelet, request.levels)
+    spectra = [Spectra(plane) for plane in planes]
     expected = expected_ratios(found, request.levels)
     return Forecast(
         request.window_id,
         extent_on(place.extent, place.mosaic.wkt, request.wkt or place.mosaic.wkt),
         len(clips),
         band,
-        tuple(_pair(clips, planes, feather) for feather in found),
+        tuple(_pair(clips, spectra, feather) for feather in found),
         expected,
         _reason(len(clips), expected, notices),
         notices,
@@ -216,9 +217,9 @@ def _check_comparable(clip: Clip, band: str | None) -> None:
         raise RasterError(messages.SOURCE_CONSTANT(name=name))
 
 
-def _pair(clips: Sequence[Clip], planes: Sequence[np.ndarray], feather: Feather) -> ForecastPair:
+def _pair(clips: Sequence[Clip], spectra: Sequence[Spectra], feather: Feather) -> ForecastPair:
     source, other = clips[feather.first], clips[feather.second]
-    shift = find_shift(planes[feather.second], planes[feather.first])
+    shift = find_shift(spectra[feather.second], spectra[feather.first])
     if shift is not None:  # their pixel grids may lie beside each other
         x, y = source.offset_x - other.offset_x, source.offset_y - other.offset_y
         shift = replace(shift, x=shift.x + x, y=shift.y + y)
