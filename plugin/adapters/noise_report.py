@@ -5,9 +5,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from ..core import report
+from ..core.band_names import judged_band
 from ..core.messages import Message
 from ..core.noise.comparison import ClipNoise
-from ..core.noise.measurement import BandNoise, NoiseVerdict, judged_band
+from ..core.noise.measurement import BandNoise, NoiseVerdict
 from ..core.noise.requests import GroupedImage
 from ..core.report import Html
 from .figures import svg_text

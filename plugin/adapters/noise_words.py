@@ -5,7 +5,8 @@ from collections.abc import Mapping
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
-from ..core.noise.measurement import BandNoise, NoiseVerdict, judged_band
+from ..core.band_names import judged_band
+from ..core.noise.measurement import BandNoise, NoiseVerdict
 from .curves import band_title
 from .text import sentence, tr
 
@@ -19,7 +20,7 @@ WORDS = {
 
 def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
     """The judged band of a clip: how much noise, and its numbers; why not, where it can't be measured."""
-    judged = bands[judged_band(dict(bands))]
+    judged = bands[judged_band(bands)]
     note = sentence(judged.note) if judged.note else ""
     if judged.sigma is None:
         return note

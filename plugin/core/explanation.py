@@ -13,21 +13,18 @@ import numpy as np
 from scipy import ndimage
 
 from . import thresholds
+from .band_names import COLOURS, LUMINANCE, has_colours
 from .causes import Cause, Evidence, find_cause
 from .cells import UNKNOWN
 from .composite import Composite, follows_at, make_composite
 from .contrast import Ratios, curve_ratios
 from .following import Following, follow, refined
-from .measuring import LUMINANCE, correlation, judged_plane, measure_bands
+from .measuring import correlation, judged_plane, measure_bands
 from .prediction import expected_ratios, feathers
 from .rasters import Clip
 from .shifts import Shift, Spectra, find_shift
 from .tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 from .wavelets import Curve
-
-COMPOSITE = "composite"
-"""Name and role of the fair reference in tables."""
-_COLOURS = ("red", "green", "blue")
 
 
 @dataclass(frozen=True)
@@ -170,7 +167,7 @@ def _image_of(composite: Composite, levels: int) -> _Image:
 
 def _with_coarse(bands: np.ndarray, names: tuple[str, ...], levels: int) -> _Image:
     coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
-    if names[:3] == _COLOURS:
+    if has_colours(names):
         weighted = sum(weight * coarse[name] for weight, name in zip(thresholds.LUMINANCE_WEIGHTS, names))
         coarse = {LUMINANCE: np.asarray(weighted), **coarse}
     return _Image(bands, names, coarse)
@@ -258,8 +255,8 @@ def _changes(
     shift: Shift | None,
 ) -> dict[str, Change]:
     clipped = {name: clipped_share(image.band(name), other.band(name)) for name in image.names}
-    gains = [tone.gain for tone in (tones.get(name) for name in _COLOURS) if tone is not None]
-    colours = colour_shift(gains) if len(gains) == len(_COLOURS) else None
+    gains = [tone.gain for tone in (tones.get(name) for name in COLOURS) if tone is not None]
+    colours = colour_shift(gains) if len(gains) == len(COLOURS) else None
     clipped[LUMINANCE] = max(clipped.values())
     return {
         name: Change(tones[name], _contrast(curves[name], others[name]), clipped[name], colours, shift)

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import messages, thresholds
 from .errors import NotCoveredError, RasterError, WindowError
-from .measuring import judged_band, judged_plane
+from .measuring import judged_plane
 from .messages import Message
 from .prediction import Feather, expected_ratios, feathers
 from .rasters import Clip, Mosaic, Raster, describe, read_clip
@@ -94,7 +94,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     rasters, unreadable = _described(request.sources)
     band = _most_common_band(rasters)
     try:
-        place, unfit = _place(request, [raster for raster in rasters if judged_band(raster) == band])
+        place, unfit = _place(request, [raster for raster in rasters if raster.judged_band == band])
     except WindowError as error:
         return replace(not_foretold(request, error.message), notices=tuple(unreadable))
     if place is None:
@@ -152,7 +152,7 @@ def _described(sources: Sequence[Source]) -> tuple[list[Raster], list[Message]]:
 
 def _most_common_band(rasters: Sequence[Raster]) -> str | None:
     """The band that most sources are judged by, so that one of other bands does not cost all the others."""
-    counts = Counter(judged_band(raster) for raster in rasters)
+    counts = Counter(raster.judged_band for raster in rasters)
     return counts.most_common(1)[0][0] if counts else None
 
 
@@ -211,7 +211,7 @@ def _comparable_clips(
 
 def _check_comparable(clip: Clip, band: str | None) -> None:
     name, bands = clip.raster.ref.name, clip.raster.band_names
-    if judged_band(clip.raster) != band:
+    if clip.raster.judged_band != band:
         raise RasterError(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)))
     if not np.ptp(judged_plane(clip.bands, bands)) > 0:
         raise RasterError(messages.SOURCE_CONSTANT(name=name))

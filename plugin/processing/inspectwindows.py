@@ -24,6 +24,7 @@ from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import SettingsError
+from ..core.findings import REFERENCES
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
 from .drawn_windows import DrawnWindows
@@ -69,8 +70,8 @@ class InspectWindows(SeamInspectorAlgorithm):
             QgsProcessingParameterEnum(
                 REFERENCE,
                 tr("Verdict against"),
-                ["sources", "composite"],
-                defaultValue="sources",
+                list(REFERENCES),
+                defaultValue=REFERENCES[0],
                 optional=True,  # else QGIS would refuse models that were drawn before there was this choice
                 usesStaticStrings=True,
             ),
