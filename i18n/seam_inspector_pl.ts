@@ -3539,11 +3539,6 @@
         <translation>Raster {name} ma {count} kan., ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="380" />
-        <source>{path} can't be written; choose another folder or another format.</source>
-        <translation>Nie można zapisać {path}; wybierz inny katalog lub inny format.</translation>
-    </message>
-    <message>
         <location filename="../plugin/core/messages.py" line="381" />
         <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy grup kresek w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>

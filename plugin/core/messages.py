@@ -377,7 +377,6 @@ EDGE_AWARE_WANTS_INTEGERS = Message(
 BANDS_NOT_COLOURS = Message(
     "{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band."
 )
-RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder or another format.")
 BAR_LAYER_NOT_CREATED = Message(
     "No layer of bar groups can be written to {folder}; save the project in a folder that you may write to."
 )
