@@ -83,10 +83,9 @@ def test_every_message_of_the_core_is_there(entries: list[ElementTree.Element]) 
 
 
 def test_no_message_of_the_core_hides_another_of_its_name(repository: Path) -> None:
-    core = repository / "plugin" / "core"
     names = [
         target.id
-        for path in (*core.glob("messages.py"), *core.glob("messages/*.py"))
+        for path in (repository / "plugin" / "core" / "messages").glob("*.py")
         for node in ast.parse(path.read_text(encoding="utf-8")).body
         if isinstance(node, ast.Assign)
         for target in node.targets
