@@ -4,6 +4,8 @@ PYTHON := .venv/bin/python
 PACKAGE := build/plugins/seam_inspector
 VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
 ZIP = build/seam_inspector-$(VERSION).zip
+# Tests of one file share what they make, so a file goes to one process
+SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile
 TRANSLATIONS := $(patsubst %.ts,%.qm,$(wildcard i18n/*.ts))
 
 # QGIS and Python find the package by its name, not by the checkout's
@@ -35,11 +37,11 @@ lint: link ## Check style and types
 test: lint test-core test-qgis test-desktop ## Check style and types, then run all tests
 
 test-core: link ## Run the tests of the numbers, without QGIS
-	$(PYTHON) -m pytest -p no:pytest_qgis tests/core
+	$(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/core
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings
-	QT_QPA_PLATFORM=offscreen $(PYTHON) -m pytest tests/qgis
+	QT_QPA_PLATFORM=offscreen $(PYTHON) -m pytest $(SIDE_BY_SIDE) tests/qgis
 
 test-desktop: link ## Run the tests of the real application, on a virtual screen
 ifneq ($(wildcard tests/desktop/test_*.py),)

@@ -1504,7 +1504,7 @@
         <translation>Rysuj linie w poprzek grup testu kreskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="133" />
+        <location filename="../plugin/adapters/curves.py" line="85" />
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -3539,11 +3539,6 @@
         <translation>Raster {name} ma {count} kan., ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="380" />
-        <source>{path} can't be written; choose another folder or another format.</source>
-        <translation>Nie można zapisać {path}; wybierz inny katalog lub inny format.</translation>
-    </message>
-    <message>
         <location filename="../plugin/core/messages.py" line="381" />
         <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy grup kresek w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
@@ -5357,11 +5352,6 @@
         <location filename="../plugin/adapters/packages.py" line="53" />
         <source>Run '{command}' with the Python that QGIS uses, or install what requirements.txt in the plugin's folder names, then restart QGIS.</source>
         <translation>Uruchom '{command}' w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w folderze wtyczki, a potem uruchom ponownie QGIS.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/adapters/curves.py" line="84" />
-        <source>composite of the sources</source>
-        <translation>kompozyt ortoobrazów źródłowych</translation>
     </message>
     <message>
         <location filename="../plugin/adapters/curves.py" line="148" />

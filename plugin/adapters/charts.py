@@ -15,6 +15,7 @@ from .curves import ChartCurve, significance_limit
 from .text import tr
 
 __all__ = [
+    "BAND_COLOURS",
     "DARK",
     "PAPER",
     "ChartCurve",
@@ -29,6 +30,8 @@ __all__ = [
     "source_look",
 ]
 
+BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
+"""Of bands that are drawn together."""
 COMPOSITE_DASHES = (0, (4.0, 2.0))
 _LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used up
 _LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ..core.findings import COMPOSITE, REFERENCES
 from .text import tr
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ def band_title(name: str) -> str:
 
 
 def window_curves(
-    result: WindowResult, band: str, colours: Mapping[str, int], reference: str = "sources"
+    result: WindowResult, band: str, colours: Mapping[str, int], reference: str = REFERENCES[0]
 ) -> list[ChartCurve]:
     """The curves of one window and band, the mosaic's first, the sources' composite last.
 
@@ -80,8 +81,8 @@ def window_curves(
         seen[clip.raster] += not is_mosaic
         twin = f" ({seen[clip.raster]})" if seen[clip.raster] > 1 and not is_mosaic else ""
         curve = clip.curves[band]
-        if clip.role == "composite":
-            label, is_reference = tr("composite of the sources"), reference == clip.role
+        if clip.role == COMPOSITE:
+            label, is_reference = tr("composite"), reference == clip.role
             curves.append(ChartCurve(label, False, curve.detail, curve.background, None, (), True, is_reference))
             continue
         colour = None if is_mosaic else colours.get(clip.raster)

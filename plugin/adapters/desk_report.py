@@ -6,7 +6,8 @@ from pathlib import Path
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProject
 
-from ..core.findings import Finding, FoundCurve, FoundPair, judged_band
+from ..core.band_names import judged_band
+from ..core.findings import Finding, FoundCurve, FoundPair
 from ..core.inspection import Block, WindowResult
 from . import layers
 from .tasks import Cancelled, Job

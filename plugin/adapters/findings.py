@@ -9,8 +9,9 @@ from typing import NamedTuple
 from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ..core import messages
+from ..core.band_names import judged_band
 from ..core.errors import SettingsError
-from ..core.findings import Finding, FoundCurve, FoundPair, judged_band
+from ..core.findings import Finding, FoundCurve, FoundPair
 from .layers import outline_extent
 
 _BACKGROUND = 0

@@ -9,13 +9,13 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ..core.band_names import judged_band
 from ..core.noise.comparison import ClipNoise
-from ..core.noise.measurement import BandNoise, judged_band
-from .charts import PAPER, ChartStyle, draw_frame
+from ..core.noise.measurement import BandNoise
+from .charts import BAND_COLOURS, PAPER, ChartStyle, draw_frame
 from .figures import new_figure
 from .text import tr
 
-_BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
 _LINES = {1: "-", 2: "--"}
 _HEADROOM = 1.25
 
@@ -25,12 +25,12 @@ def draw_noise(
 ) -> list[Artist]:
     """The curves of one clip by band, the judged one (luminance, or the only band) bold; see ``noise_rule``."""
     drawn: list[Artist] = []
-    bold = judged_band(dict(measured)) if measured else ""
+    bold = judged_band(measured) if measured else ""
     spare = iter(style.sources * 9)
     for band, noise in measured.items():
         if noise.curve.variance == 0:
             continue
-        colour = style.text if band == bold else _BAND_COLOURS.get(band) or next(spare)
+        colour = style.text if band == bold else BAND_COLOURS.get(band) or next(spare)
         detail = noise.curve.detail
         drawn += axes.plot(
             range(1, len(detail) + 1),
@@ -64,7 +64,7 @@ def draw_noise_clip(
     levels = max((len(noise.curve.detail) for noise in measured.values()), default=0)
     known = [noise.curve.detail for noise in measured.values() if noise.curve.variance > 0]
     noise_frame(axes, levels, known, style, logarithmic)
-    bold = measured[judged_band(dict(measured))] if measured else None
+    bold = measured[judged_band(measured)] if measured else None
     if bold is not None and bold.curve.variance > 0:
         draw_rule(axes, bold.curve.detail, style)
     draw_noise(axes, measured, style)

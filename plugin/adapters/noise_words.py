@@ -6,8 +6,9 @@ from collections.abc import Iterable, Mapping
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
+from ..core.band_names import judged_band
 from ..core.noise.comparison import ClipNoise
-from ..core.noise.measurement import BandNoise, NoiseVerdict, judged_band
+from ..core.noise.measurement import BandNoise, NoiseVerdict
 from .curves import band_title
 from .text import sentence, tr
 
@@ -37,7 +38,7 @@ def judged_noise(result: ClipNoise) -> BandNoise | None:
 
 def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
     """The judged band of a clip: how much noise, and its numbers; why not, where it can't be measured."""
-    judged = bands[judged_band(dict(bands))]
+    judged = bands[judged_band(bands)]
     note = sentence(judged.note) if judged.note else ""
     if judged.sigma is None:
         return note

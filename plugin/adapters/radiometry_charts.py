@@ -8,11 +8,9 @@ from matplotlib.figure import Figure
 
 from ..core.radiometry.assessment import Assessment
 from ..core.radiometry.rules import CLIPPED_HIGH, CLIPPED_LOW, PEAK, SEAM_CONTRAST, SEAM_STEP
-from .charts import PAPER
+from .charts import BAND_COLOURS, PAPER
 from .figures import new_figure
 from .text import tr
-
-BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
 
 
 def histogram_figure(result: Assessment) -> Figure | None:

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import repeat
 
 from ..core import messages, report, thresholds
-from ..core.findings import COMPOSITE, Finding, FoundCurve, FoundPair, contrast_of, judged_band
+from ..core.band_names import judged_band
+from ..core.findings import COMPOSITE, Finding, FoundCurve, FoundPair, contrast_of
 from ..core.inspection import Block
 from ..core.messages import Message
 from ..core.report import Html

@@ -21,8 +21,6 @@ from .layers import features, system_wkt
 from .tables import feature
 from .text import sentence
 
-POINTS_SUFFIX = ".points"
-
 
 def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list[Message]]:
     """The points of a layer, whether they have roles, and what was left out.

@@ -36,7 +36,6 @@ from .resources import style_path
 from .tables import window_feature, window_fields
 from .text import tr
 
-VISIBLE, INVISIBLE = "visible", "invisible"
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
 _LAYER_NAME = "windows"
@@ -73,11 +72,6 @@ class WindowRow:
     """composite_ratio_1."""
     cause: str = ""
     """Word of what explains the loss; empty in layers of earlier versions."""
-
-
-def create_window_layer(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> QgsVectorLayer:
-    """A new, empty GeoPackage in a folder. Raises WindowLayerError when it can't be written there."""
-    return open_window_layer(write_window_file(crs, levels, folder))
 
 
 def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> Path:

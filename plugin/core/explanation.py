@@ -13,21 +13,18 @@ import numpy as np
 from scipy import ndimage
 
 from . import thresholds
+from .band_names import COLOURS, LUMINANCE, has_colours
 from .causes import Cause, Evidence, find_cause
 from .cells import UNKNOWN
 from .composite import Composite, follows_at, make_composite
 from .contrast import Ratios, curve_ratios
 from .following import Following, follow, refined
-from .measuring import LUMINANCE, correlation, judged_plane, measure_bands
+from .measuring import correlation, judged_plane, measure_bands
 from .prediction import expected_ratios, feathers
 from .rasters import Clip
-from .shifts import Shift, find_shift
+from .shifts import Shift, Spectra, find_shift
 from .tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 from .wavelets import Curve
-
-COMPOSITE = "composite"
-"""Name and role of the fair reference in tables."""
-_COLOURS = ("red", "green", "blue")
 
 
 @dataclass(frozen=True)
@@ -93,6 +90,11 @@ class _Image:
         """What the verdict looks at, (rows, columns) float32."""
         return judged_plane(self.bands, self.names)
 
+    @cached_property
+    def spectra(self) -> Spectra:
+        """Of the plane, which is compared with those of several others."""
+        return Spectra(self.plane)
+
     def band(self, name: str) -> np.ndarray:
         """One band as it is."""
         band: np.ndarray = self.bands[self.names.index(name)]
@@ -134,23 +136,22 @@ def explain(
     shifts = [_shift(image, other, clip, following, i) for i, (other, (clip, _)) in enumerate(zip(images, sources))]
     unmixed = coarse_means(following.clear, levels) > 1 - 1e-6
     reference_tones = _tones(image, reference, unmixed if unmixed.sum() >= thresholds.MIN_UNMIXED_SQUARES else whole)
-    reference_shift = find_shift(image.plane, reference.plane)
+    reference_shift = find_shift(image.spectra, reference.spectra)
     changes = [
         _changes(image, other, curves, of_source, tone, shift)
         for other, (_, of_source), tone, shift in zip(images, sources, tones, shifts)
     ]
     changes.append(_changes(image, reference, curves, plain_curves, reference_tones, reference_shift))
-    planes = [other.plane for other in images]
     return Explanation(
         find_cause(_evidence(changes[-1], shifts, following)),
         levelled_curves,
         {name: curve_ratios(curves[name], curve) for name, curve in levelled_curves.items()},
         {name: correlation(coarse[name], own) for name, own in levelled_coarse.items()},
         tuple(changes),
-        expected_ratios(feathers(planes, wavelet, levels), levels),
+        expected_ratios(feathers([other.plane for other in images], wavelet, levels), levels),
         following.unclear_share,
         following.mixed_share,
-        _apart(planes, following),
+        _apart(images, following),
     )
 
 
@@ -166,7 +167,7 @@ def _image_of(composite: Composite, levels: int) -> _Image:
 
 def _with_coarse(bands: np.ndarray, names: tuple[str, ...], levels: int) -> _Image:
     coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
-    if names[:3] == _COLOURS:
+    if has_colours(names):
         weighted = sum(weight * coarse[name] for weight, name in zip(thresholds.LUMINANCE_WEIGHTS, names))
         coarse = {LUMINANCE: np.asarray(weighted), **coarse}
     return _Image(bands, names, coarse)
@@ -184,7 +185,7 @@ def _follow(image: _Image, images: Sequence[_Image]) -> Following:
     unexplained = float(plain.unexplained.mean())
     if plain.fit >= thresholds.MIN_SOURCE_FIT and unexplained < thresholds.MIN_UNEXPLAINED_SHARE:
         return plain
-    shifts = {i: _shift_where(image.plane, other.plane, plain.unexplained) for i, other in enumerate(images)}
+    shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
     moved = {i: s for i, s in shifts.items() if s is not None and s.length >= thresholds.MIN_MISREGISTRATION_PX}
     if not moved:
         return plain
@@ -199,7 +200,7 @@ def _follow(image: _Image, images: Sequence[_Image]) -> Following:
     return _merged(found, [*range(count), *moved], count) if better else plain
 
 
-def _shift_where(image: np.ndarray, reference: np.ndarray, where: np.ndarray) -> Shift | None:
+def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:
     """In the part where it matters; in the whole window where that part is too small or shows nothing."""
     return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)
 
@@ -239,7 +240,7 @@ def _levelled_planes(
 def _shift(image: _Image, other: _Image, clip: Clip, following: Following, source: int) -> Shift | None:
     """On the ground: where the source's pixel grid lies beside the mosaic's, that is taken into account."""
     where = following.labels == source if source in following.followed else None
-    shift = find_shift(image.plane, other.plane, where)
+    shift = find_shift(image.spectra, other.spectra, where)
     if shift is None:
         return None
     return replace(shift, x=shift.x + clip.offset_x, y=shift.y + clip.offset_y)
@@ -254,8 +255,8 @@ def _changes(
     shift: Shift | None,
 ) -> dict[str, Change]:
     clipped = {name: clipped_share(image.band(name), other.band(name)) for name in image.names}
-    gains = [tone.gain for tone in (tones.get(name) for name in _COLOURS) if tone is not None]
-    colours = colour_shift(gains) if len(gains) == len(_COLOURS) else None
+    gains = [tone.gain for tone in (tones.get(name) for name in COLOURS) if tone is not None]
+    colours = colour_shift(gains) if len(gains) == len(COLOURS) else None
     clipped[LUMINANCE] = max(clipped.values())
     return {
         name: Change(tones[name], _contrast(curves[name], others[name]), clipped[name], colours, shift)
@@ -287,8 +288,8 @@ def _evidence(changes: Mapping[str, Change], shifts: Sequence[Shift | None], fol
     )
 
 
-def _apart(planes: Sequence[np.ndarray], following: Following) -> float | None:
+def _apart(images: Sequence[_Image], following: Following) -> float | None:
     if len(following.followed) < 2:
         return None
-    shift = find_shift(*(planes[i] for i in following.followed[:2]))
+    shift = find_shift(*(images[i].spectra for i in following.followed[:2]))
     return None if shift is None else shift.length

@@ -7,11 +7,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from .band_names import judged_band
 from .windows import Extent
 
-LUMINANCE = "luminance"
 COMPOSITE = "composite"
 """The hard-cut composite of the sources, where a source's name or a clip's role would stand."""
+REFERENCES = ("sources", COMPOSITE)
+"""What a verdict can be taken against: whole sources, as in the paper, or their hard-cut composite."""
 
 
 @dataclass(frozen=True)
@@ -64,12 +66,6 @@ class FoundCurve:
     detail: tuple[float, ...]
     """Relative variance at levels 1..R; NaN for a constant clip."""
     background: float
-
-
-def judged_band(bands: Iterable[str]) -> str:
-    """The band that a verdict is taken from: luminance where there is one, else the first."""
-    names = list(bands)
-    return LUMINANCE if LUMINANCE in names else names[0]
 
 
 def contrast_of(pairs: Iterable[FoundPair]) -> float | None:

@@ -13,11 +13,11 @@ import numpy as np
 
 from . import messages, thresholds
 from .errors import NotCoveredError, RasterError, WindowError
-from .measuring import judged_band, judged_plane
+from .measuring import judged_plane
 from .messages import Message
 from .prediction import Feather, expected_ratios, feathers
 from .rasters import Clip, Mosaic, Raster, describe, read_clip
-from .shifts import Shift, find_shift
+from .shifts import Shift, Spectra, find_shift
 from .sources import Source, covers, sources_over
 from .systems import extent_on
 from .windows import Extent, PixelWindow, snap_window
@@ -94,7 +94,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     rasters, unreadable = _described(request.sources)
     band = _most_common_band(rasters)
     try:
-        place, unfit = _place(request, [raster for raster in rasters if judged_band(raster) == band])
+        place, unfit = _place(request, [raster for raster in rasters if raster.judged_band == band])
     except WindowError as error:
         return replace(not_foretold(request, error.message), notices=tuple(unreadable))
     if place is None:
@@ -105,13 +105,14 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     notices = (*unreadable, *refused)
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     found = feathers(planes, request.wavelet, request.levels)
+    spectra = [Spectra(plane) for plane in planes]
     expected = expected_ratios(found, request.levels)
     return Forecast(
         request.window_id,
         extent_on(place.extent, place.mosaic.wkt, request.wkt or place.mosaic.wkt),
         len(clips),
         band,
-        tuple(_pair(clips, planes, feather) for feather in found),
+        tuple(_pair(clips, spectra, feather) for feather in found),
         expected,
         _reason(len(clips), expected, notices),
         notices,
@@ -151,7 +152,7 @@ def _described(sources: Sequence[Source]) -> tuple[list[Raster], list[Message]]:
 
 def _most_common_band(rasters: Sequence[Raster]) -> str | None:
     """The band that most sources are judged by, so that one of other bands does not cost all the others."""
-    counts = Counter(judged_band(raster) for raster in rasters)
+    counts = Counter(raster.judged_band for raster in rasters)
     return counts.most_common(1)[0][0] if counts else None
 
 
@@ -210,15 +211,15 @@ def _comparable_clips(
 
 def _check_comparable(clip: Clip, band: str | None) -> None:
     name, bands = clip.raster.ref.name, clip.raster.band_names
-    if judged_band(clip.raster) != band:
+    if clip.raster.judged_band != band:
         raise RasterError(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)))
     if not np.ptp(judged_plane(clip.bands, bands)) > 0:
         raise RasterError(messages.SOURCE_CONSTANT(name=name))
 
 
-def _pair(clips: Sequence[Clip], planes: Sequence[np.ndarray], feather: Feather) -> ForecastPair:
+def _pair(clips: Sequence[Clip], spectra: Sequence[Spectra], feather: Feather) -> ForecastPair:
     source, other = clips[feather.first], clips[feather.second]
-    shift = find_shift(planes[feather.second], planes[feather.first])
+    shift = find_shift(spectra[feather.second], spectra[feather.first])
     if shift is not None:  # their pixel grids may lie beside each other
         x, y = source.offset_x - other.offset_x, source.offset_y - other.offset_y
         shift = replace(shift, x=shift.x + x, y=shift.y + y)

@@ -11,16 +11,14 @@ from .causes import Cause
 from .cells import UNKNOWN, Cell, cell_labels, cells_over
 from .contrast import Judgement, Ratios, Verdict, check_max_ratio, curve_ratios, judge
 from .errors import NotCoveredError, RasterError, SettingsError, WindowError
-from .explanation import COMPOSITE, Change, Explanation, explain
-from .measuring import correlation, judged_band, measure_clip
+from .explanation import Change, Explanation, explain
+from .findings import COMPOSITE, REFERENCES
+from .measuring import correlation, measure_clip
 from .messages import Message
 from .rasters import Clip, Mosaic, RasterRef, read_clip
 from .sources import Source, gather_sources, sources_over
 from .wavelets import Curve, check_decomposition
 from .windows import Extent, PixelWindow, snap_window
-
-REFERENCES = ("sources", COMPOSITE)
-"""What a verdict can be taken against: whole sources, as in the paper, or their hard-cut composite."""
 
 
 @dataclass(frozen=True)
@@ -183,7 +181,7 @@ def inspect_window(request: WindowRequest) -> WindowResult:
         mosaic = _measured(request.mosaic.ref, request)
     except RasterError as error:
         return not_comparable(request, error.message)
-    band = judged_band(mosaic.clip.raster)
+    band = mosaic.clip.raster.judged_band
     sources, notices, not_covering = _comparable_sources(request, band)
     judgement = judge(mosaic.curves[band], [one.curves[band] for one in sources], request.settings.max_ratio)
     refused = (*notices, *not_covering)

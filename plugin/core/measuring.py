@@ -1,4 +1,4 @@
-"""From a clip to its curves by band, and which of the bands is judged."""
+"""From a clip to its curves by band, and to what the verdict looks at."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -6,15 +6,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from . import thresholds
-from .rasters import Clip, Raster
+from .band_names import has_colours, measured_bands
+from .rasters import Clip
 from .wavelets import Curve, clip_curves
-
-LUMINANCE = "luminance"
-
-
-def judged_band(raster: Raster) -> str:
-    """Luminance where there are three bands or more, else the first band."""
-    return LUMINANCE if raster.has_luminance else raster.band_names[0]
 
 
 def measure_clip(clip: Clip, wavelet: str, levels: int) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
@@ -26,12 +20,12 @@ def measure_bands(
     bands: np.ndarray, names: Sequence[str], wavelet: str, levels: int
 ) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
     """The same for bands (bands, rows, columns) with their names."""
-    mixed = tuple(names[:3]) == ("red", "green", "blue")
-    curves, coarse = clip_curves(bands, wavelet, levels, thresholds.LUMINANCE_WEIGHTS if mixed else ())
-    by_name = [LUMINANCE, *names] if mixed else list(names)
-    if mixed:
+    weights = thresholds.LUMINANCE_WEIGHTS if has_colours(names) else ()
+    curves, coarse = clip_curves(bands, wavelet, levels, weights)
+    if weights:
         curves, coarse = [curves[-1], *curves[:-1]], [coarse[-1], *coarse[:-1]]
-    return dict(zip(by_name, curves)), dict(zip(by_name, coarse))
+    measured = measured_bands(names)
+    return dict(zip(measured, curves)), dict(zip(measured, coarse))
 
 
 def luminance(bands: np.ndarray) -> np.ndarray:
@@ -45,9 +39,7 @@ def luminance(bands: np.ndarray) -> np.ndarray:
 
 def judged_plane(bands: np.ndarray, names: Sequence[str]) -> np.ndarray:
     """What the verdict looks at, (rows, columns) float32: the luminance, else the first band."""
-    if tuple(names[:3]) == ("red", "green", "blue"):
-        return luminance(bands)
-    return bands[0].astype(np.float32)
+    return luminance(bands) if has_colours(names) else bands[0].astype(np.float32)
 
 
 def correlation(a: np.ndarray, b: np.ndarray) -> float | None:

@@ -11,7 +11,7 @@ from . import messages, thresholds
 from .bands import band_roles
 from .datasets import GeoTransform, RasterRef, check_bands, gdal_call, open_dataset, split_bands
 from .errors import NotCoveredError
-from .measuring import luminance
+from .measuring import judged_plane, luminance
 from .windows import PixelWindow
 
 UNREFERENCED: GeoTransform = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
@@ -124,8 +124,7 @@ class Photo:
     def _read(self, inside: tuple[int, int, int, int], size: tuple[int, int] | None = None) -> np.ndarray:
         size = size or inside[2:]
         bands, invalid = self._bands(inside, size)
-        names = band_roles(self._dataset).names
-        grey = luminance(bands) if names[:3] == ("red", "green", "blue") else bands[0].astype(np.float32)
+        grey = judged_plane(bands, band_roles(self._dataset).names)
         if invalid is not None and not invalid.all():
             grey[invalid] = grey[~invalid].mean()
         return np.nan_to_num(grey, copy=False)

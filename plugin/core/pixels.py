@@ -9,6 +9,7 @@ import numpy as np
 from osgeo import gdal, gdal_array
 
 from . import thresholds
+from .band_names import has_colours
 from .bands import band_roles
 from .datasets import RasterRef, check_bands, gdal_call, open_dataset, split_bands
 from .rasters import Mosaic, describe_dataset
@@ -39,7 +40,7 @@ class Image:
     @property
     def has_luminance(self) -> bool:
         """Whether there are red, green and blue to mix."""
-        return self.band_names[:3] == ("red", "green", "blue")
+        return has_colours(self.band_names)
 
     @property
     def whole(self) -> PixelWindow:

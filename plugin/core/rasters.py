@@ -8,6 +8,7 @@ import numpy as np
 from osgeo import gdal
 
 from . import messages, thresholds
+from .band_names import has_colours, measured_bands
 from .bands import band_roles
 from .datasets import GeoTransform as GeoTransform
 from .datasets import RasterRef as RasterRef
@@ -36,7 +37,12 @@ class Raster:
     @property
     def has_luminance(self) -> bool:
         """Whether there are red, green and blue to mix."""
-        return self.band_names[:3] == ("red", "green", "blue")
+        return has_colours(self.band_names)
+
+    @property
+    def judged_band(self) -> str:
+        """The name of the band that a verdict is taken from: luminance where there is one, else the first."""
+        return measured_bands(self.band_names)[0]
 
 
 @dataclass(frozen=True)

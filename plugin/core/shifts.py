@@ -6,14 +6,16 @@ does not take part: the tile with the clearest peak leads, and those that agree 
 """
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 
 import numpy as np
 from scipy import fft
 
 from . import thresholds
+
+_Tile = tuple[int, int, int]
+"""First row, first column and side, px."""
 
 _TILE_PX, _LEAST_TILE_PX = 256, 32
 _TILES_A_SIDE = 2
@@ -37,15 +39,36 @@ class Shift:
         return float(np.hypot(self.x, self.y))
 
 
-def find_shift(image: np.ndarray, reference: np.ndarray, where: np.ndarray | None = None) -> Shift | None:
-    """How ``image`` lies on ``reference``, both (rows, columns) of real type.
+@dataclass(frozen=True, eq=False)
+class Spectra:
+    """An image that is compared with several others: the spectrum of each of its tiles is computed once."""
+
+    pixels: np.ndarray
+    """(rows, columns) of real type."""
+    _known: dict[_Tile, np.ndarray] = field(default_factory=dict)
+
+    def of(self, tile: _Tile) -> np.ndarray:
+        """The spectrum of one tile less its mean, (side, side / 2 + 1)."""
+        if tile not in self._known:
+            row, column, side = tile
+            pixels = self.pixels[row : row + side, column : column + side].astype(np.float32)
+            pixels -= pixels.mean()
+            self._known[tile] = fft.rfft2(pixels * _window(side))
+        return self._known[tile]
+
+
+def find_shift(
+    image: np.ndarray | Spectra, reference: np.ndarray | Spectra, where: np.ndarray | None = None
+) -> Shift | None:
+    """How ``image`` lies on ``reference``, both (rows, columns) of real type, or their ``Spectra``.
 
     ``where``, (rows, columns) bool, says which pixels matter: only tiles of mostly such pixels are looked at. None
     where there is no such tile, or none with a peak that stands out, so that no number is made up.
     """
+    own, other = (one if isinstance(one, Spectra) else Spectra(one) for one in (image, reference))
     spectra = []
-    for tile in _tiles(image.shape, where):
-        cross = _cross_phases(image[tile], reference[tile])
+    for tile in _tiles(own.pixels.shape, where):
+        cross = _cross_phases(own.of(tile), other.of(tile))
         shift = _nearest_pixel(cross)
         if shift.peak >= max(thresholds.MIN_SHIFT_PEAK, thresholds.MIN_SHIFT_PEAK_PX / len(cross)):
             spectra.append((shift, cross))
@@ -58,15 +81,16 @@ def find_shift(image: np.ndarray, reference: np.ndarray, where: np.ndarray | Non
     return _refined(sum(agreeing) / len(agreeing), leader)
 
 
-def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[tuple[slice, slice]]:
+def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
     """Tiles spread over the image, as large as they can be; of those the ones that lie mostly ``where`` it matters."""
     side = min(_TILE_PX, *shape[:2])
     if where is None:
-        return [tile for tile, _ in _grid(shape, side, _TILES_A_SIDE)]
+        return _grid(shape, side, _TILES_A_SIDE)
     within = np.pad(where[::_STRIDE, ::_STRIDE].astype(np.int32).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     while side >= _LEAST_TILE_PX:
         shares = []
-        for tile, (row, column) in _grid(shape, side, -(-2 * max(shape[:2]) // side)):
+        for tile in _grid(shape, side, -(-2 * max(shape[:2]) // side)):
+            row, column, _ = tile
             top, bottom, left, right = (-(-edge // _STRIDE) for edge in (row, row + side, column, column + side))
             count = within[bottom, right] - within[top, right] - within[bottom, left] + within[top, left]
             shares.append((float(count) / ((bottom - top) * (right - left)), tile))
@@ -77,29 +101,20 @@ def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[tuple[slice
     return []
 
 
-def _grid(shape: tuple[int, ...], side: int, most: int) -> Iterator[tuple[tuple[slice, slice], tuple[int, int]]]:
-    """Tiles of one side and their first row and column, evenly spread, up to ``most`` a side."""
+def _grid(shape: tuple[int, ...], side: int, most: int) -> list[_Tile]:
+    """Tiles of one side, evenly spread, up to ``most`` a side."""
     places = [
         sorted({round(place) for place in np.linspace(0, length - side, min(most, -(-length // side) * 2 - 1))})
         for length in shape[:2]
     ]
-    for row in places[0]:
-        for column in places[1]:
-            yield np.s_[row : row + side, column : column + side], (row, column)
+    return [(row, column, side) for row in places[0] for column in places[1]]
 
 
 def _cross_phases(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """Phases of the cross spectrum, weighted; (side, side / 2 + 1), the sum of the weights over the spectrum 1."""
-    side = len(image)
-    window = _window(side)
-    spectra = []
-    for pixels in (image, reference):
-        tile = pixels.astype(np.float32)
-        tile -= tile.mean()
-        spectra.append(fft.rfft2(tile * window))
-    cross = spectra[0] * spectra[1].conj()
+    cross = image * reference.conj()
     magnitude = np.abs(cross)
-    return cross * (_weights(side) / np.maximum(magnitude, np.finfo(np.float32).tiny))
+    return cross * (_weights(len(cross)) / np.maximum(magnitude, np.finfo(np.float32).tiny))
 
 
 @cache

@@ -67,18 +67,6 @@ class Products:
     """(bands, rows / 2^R, columns / 2^R): the coarse components at level R, up to a constant."""
 
 
-@dataclass(frozen=True)
-class Directions:
-    """The three detail components of one level, each (rows / 2^r, columns / 2^r)."""
-
-    horizontal: np.ndarray
-    """LH: horizontal edges."""
-    vertical: np.ndarray
-    """HL: vertical edges."""
-    diagonal: np.ndarray
-    """HH."""
-
-
 def check_decomposition(wavelet: str, levels: int) -> None:
     """Raise SettingsError unless the wavelet is orthogonal and the levels are 1 to 8."""
     if wavelet not in thresholds.WAVELETS:
@@ -148,13 +136,6 @@ def component_products(
         if (products.own > thresholds.MIN_CHAIN_SHARE * products.own_totals[:, np.newaxis]).all():
             return products
     return _exact_products(bands, filters, levels, pairs)
-
-
-def directional_components(band: np.ndarray, wavelet: str, levels: int) -> tuple[Directions, ...]:
-    """The detail components of one clip (rows, columns), level 1 first, in float64, by PyWavelets."""
-    check_decomposition(wavelet, levels)
-    coefficients = pywt.wavedec2(_centred(band), wavelet, mode="periodization", level=levels)
-    return tuple(Directions(*level) for level in reversed(coefficients[1:]))
 
 
 def detail_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:

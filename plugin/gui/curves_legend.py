@@ -130,7 +130,7 @@ class CurvesLegend(QListWidget):
         if keys != [self.item(row).data(_KEY) for row in range(self.count())]:
             self.clear()
             for curve in curves:
-                item = QListWidgetItem(tr("composite") if curve.is_composite else curve.label, self)
+                item = QListWidgetItem(curve.label, self)
                 item.setData(_KEY, curve.key)
             if has_limit:
                 item = QListWidgetItem(tr("limit"), self)

@@ -11,10 +11,10 @@ from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 from ..adapters.noise_jobs import noise_job
 from ..adapters.noise_words import band_lines, noise_sentence
 from ..adapters.text import sentence, tr
+from ..core.band_names import judged_band
 from ..core.drawn_windows import DrawnWindow
 from ..core.messages import Message
 from ..core.noise.comparison import ClipNoise
-from ..core.noise.measurement import judged_band
 from ..core.rasters import RasterRef
 from .background import Background
 from .chart_loader import chart_missing

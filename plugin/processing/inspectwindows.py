@@ -20,6 +20,7 @@ from ..adapters.resources import style_path
 from ..adapters.text import sentence, tr
 from ..core import messages
 from ..core.errors import SettingsError
+from ..core.findings import REFERENCES
 from . import parameters as common
 from .base import SeamInspectorAlgorithm, Warnings
 from .sources import check_sources, given_block, given_sources
@@ -65,7 +66,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             common.choice(
                 REFERENCE,
                 tr("Verdict against"),
-                ("sources", "composite"),
+                REFERENCES,
                 optional=True,  # else QGIS would refuse models that were drawn before there was this choice
             ),
             tr(

@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.core import thresholds
+from seam_inspector.plugin.core.band_names import LUMINANCE
 from seam_inspector.plugin.core.causes import Cause, Evidence, find_cause
 from seam_inspector.plugin.core.explanation import Explanation
 from seam_inspector.plugin.core.following import follow
 from seam_inspector.plugin.core.inspection import Settings, inspect_window, make_block, window_request
-from seam_inspector.plugin.core.measuring import LUMINANCE, luminance
+from seam_inspector.plugin.core.measuring import luminance
 from seam_inspector.plugin.core.rasters import Clip, Mosaic, RasterRef, describe_mosaic
 from seam_inspector.plugin.core.windows import PixelWindow
 

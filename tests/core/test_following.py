@@ -56,6 +56,16 @@ def test_high_pass_is_the_band_less_a_gaussian_of_about_2_px() -> None:
     assert (smooth.sum(axis=0) * across**2).sum() == pytest.approx(2.5, abs=1e-4)  # px squared along each axis
 
 
+@pytest.mark.parametrize("rows", [7, 128, 131, 300])
+def test_a_high_band_is_high_passed_as_a_whole(rows: int) -> None:
+    band = np.random.default_rng(rows).integers(0, 256, (rows, 40)).astype(np.uint8)
+    smooth = band.astype(np.float64)
+    for kernel in ([1, 2, 1], [1, 0, 2, 0, 1]):
+        for axis in (0, 1):
+            smooth = ndimage.correlate1d(smooth, np.array(kernel) / 4, axis, mode="nearest")
+    np.testing.assert_allclose(high_pass(band), band - smooth, atol=1e-4)
+
+
 def test_a_hard_cut_is_found(sources: list[np.ndarray], labels: np.ndarray) -> None:
     found = followed(cut(labels, sources), sources)
     assert right(found, labels) >= 0.99

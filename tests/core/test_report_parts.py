@@ -13,7 +13,8 @@ from osgeo import gdal
 from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.core import thresholds
 from seam_inspector.plugin.core.affected import most_affected
-from seam_inspector.plugin.core.findings import FoundPair, contrast_of, judged_band
+from seam_inspector.plugin.core.band_names import judged_band
+from seam_inspector.plugin.core.findings import FoundPair, contrast_of
 from seam_inspector.plugin.core.rasters import RasterRef, describe_mosaic, read_overview
 from seam_inspector.plugin.core.sketch import Background, Shape, map_sketch
 

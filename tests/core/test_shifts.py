@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
-from seam_inspector.plugin.core.shifts import find_shift
+from seam_inspector.plugin.core import shifts
+from seam_inspector.plugin.core.shifts import Spectra, find_shift
 from skimage.registration import phase_cross_correlation
 
 from tests.core.synthetic import texture
@@ -69,6 +70,18 @@ def test_neither_tone_nor_noise_nor_blur_moves_it() -> None:
     assert_shift(image + noise.normal(0, 4, image.shape), reference, 1.3, -0.6)
     assert_shift(ndimage.gaussian_filter(image, 0.8), reference, 1.3, -0.6)
     assert_shift(np.rint(image).clip(0, 255).astype(np.uint8), np.rint(reference).clip(0, 255), 1.3, -0.6)
+
+
+def test_an_image_compared_with_several_is_transformed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    image, reference = pair(1.3, -0.6, 600)
+    others = [reference, reference[::-1], np.roll(reference, (3, -5), axis=(0, 1))]
+    alone = [find_shift(image, other) for other in others]
+    transforms: list[np.ndarray] = []
+    exact = shifts.fft.rfft2
+    monkeypatch.setattr(shifts.fft, "rfft2", lambda tile: transforms.append(tile) or exact(tile))
+    spectra = Spectra(image)
+    assert [find_shift(spectra, other) for other in others] == alone
+    assert len(transforms) == 4 * (1 + len(others))  # of four tiles
 
 
 def test_equal_images_do_not_move() -> None:

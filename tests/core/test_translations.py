@@ -82,6 +82,19 @@ def test_every_message_of_the_core_is_there(entries: list[ElementTree.Element]) 
     assert sorted(templates - {source(entry) for entry in entries}) == [], "run `make translate`, then translate these"
 
 
+def test_no_message_of_the_core_hides_another_of_its_name(repository: Path) -> None:
+    names = [
+        target.id
+        for path in (repository / "plugin" / "core" / "messages").glob("*.py")
+        for node in ast.parse(path.read_text(encoding="utf-8")).body
+        if isinstance(node, ast.Assign)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    ]
+    assert names
+    assert sorted(name for name in set(names) if names.count(name) > 1) == []
+
+
 def test_texts_are_those_of_the_code(entries: list[ElementTree.Element], repository: Path) -> None:
     translated, used = [source(entry) for entry in entries], set(texts(repository / "plugin"))
     assert sorted(used - set(translated)) == [], "run `make translate`, then translate these"

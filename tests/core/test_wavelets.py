@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.core import thresholds
 from seam_inspector.plugin.core.errors import SettingsError
-from seam_inspector.plugin.core.wavelets import Curve, clip_curves, component_products, directional_components
+from seam_inspector.plugin.core.wavelets import Curve, clip_curves, component_products, detail_components
 
 from tests.core.synthetic import decompose, luminance, orthoimage, texture, wavedec, without_mean
 
@@ -224,12 +224,12 @@ def test_coarse_components_hold_the_coefficients_of_pywavelets(levels: int, wave
 
 @pytest.mark.parametrize("wavelet", ["coif3", "db4"])
 def test_directional_components_are_those_of_pywavelets(wavelet: str) -> None:
-    band = orthoimage((256, 192), 1)[0]
-    found = directional_components(band, wavelet, 3)
+    band = orthoimage((256, 192), 1)[0].astype(np.float64)
+    found = list(detail_components(band[np.newaxis], wavelet, 3))
     for directions, level in zip(found, reversed(wavedec(band, wavelet, 3)[1:])):
-        for mine, theirs in zip((directions.horizontal, directions.vertical, directions.diagonal), level):
+        for mine, theirs in zip(directions[:, 0], level):
             np.testing.assert_allclose(mine, theirs, atol=1e-9)
-    energies = [sum(np.sum(part**2) for part in vars(directions).values()) for directions in found]
+    energies = [np.sum(directions**2) for directions in found]
     curve = curve_of(band, wavelet)
     np.testing.assert_allclose(np.array(energies) / band.size, np.array(curve.detail) * curve.variance, rtol=1e-6)
 
@@ -238,8 +238,8 @@ def test_directional_components_are_those_of_pywavelets(wavelet: str) -> None:
 def test_edges_are_found_in_their_direction(direction: str) -> None:
     row, column = np.mgrid[:64, :64]
     stripes = {"horizontal": row, "vertical": column, "diagonal": row + column}[direction] % 2
-    (finest,) = directional_components(stripes.astype(np.uint8), "haar", 1)
-    energies = {name: np.sum(component**2) for name, component in vars(finest).items()}
+    (finest,) = detail_components(stripes[np.newaxis].astype(np.uint8), "haar", 1)
+    energies = dict(zip(("horizontal", "vertical", "diagonal"), np.sum(finest[:, 0] ** 2, axis=(1, 2))))
     assert energies.pop(direction) == pytest.approx(64 * 64 / 4)
     assert max(energies.values()) < 1e-9
 
@@ -332,7 +332,7 @@ def test_other_settings_are_refused_with_the_reason(wavelet: str, levels: int, s
     with pytest.raises(SettingsError, match=sentence):
         component_products(band[np.newaxis], wavelet, levels)
     with pytest.raises(SettingsError, match=sentence):
-        directional_components(band, wavelet, levels)
+        next(detail_components(band[np.newaxis], wavelet, levels))
 
 
 # --- any memory layout, any thread -----------------------------------------------------------------------------

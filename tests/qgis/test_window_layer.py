@@ -67,8 +67,9 @@ def drawn_layer(kind: str, folder: Path) -> QgsVectorLayer:
 
 
 def test_a_new_layer_has_all_fields_and_a_style(qgis_app: object, tmp_path: Path) -> None:
-    first = window_layer.create_window_layer(CRS, 3, tmp_path)
-    second = window_layer.create_window_layer(CRS, 2, tmp_path)
+    first, second = (
+        window_layer.open_window_layer(window_layer.write_window_file(CRS, levels, tmp_path)) for levels in (3, 2)
+    )
     assert first.fields().names() == ["fid", *FIELDS]
     assert "ratio_3" not in second.fields().names()
     assert first.crs() == CRS
@@ -81,7 +82,7 @@ def test_a_layer_that_cant_be_written_is_told(qgis_app: object, tmp_path: Path) 
     (tmp_path / "file").touch()
     for folder in (tmp_path / "missing", tmp_path / "file"):
         with pytest.raises(WindowLayerError) as raised:
-            window_layer.create_window_layer(CRS, 3, folder)
+            window_layer.write_window_file(CRS, 3, folder)
         assert_sentence(str(raised.value), folder.name)
 
 

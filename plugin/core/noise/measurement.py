@@ -13,11 +13,10 @@ from enum import Enum
 import numpy as np
 
 from .. import messages, thresholds
+from ..band_names import LUMINANCE, has_colours
 from ..errors import SettingsError
 from ..messages import Message
 from ..wavelets import Curve, check_decomposition, clip_curves, detail_components
-
-LUMINANCE = "luminance"
 
 
 class NoiseVerdict(str, Enum):
@@ -90,7 +89,7 @@ def measure_noise(
     Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
     check_noise_settings(wavelet, levels)
-    weights = thresholds.LUMINANCE_WEIGHTS if tuple(names[:3]) == ("red", "green", "blue") else ()
+    weights = thresholds.LUMINANCE_WEIGHTS if has_colours(names) else ()
     curves, _ = clip_curves(bands, wavelet, levels, weights)
     all_names = [*names, LUMINANCE] if weights else list(names)
     kurtoses: list[list[float | None]] = [[] for _ in curves]
@@ -116,11 +115,6 @@ def measure_noise(
     if weights:
         measured = {LUMINANCE: measured[LUMINANCE], **measured}
     return measured
-
-
-def judged_band(measured: dict[str, BandNoise]) -> str:
-    """The band whose verdict stands for the clip: luminance, else the first one."""
-    return next(iter(measured))
 
 
 def _kurtosis(details: np.ndarray) -> float | None:

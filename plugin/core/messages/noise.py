@@ -1,0 +1,30 @@
+"""Random noise."""
+from __future__ import annotations
+
+from .message import Message
+
+NOTHING_MEASURED = Message("No window could be measured: {why}")
+NO_RASTERS = Message("No rasters are given; choose at least one.")
+NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")
+NOISE_LEVELS_TOO_FEW = Message("{levels} levels asked for; the noise rule compares levels, so use at least {least}.")
+NOISE_CONSTANT = Message("{name} has no variance in {band} here; move the window to where there is content.")
+NOISE_HUMP = Message(
+    "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, "
+    "compression) or a texture of that size; look at the window."
+)
+WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.")
+WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}")
+WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.")
+RASTER_WITHOUT_WINDOW = Message(
+    "{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster."
+)
+WINDOWS_SMALLER = Message("{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.")
+MASKED_TOO_MUCH = Message(
+    "{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the window."
+)
+GROUPS_APART = Message(
+    "The two groups show no common ground, so each raster has windows of its own and nothing is compared pairwise."
+)
+PIXEL_SIZES_DIFFER = Message(
+    "Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both groups."
+)
