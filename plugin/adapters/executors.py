@@ -69,6 +69,6 @@ def _core_archive(folder: Path) -> str:
     with zipfile.ZipFile(archive, "w") as file:
         for depth in range(1, len(package) + 1):
             file.writestr("/".join([*package[:depth], "__init__.py"]), "")
-        for module in sorted(core.glob("*.py")):
-            file.write(module, "/".join([*package, core.name, module.name]))
+        for module in sorted(core.rglob("*.py")):
+            file.write(module, "/".join([*package, *module.relative_to(core.parent).parts]))
     return str(archive)
