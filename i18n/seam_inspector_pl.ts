@@ -3470,8 +3470,8 @@
     </message>
     <message>
         <location filename="../plugin/core/messages.py" line="350" />
-        <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check REFERENCE_GROUP, REFERENCE_GRD and the raster's pixel size.</source>
-        <translation>Odstęp kresek jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź REFERENCE_GROUP, REFERENCE_GRD i wielkość piksela rastra.</translation>
+        <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster's pixel size.</source>
+        <translation>Odstęp kresek jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej odstęp i wielkość piksela rastra.</translation>
     </message>
     <message>
         <location filename="../plugin/core/messages.py" line="354" />

@@ -17,7 +17,7 @@ from .curves import band_title
 from .figures import new_figure
 from .text import tr
 
-_BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir": "#cc79a7"}
+BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir": "#cc79a7"}
 _OTHERS = ("#0072b2", "#e69f00", "#56b4e9", "#d55e00", "#009e73", "#cc79a7")
 _VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "#cc79a7", "unmeasured": "#777777"}
 _LARGEST_PICTURE = 1600
@@ -54,7 +54,7 @@ def draw_profiles(
     """The profiles of one line by band, their bars and gaps, and for the weakest band the threshold of its gaps."""
     for place, (band, reading) in enumerate(readings.items()):
         profile = reading.profile
-        colour = _BAND_COLOURS.get(band, style.text if len(readings) == 1 else _OTHERS[place % len(_OTHERS)])
+        colour = BAND_COLOURS.get(band, style.text if len(readings) == 1 else _OTHERS[place % len(_OTHERS)])
         axes.plot(profile.positions, profile.values, color=colour, linewidth=1.4 * style.scale, label=band_title(band))
         for extremes, face in ((reading.bars, colour), (reading.gaps, style.background)):
             axes.plot(

@@ -84,7 +84,7 @@ class BarDock(ToolDock):
         for direction, words in zip(DIRECTIONS, (tr("along"), tr("across"))):
             self.direction.addItem(words, direction)
         self.profile = BarProfile()
-        self.verdict = ClippedLabel(3)
+        self.verdict = ClippedLabel(4)
         self._lay_out()
         self.image.layerChanged.connect(self._image_changed)
         self.direction.currentIndexChanged.connect(self._take_next)
@@ -291,6 +291,6 @@ def _verdict(resolution: Resolution) -> str:
     words = "" if grd is None else f"{grd:.2f} cm"
     if results and all(result.resolved for result in results):
         words += ", " + tr("resolved")
-    if resolution.scale_notice is not None:
-        reasons.append(sentence(resolution.scale_notice))
-    return ": ".join(part for part in (words, " ".join(reasons)) if part)
+    said = ": ".join(part for part in (words, " ".join(reasons)) if part)
+    notice = sentence(resolution.scale_notice) if resolution.scale_notice is not None else ""
+    return "\n".join(part for part in (said, notice) if part)

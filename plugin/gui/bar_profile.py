@@ -7,7 +7,7 @@ from functools import partial
 
 from qgis.PyQt.QtWidgets import QWidget
 
-from ..adapters.bar_charts import draw_profiles
+from ..adapters.bar_charts import BAND_COLOURS, draw_profiles
 from ..adapters.charts import ChartStyle
 from ..adapters.text import tr
 from ..core.resolution.bars import BarReading
@@ -65,6 +65,9 @@ def figure(request: ProfileDrawing) -> Figure:
     draw_profiles(axes, request.readings, request.criterion, request.style)
     axes.set_xlabel(tr("along the line, px"), color=request.style.text)
     axes.set_ylabel("DN", color=request.style.text)
-    set_font(axes, request.room)
+    font = set_font(axes, request.room)
+    if len(request.readings) > 1 and not set(request.readings) <= set(BAND_COLOURS):  # colours that don't name a band
+        above = {"loc": "lower right", "bbox_to_anchor": (1, 1), "ncol": len(request.readings), "borderaxespad": 0}
+        axes.legend(frameon=False, labelcolor=request.style.text, prop=font, **above)
     made.tight_layout(pad=0.4)
     return made

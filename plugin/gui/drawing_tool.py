@@ -16,6 +16,7 @@ class DrawingTool(QgsMapTool):
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
         self._active = False
+        self.previous: QgsMapTool | None = None  # the canvas's before this one; never another of ours
         self.setCursor(Qt.CursorShape.CrossCursor)
 
     def close(self) -> None:

@@ -26,7 +26,6 @@ class ToolDock(QgsDockWidget):
         self.setObjectName(name)
         self._iface = iface
         self._canvas = iface.mapCanvas()
-        self._previous_tool: QgsMapTool | None = None
 
     @property
     def standard_width(self) -> int:
@@ -56,7 +55,8 @@ class ToolDock(QgsDockWidget):
 
     def _toggle_tool(self, checked: bool) -> None:
         if checked:
-            self._previous_tool = self._canvas.mapTool()
+            current = self._canvas.mapTool()
+            self.tool.previous = current.previous if isinstance(current, DrawingTool) else current
             self._canvas.setMapTool(self.tool)
         else:
             self._leave_tool()
@@ -65,8 +65,9 @@ class ToolDock(QgsDockWidget):
         """The tool of before, where ours is the canvas's; another plugin may have deleted it since."""
         if self._canvas.mapTool() is not self.tool:
             return
-        if self._previous_tool is not None and not sip.isdeleted(self._previous_tool):
-            self._canvas.setMapTool(self._previous_tool)
+        previous = self.tool.previous
+        if previous is not None and not sip.isdeleted(previous):
+            self._canvas.setMapTool(previous)
         else:
             self._canvas.unsetMapTool(self.tool)
 

@@ -15,7 +15,7 @@ from qgis.core import (
     QgsRasterLayer,
     QgsRectangle,
 )
-from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapMouseEvent, QgsMapTool, QgsRubberBand
+from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QPoint, Qt
 from qgis.PyQt.QtGui import QColor, QKeyEvent
@@ -24,50 +24,10 @@ from seam_inspector.plugin.adapters import bar_jobs
 from seam_inspector.plugin.gui.bar_dock import BarDock
 from seam_inspector.plugin.gui.painted_chart import chart_style
 
-from tests.qgis.bar_scenes import COARSEST_CM, BarScene, bar_layer, make_bar_scene
+from tests.qgis.bar_operator import RIGHT, Operator
+from tests.qgis.bar_scenes import COARSEST_CM, bar_layer, make_bar_scene
 from tests.qgis.scenes import at, layer
 from tests.qgis.session_desk import settle, wait_for_tasks, wait_until
-
-LEFT, RIGHT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
-Place = tuple[float, float]
-
-
-class Operator:
-    """Mouse over a map of the target; places are columns and rows."""
-
-    def __init__(self, dock: BarDock, canvas: QgsMapCanvas, scene: BarScene) -> None:
-        self.dock, self.canvas, self.scene, self.tool = dock, canvas, scene, dock.tool
-
-    def event(self, kind: QEvent.Type, place: Place, button: Qt.MouseButton, held: Qt.MouseButton) -> QgsMapMouseEvent:
-        point = self.canvas.getCoordinateTransform().transform(QgsPointXY(*at(*place)))
-        return QgsMapMouseEvent(self.canvas, kind, QPoint(round(point.x()), round(point.y())), button, held)
-
-    def press(self, place: Place, button: Qt.MouseButton = LEFT) -> None:
-        self.tool.canvasPressEvent(self.event(QEvent.Type.MouseButtonPress, place, button, button))
-
-    def move(self, place: Place) -> None:
-        self.tool.canvasMoveEvent(self.event(QEvent.Type.MouseMove, place, NONE, LEFT))
-
-    def release(self, place: Place, button: Qt.MouseButton = LEFT) -> None:
-        self.tool.canvasReleaseEvent(self.event(QEvent.Type.MouseButtonRelease, place, button, NONE))
-
-    def draw(self, group: int, direction: str = "along") -> None:
-        start, end = self.ends(group, direction)
-        self.press(start)
-        self.move(end)
-        self.release(end)
-
-    def ends(self, group: int, direction: str = "along") -> tuple[Place, Place]:
-        ends = self.scene.groups[group, direction].line()
-        return ends[:2], ends[2:]
-
-    def rows(self) -> list[tuple[int, str]]:
-        lines = self.dock.line_layer()
-        return [] if lines is None else [(row["group"], row["direction"]) for row in lines.getFeatures()]
-
-    @property
-    def bands(self) -> list[QgsRubberBand]:
-        return [item for item in self.canvas.scene().items() if isinstance(item, QgsRubberBand)]
 
 
 @pytest.fixture
@@ -349,6 +309,24 @@ def test_the_previous_tool_comes_back_and_nothing_stays(operator: Operator) -> N
         assert canvas.mapTool() is previous
         assert len(canvas.scene().items()) == items
     canvas.unsetMapTool(previous)
+
+
+def test_another_dock_of_ours_does_not_come_back(operator: Operator) -> None:
+    """Drawing here, there and here again ends with the map's own tool, not with the other dock's."""
+    canvas, other = operator.canvas, BarDock(operator.dock._iface)
+    pan = QgsMapTool(canvas)
+    canvas.setMapTool(pan)
+    other.image.setLayer(operator.dock.image.currentLayer())
+    wait_until(other.draw.isEnabled, "for the image")
+    for draw in (operator.dock.draw, other.draw, operator.dock.draw):
+        draw.trigger()
+    assert canvas.mapTool() is operator.tool
+    assert not other.draw.isChecked()
+    operator.release(operator.ends(1)[1], RIGHT)
+    assert canvas.mapTool() is pan
+    canvas.unsetMapTool(pan)
+    other.close_desk()
+    other.deleteLater()
 
 
 def test_a_previous_tool_that_was_deleted_meanwhile(operator: Operator) -> None:

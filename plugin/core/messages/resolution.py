@@ -52,7 +52,7 @@ BARS_SATURATED = Message(
 )
 TARGET_SCALE_DIFFERS = Message(
     "The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves "
-    "are taken, so check REFERENCE_GROUP, REFERENCE_GRD and the raster's pixel size."
+    "are taken, so check the reference group, its distance and the raster's pixel size."
 )
 TARGET_REVERSED = Message(
     "The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it."
