@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from seam_inspector.plugin.core.following import follow
+from seam_inspector.plugin.core.following import follow, high_pass
 from seam_inspector.plugin.core.measuring import luminance
 
 from .scenes import brighton_scenes, feather
@@ -27,7 +27,8 @@ def main() -> int:
     scene = brighton_scenes(arguments.brighton, SIDE, NUMBER)[-1]
     mosaic = feather(scene.labels, [clip.bands for clip in scene.sources], SIGMA_PX)
     planes = [luminance(bands) for bands in (mosaic, *(clip.bands for clip in scene.sources))]
-    found = follow(lambda start, stop: [plane[start:stop] for plane in planes], planes[0].shape, len(scene.sources))
+    fine = [high_pass(plane) for plane in planes]
+    found = follow(lambda start, stop: [plane[start:stop] for plane in fine], planes[0].shape, len(scene.sources))
     grey = np.repeat(planes[0][..., np.newaxis] / 255, 3, axis=2)
     followed = 0.45 * grey + 0.55 * np.array(COLOURS)[found.labels % len(COLOURS)]
     mixed = np.where(found.clear[..., np.newaxis], grey, 0.35 * grey + 0.65 * np.array([0.80, 0.10, 0.15]))

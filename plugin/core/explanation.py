@@ -7,10 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
-from scipy import ndimage
 
 from . import thresholds
 from .band_names import COLOURS, LUMINANCE, has_colours
@@ -18,11 +17,11 @@ from .causes import Cause, Evidence, find_cause
 from .cells import UNKNOWN
 from .composite import Composite, follows_at, make_composite
 from .contrast import Ratios, curve_ratios
-from .following import Following, follow, refined
+from .following import Following, follow, high_pass, refined
 from .measuring import correlation, judged_plane, measure_bands
 from .prediction import expected_ratios, feathers
 from .rasters import Clip
-from .shifts import Shift, Spectra, find_shift
+from .shifts import Shift, Spectra, find_shift, shifted
 from .tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 from .wavelets import Curve
 
@@ -178,10 +177,11 @@ def _follow(image: _Image, images: Sequence[_Image]) -> Following:
     shape = (image.bands.shape[1], image.bands.shape[2])
     count = len(images)
 
-    def planes(start: int, stop: int) -> list[np.ndarray]:
-        return [image.plane[start:stop], *(other.plane[start:stop] for other in images)]
+    @lru_cache(maxsize=1)  # a window of one strip is asked for twice
+    def fine(start: int, stop: int) -> list[np.ndarray]:
+        return [high_pass(one.plane[start:stop]) for one in (image, *images)]
 
-    plain = follow(planes, shape, count)
+    plain = follow(fine, shape, count)
     unexplained = float(plain.unexplained.mean())
     if plain.fit >= thresholds.MIN_SOURCE_FIT and unexplained < thresholds.MIN_UNEXPLAINED_SHARE:
         return plain
@@ -191,8 +191,8 @@ def _follow(image: _Image, images: Sequence[_Image]) -> Following:
         return plain
 
     def with_moved(start: int, stop: int) -> list[np.ndarray]:
-        known = planes(start, stop)
-        return known + [ndimage.shift(known[1 + i], (s.y, s.x), order=3, mode="nearest") for i, s in moved.items()]
+        known = fine(start, stop)
+        return known + [shifted(known[1 + i], s.x, s.y) for i, s in moved.items()]
 
     found = follow(with_moved, shape, count + len(moved))
     explains_part = unexplained >= thresholds.MIN_UNEXPLAINED_SHARE and found.unexplained.mean() <= unexplained / 2

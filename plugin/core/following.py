@@ -72,16 +72,16 @@ def high_pass(band: np.ndarray) -> np.ndarray:
     return fine
 
 
-def follow(planes: Planes, shape: tuple[int, int], count: int) -> Following:
+def follow(fine: Planes, shape: tuple[int, int], count: int) -> Following:
     """Which of ``count`` sources the mosaic follows in a window of ``shape`` (rows, columns).
 
-    ``planes`` gives some rows, from start to stop, of the mosaic and of every source, each (stop - start, columns), on
-    one grid: the window is worked on in strips, so that memory does not grow with it.
+    ``fine`` gives some rows, from start to stop, of the mosaic's and of every source's fine detail (``high_pass``),
+    each (stop - start, columns), on one grid: the window is worked on in strips, so that memory does not grow with it.
     """
     rows, columns = shape
     strips = []
     for _, around, inner in _strips(rows, _STRIP, _MARGIN):
-        mosaic, *sources = (high_pass(plane) for plane in planes(around.start, around.stop))
+        mosaic, *sources = fine(around.start, around.stop)
         cells = slice(inner.start // CELL_PX, -(-inner.stop // CELL_PX))
         strips.append([part[cells] for part in _follow_cells(mosaic, sources)])
     winner, clear, mixed, fit, own, of_winner = (np.concatenate(parts) for parts in zip(*strips))

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from functools import cache
 
 import numpy as np
-from scipy import fft
+from scipy import fft, ndimage
 
 from . import thresholds
 
@@ -21,6 +21,7 @@ _TILE_PX, _LEAST_TILE_PX = 256, 32
 _TILES_A_SIDE = 2
 _CUTOFF = 0.12  # cycles a pixel at which the weight has fallen to exp(-1/2)
 _STEPS, _ROUNDS = 8, 3  # of the fine search, each way: to 1/8, 1/64, 1/512 px
+_SPLINE_REACH_PX = 12  # further away a sample of a cubic spline counts for less than 1e-6
 _STRIDE = 4  # of the pixels of a mask that are looked at
 
 
@@ -55,6 +56,28 @@ class Spectra:
             pixels -= pixels.mean()
             self._known[tile] = fft.rfft2(pixels * _window(side))
         return self._known[tile]
+
+
+def shifted(image: np.ndarray, x: float, y: float) -> np.ndarray:
+    """An image (rows, columns) moved to the right and down by fractions of a pixel, float32; its edges are repeated.
+
+    By cubic splines along one axis after the other.
+    """
+    return _moved(_moved(np.asarray(image, np.float32), y, 0), x, 1)
+
+
+def _moved(image: np.ndarray, by: float, axis: int) -> np.ndarray:
+    whole = int(np.floor(-by))
+    t = -by - whole
+    pad = abs(whole) + _SPLINE_REACH_PX
+    padded = np.pad(image, [(pad, pad) if axis == along else (0, 0) for along in (0, 1)], mode="edge")
+    spline = ndimage.spline_filter1d(padded, 3, axis, np.float32, "mirror")
+    weights = (1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, 1 + 3 * t + 3 * t**2 - 3 * t**3, t**3
+    made = np.zeros_like(image)
+    for first, weight in enumerate(weights, pad + whole - 1):
+        part = slice(first, first + image.shape[axis])
+        made += np.float32(weight / 6) * (spline[:, part] if axis else spline[part])
+    return made
 
 
 def find_shift(

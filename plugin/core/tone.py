@@ -146,10 +146,12 @@ def _gamma(
     top = float(pixels.max())
     if pixels.min() < 0 or top <= 0:
         return 1.0
-    scaled, means = (pixels / top).astype(np.float32), y[np.newaxis, ::step]
+    means = y[np.newaxis, ::step]
+    with np.errstate(divide="ignore"):  # the power of 0 is 0
+        logarithms = np.log((pixels / top).astype(np.float32))
 
     def spreads(gammas: np.ndarray) -> np.ndarray:
-        powers = [(scaled ** np.float32(gamma)).mean(axis=2, dtype=np.float64) @ weighted for gamma in gammas]
+        powers = [np.exp(np.float32(gamma) * logarithms).mean(axis=2, dtype=np.float64) @ weighted for gamma in gammas]
         return _linear(np.stack(powers), np.broadcast_to(means, (len(gammas), means.shape[1])))[2]
 
     weighted = np.asarray(weights)

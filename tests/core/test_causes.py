@@ -13,7 +13,7 @@ from seam_inspector.plugin.core import thresholds
 from seam_inspector.plugin.core.band_names import LUMINANCE
 from seam_inspector.plugin.core.causes import Cause, Evidence, find_cause
 from seam_inspector.plugin.core.explanation import Explanation
-from seam_inspector.plugin.core.following import follow
+from seam_inspector.plugin.core.following import follow, high_pass
 from seam_inspector.plugin.core.inspection import Settings, inspect_window, make_block, window_request
 from seam_inspector.plugin.core.measuring import luminance
 from seam_inspector.plugin.core.rasters import Clip, Mosaic, RasterRef, describe_mosaic
@@ -187,9 +187,9 @@ def test_the_right_source_is_followed(scenes: list[Scene], name: str) -> None:
     (truth,) = (one for one in OPERATIONS if one.name == name)
     right = []
     for scene in scenes[:10]:
-        planes = [luminance(bands) for bands in (truth.make(scene), *(clip.bands for clip in scene.sources))]
+        fine = [high_pass(luminance(bands)) for bands in (truth.make(scene), *(clip.bands for clip in scene.sources))]
         count = len(scene.sources)
-        found = follow(lambda start, stop, planes=planes: [p[start:stop] for p in planes], (SIDE, SIDE), count)
+        found = follow(lambda start, stop, fine=fine: [plane[start:stop] for plane in fine], (SIDE, SIDE), count)
         right.append(float((found.labels == scene.labels).mean()))
     assert np.mean(right) >= 0.99
 

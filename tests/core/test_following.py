@@ -40,7 +40,7 @@ def labels() -> np.ndarray:
 
 def followed(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> Following:
     planes = [bands.mean(axis=0, dtype=np.float32) for bands in (mosaic, *sources)]
-    return follow(lambda start, stop: [plane[start:stop] for plane in planes], SHAPE, len(sources))
+    return follow(lambda start, stop: [high_pass(plane[start:stop]) for plane in planes], SHAPE, len(sources))
 
 
 def right(found: Following, labels: np.ndarray) -> float:
@@ -123,7 +123,7 @@ def test_strips_and_odd_sizes_change_nothing() -> None:
     shape = (1062, 70)
     planes = [rng.normal(120, 10, shape).astype(np.float32) for _ in range(2)]
     mosaic = np.where(np.arange(shape[0])[:, np.newaxis] < 1021, planes[0], planes[1])
-    found = follow(lambda start, stop: [plane[start:stop] for plane in (mosaic, *planes)], shape, 2)
+    found = follow(lambda start, stop: [high_pass(plane[start:stop]) for plane in (mosaic, *planes)], shape, 2)
     assert found.labels.shape == shape
     assert float((found.labels == (mosaic == planes[1])).mean()) > 0.99
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.core import shifts
-from seam_inspector.plugin.core.shifts import Spectra, find_shift
+from seam_inspector.plugin.core.shifts import Spectra, find_shift, shifted
 from skimage.registration import phase_cross_correlation
 
 from tests.core.synthetic import texture
@@ -137,3 +137,10 @@ def test_a_narrow_window() -> None:
     image, reference = pair(0.6, -1.1, 512)
     assert_shift(image[:96], reference[:96], 0.6, -1.1)
     assert_shift(image[:, :96], reference[:, :96], 0.6, -1.1)
+
+
+@given(st.floats(-40, 40), st.floats(-40, 40), st.integers(0, 99))
+def test_an_image_is_moved_as_scipy_moves_it(x: float, y: float, seed: int) -> None:
+    image = np.random.default_rng(seed).uniform(0, 255, (37, 53)).astype(np.float32)
+    expected = ndimage.shift(image.astype(np.float64), (y, x), order=3, mode="nearest")
+    assert np.abs(shifted(image, x, y) - expected).max() < 2e-3
