@@ -56,6 +56,13 @@ def gdal_call(call: Callable[[], Any], ref: RasterRef, failure: Message | None =
     return result
 
 
+def drop_from_memory(path: str) -> None:
+    """Remove a file of /vsimem and what GDAL wrote beside it; removing what is not there raises in GDAL 3.10."""
+    for name in (path, path + ".aux.xml"):
+        if gdal.VSIStatL(name) is not None:
+            gdal.Unlink(name)
+
+
 def check_bands(dataset: gdal.Dataset, ref: RasterRef) -> None:
     """Raise RasterError for a dataset without bands or of complex values."""
     if dataset.RasterCount == 0:

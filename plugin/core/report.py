@@ -17,6 +17,7 @@ import numpy as np
 from osgeo import gdal
 
 from . import messages
+from .datasets import drop_from_memory
 from .errors import SettingsError
 from .quiet import quiet
 
@@ -229,8 +230,7 @@ def encoded(pixels: np.ndarray, driver: str) -> bytes:
             data = gdal.VSIFReadL(1, gdal.VSIStatL(path).size, file)
         finally:
             gdal.VSIFCloseL(file)
-            gdal.Unlink(path)
-            gdal.Unlink(path + ".aux.xml")
+            drop_from_memory(path)
     return bytes(data)
 
 

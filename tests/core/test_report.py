@@ -84,3 +84,19 @@ def test_headings_of_numbers_stand_above_them() -> None:
     assert second.count('class="number"') == 2
     assert '<td rowspan="2">a</td>' in html
     assert html.count('<td class="number">') == 6
+
+
+def test_a_picture_leaves_nothing_in_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    """GDAL 3.10 raises where a file to be removed is not there; older ones only say so."""
+    unlink, missing = gdal.Unlink, []
+
+    def strict(path: str) -> int:
+        if gdal.VSIStatL(path) is None:
+            missing.append(path)
+        return int(unlink(path))
+
+    monkeypatch.setattr(gdal, "Unlink", strict)
+    before = gdal.ReadDir("/vsimem/")
+    report.encoded(np.zeros((8, 8), np.uint8), "PNG")
+    assert missing == []
+    assert gdal.ReadDir("/vsimem/") == before

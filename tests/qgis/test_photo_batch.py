@@ -55,7 +55,7 @@ def test_a_batch_goes_on_after_photos_that_fail(
     saved = tmp_path / "batch.json"
     saved.write_text(json.dumps(rows), encoding="utf-8")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(saved), ""))
-    monkeypatch.setattr(BatchAlgorithmDialog, "QgsScopedProxyProgressTask", Progress)
+    monkeypatch.setattr(BatchAlgorithmDialog, "QgsScopedProxyProgressTask", Progress, raising=False)
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("seaminspector:interiororientation")
     dialog = BatchAlgorithmDialog.BatchAlgorithmDialog(algorithm)
     dialog.mainWidget().checkLoadLayersOnCompletion.setChecked(False)

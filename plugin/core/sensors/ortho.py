@@ -13,7 +13,7 @@ import numpy as np
 from osgeo import gdal
 
 from .. import messages, thresholds
-from ..datasets import open_dataset
+from ..datasets import drop_from_memory, open_dataset
 from ..errors import CancelledError, RasterError, SensorModelError, SettingsError
 from ..messages import Message
 from ..quiet import quiet
@@ -250,7 +250,7 @@ def _heights(terrain: Terrain) -> Iterator[str]:
     try:
         yield path
     finally:
-        gdal.Unlink(path)
+        drop_from_memory(path)
 
 
 def _error(
