@@ -19,6 +19,8 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QSize
 
+from tests.qgis.session_desk import wait_until
+
 RATIOS = {1: 0.83, 2: 0.82, 3: 0.49, 4: 1.1}
 CORNERS = {1: (0, 100), 2: (60, 100), 3: (120, 110), 4: (62, 60)}
 SIDE_M = 100.0
@@ -64,7 +66,7 @@ def labels(
     settings.setExpressionContext(context)
     job = QgsMapRendererParallelJob(settings)
     job.start()
-    job.waitForFinished()
+    wait_until(lambda: not job.isActive(), "for the map")
     found = job.takeLabelingResults().labelsWithinRect(settings.visibleExtent())
     return {int(label.labelText.split(" · ")[0]): label.labelRect for label in found if not label.isUnplaced}
 
