@@ -40,6 +40,10 @@ class Photo:
         bit = self._dataset.GetRasterBand(1).GetMetadataItem("NBITS", "IMAGE_STRUCTURE") == "1"
         self._averaged_by_us = roles.palette is not None or bit  # GDAL would average to the nearest of two values
 
+    def contains(self, place: tuple[float, float]) -> bool:
+        """Whether a column and row, pixel centres at .5, lie in the photo."""
+        return 0 <= place[0] < self.columns and 0 <= place[1] < self.rows
+
     def grey(self, window: PixelWindow | None = None) -> np.ndarray:
         """(rows, columns) float32 of a window, or of all; what lies outside the photo repeats its edge."""
         window = window or PixelWindow(0, 0, self.columns, self.rows)

@@ -59,11 +59,11 @@ class Spectra:
 
 
 def shifted(image: np.ndarray, x: float, y: float) -> np.ndarray:
-    """An image (rows, columns) moved to the right and down by fractions of a pixel, float32; its edges are repeated.
+    """An image (rows, columns) of floating type, moved to the right and down by any distance; its edges are repeated.
 
     By cubic splines along one axis after the other.
     """
-    return _moved(_moved(np.asarray(image, np.float32), y, 0), x, 1)
+    return _moved(_moved(image, y, 0), x, 1)
 
 
 def _moved(image: np.ndarray, by: float, axis: int) -> np.ndarray:
@@ -71,12 +71,12 @@ def _moved(image: np.ndarray, by: float, axis: int) -> np.ndarray:
     t = -by - whole
     pad = abs(whole) + _SPLINE_REACH_PX
     padded = np.pad(image, [(pad, pad) if axis == along else (0, 0) for along in (0, 1)], mode="edge")
-    spline = ndimage.spline_filter1d(padded, 3, axis, np.float32, "mirror")
+    spline = ndimage.spline_filter1d(padded, 3, axis, image.dtype, "mirror")
     weights = (1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, 1 + 3 * t + 3 * t**2 - 3 * t**3, t**3
     made = np.zeros_like(image)
     for first, weight in enumerate(weights, pad + whole - 1):
         part = slice(first, first + image.shape[axis])
-        made += np.float32(weight / 6) * (spline[:, part] if axis else spline[part])
+        made += image.dtype.type(weight / 6) * (spline[:, part] if axis else spline[part])
     return made
 
 

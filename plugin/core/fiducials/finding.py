@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 from typing import Callable
 
 import numpy as np
-from scipy import ndimage
 
 from .. import messages, thresholds
 from ..errors import PhotoError
@@ -16,25 +15,12 @@ from ..photos import Photo
 from ..windows import PixelWindow
 from . import lying
 from .calibration import Calibration
+from .candidates import Candidate, candidates
 from .lying import Evidence, Labelling, Lying
-from .measuring import Found, Lost, Template, Window, aimed, levelled, measure, refined
+from .measuring import Found, Lost, Template, aimed, measure, window_around
 from .results import Position, Settings
-from .search import (
-    Area,
-    Arrangement,
-    Frame,
-    Place,
-    Scene,
-    View,
-    bank,
-    blocks,
-    cut_out_patterns,
-    find_arrangements,
-    tolerance,
-    whole_photo,
-    windows_only,
-)
-from .templates import CutOut, Kind, Shape, all_shapes
+from .search import Area, Frame, Place, Scene, View, blocks, tolerance, whole_photo, windows_only
+from .templates import CutOut, Kind, Shape
 from .transformations import Model, fit
 
 
@@ -59,27 +45,6 @@ class Finding:
         return sum(isinstance(one, Found) for one in self.results.values())
 
 
-@dataclass(frozen=True)
-class _Candidate:
-    """Places that may be the marks."""
-
-    frame: Frame
-    arrangement: Arrangement
-    template: Shape | CutOut
-    fitness: float = 1.0
-    """How like the figure its marks are: the median correlation, less where marks are missing."""
-
-    @property
-    def side(self) -> int:
-        """Of the template, px."""
-        return 2 * self.template.margin + 1 if isinstance(self.template, Shape) else min(self.template.pixels.shape)
-
-    @property
-    def weight(self) -> float:
-        """How much the fit tells: the share of the pixels' variance that is left, by how many pixels there are."""
-        return -math.log(max(1 - self.fitness**2, 1e-6)) * self.side**2
-
-
 def find_marks(
     photo: Photo,
     calibration: Calibration,
@@ -94,15 +59,6 @@ def find_marks(
     finder = _Finder(photo, calibration, positions, settings, cancelled)
     predicted = finder.predicted_frame()
     return finder.in_whole_photo() if predicted is None else finder.around_positions(*predicted)
-
-
-def window_around(photo: Photo, place: Place, half: int) -> Window:
-    """The photo around a place, (2 half + 1, 2 half + 1), a little smoothed. Raises PhotoError outside the photo."""
-    left, top = math.floor(place[0]) - half, math.floor(place[1]) - half
-    if not (0 <= place[0] < photo.columns and 0 <= place[1] < photo.rows):
-        raise PhotoError(messages.MARK_OUTSIDE())
-    pixels = photo.grey(PixelWindow(left, top, 2 * half + 1, 2 * half + 1))
-    return Window(ndimage.gaussian_filter(pixels, thresholds.SMOOTHING_PX), left, top)
 
 
 class _Finder:
@@ -152,8 +108,8 @@ class _Finder:
             frame.scales, frame.rotation,
         )
         self._check_template(scale)
-        candidates = self._candidates(windows_only(self._search_views(frame)), [frame])
-        finding = _best((self._measured(one, scale) for one in candidates), len(frame.marks))
+        found = self._candidates(windows_only(self._search_views(frame)), [frame])
+        finding = _best((self._measured(one, scale) for one in found), len(frame.marks))
         return self._one_by_one(frame, scale) if finding is None else finding
 
     def in_whole_photo(self) -> Finding:
@@ -166,8 +122,8 @@ class _Finder:
         image = photo.reduced(factor)
         if np.ptp(image) == 0:
             raise PhotoError(messages.PHOTO_EMPTY(name=photo.ref.name))
-        candidates = self._candidates(whole_photo(image, factor), made)
-        finding = _best(map(self._named, candidates), len(made[0].marks))
+        found = self._candidates(whole_photo(image, factor), made)
+        finding = _best(map(self._named, found), len(made[0].marks))
         if finding is not None and finding.results:
             return finding
         alone = self._one_by_one(self._single_frame(made[0], scale), scale)
@@ -208,28 +164,10 @@ class _Finder:
 
     # --- what is there ------------------------------------------------------------------------------------------
 
-    def _candidates(self, scene: Scene, frames: Sequence[Frame]) -> Iterator[_Candidate]:
-        """Arrangements, the likeliest first: its marks, looked at closely, are most like the figure they have."""
-        template = self._settings.template
-        shapes = self._settings.shapes or all_shapes()
-        groups = [cut_out_patterns(template)] if template is not None else [bank([shape]) for shape in shapes]
-        found = find_arrangements(scene, frames, groups, self._settings.sign, self._cancelled)
-        if template is not None:
-            yield from (_Candidate(frame, arrangement, template) for frame, arrangement in found[:1])
-            return
-        worth = thresholds.WORTH_A_LOOK * found[0][1].score if found else 0.0
-        looked_at = []
-        for frame, arrangement in found[: thresholds.REFINED_ARRANGEMENTS]:
-            if arrangement.score >= worth and arrangement.shape is not None:
-                shape, fitness = self._refined(frame, arrangement, arrangement.shape, thresholds.GLANCING_SIZE_PX)
-                fitness *= len(arrangement.values) / len(frame.marks)
-                looked_at.append(_Candidate(frame, arrangement, shape, fitness))
-        for one in _by_fitness(looked_at):
-            assert isinstance(one.template, Shape)
-            shape, _ = self._refined(one.frame, one.arrangement, one.template, thresholds.REFINING_SIZE_PX)
-            yield replace(one, template=shape)
+    def _candidates(self, scene: Scene, frames: Sequence[Frame]) -> Iterator[Candidate]:
+        return candidates(self._photo, scene, frames, self._settings, self._cancelled)
 
-    def _named(self, candidate: _Candidate) -> Finding:
+    def _named(self, candidate: Candidate) -> Finding:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
         frame, found = candidate.frame, candidate.arrangement
         candidates = lying.labellings(self._calibration, frame, found)
@@ -245,7 +183,7 @@ class _Finder:
         return Finding(results, candidate.template, chosen.lying, evidence, notices)
 
     def _decide(
-        self, candidates: Sequence[Labelling], measured: Finding, candidate: _Candidate, evidence: Evidence
+        self, candidates: Sequence[Labelling], measured: Finding, candidate: Candidate, evidence: Evidence
     ) -> tuple[Labelling, Evidence, tuple[Message, ...]]:
         """The way to name the marks that the photo itself tells, what told it, and what is to be said of it."""
         places = {name: (one.column, one.row) for name, one in measured.results.items() if isinstance(one, Found)}
@@ -272,7 +210,7 @@ class _Finder:
             return plain, Evidence.ASSUMED, (messages.LYING_ASSUMED(),)
         return plain, evidence, ()
 
-    def _dots(self, places: Mapping[str, Place], candidate: _Candidate) -> dict[str, int]:
+    def _dots(self, places: Mapping[str, Place], candidate: Candidate) -> dict[str, int]:
         template, found = candidate.template, candidate.arrangement
         radius = template.size / 2 if isinstance(template, Shape) else min(template.pixels.shape) / 4
         counts = {}
@@ -283,7 +221,7 @@ class _Finder:
                 counts[name] = count
         return counts
 
-    def _measured(self, candidate: _Candidate, scale: float) -> Finding:
+    def _measured(self, candidate: Candidate, scale: float) -> Finding:
         """Every mark of a frame at full resolution, those that were not among the arrangement's places too."""
         frame, found = candidate.frame, candidate.arrangement
         sites = {name: (float(x), float(y)) for name, (x, y) in zip(frame.marks, frame.places)}
@@ -313,15 +251,6 @@ class _Finder:
             return Lost(error.message)
         return measure(window, near, reach, template, self._settings.least, self._settings.surface)
 
-    def _refined(self, frame: Frame, found: Arrangement, begin: Shape, finest: float) -> tuple[Shape, float]:
-        """The drawn mark fitted to the photo's marks, and how well it fits."""
-        half = math.ceil(1.7 * begin.size + 2 * found.uncertainty + 4)
-        windows = {
-            name: levelled(window_around(self._photo, place, half)) for name, place in found.places.items()
-        }
-        places = {name: (float(x), float(y)) for name, (x, y) in zip(frame.marks, frame.places)}
-        return refined(windows, places, begin, found.sign, found.angle, finest)
-
     def _one_by_one(self, frame: Frame, scale: float) -> Finding:
         """No arrangement was found: every mark on its own, where it has a position."""
         results: dict[str, Found | Lost] = {}
@@ -346,26 +275,6 @@ def _best(findings: Iterable[Finding], marks: int) -> Finding | None:
         if first is None:
             first = one
     return first
-
-
-def _by_fitness(looked_at: Sequence[_Candidate]) -> Iterator[_Candidate]:
-    """The best fitting first; of figures at the same places a larger one that fits nearly as well goes before it.
-
-    The small figure may be a part of the large one, a dot of a ring with a dot, which explains more of the pixels.
-    """
-    left = sorted(looked_at, key=lambda one: -one.fitness)
-    while left:
-        best = left[0]
-        least = best.fitness - thresholds.NEARLY_AS_FIT
-        same = [one for one in left if _at_one_place(one, best)]
-        left = [one for one in left if one not in same]
-        yield from sorted(same, key=lambda one: (one.fitness >= least, one.weight), reverse=True)
-
-
-def _at_one_place(one: _Candidate, other: _Candidate) -> bool:
-    a, b = one.arrangement.places, other.arrangement.places
-    distances = [math.dist(a[name], b[name]) for name in a if name in b]
-    return bool(distances) and float(np.median(distances)) <= max(one.side, other.side) / 2
 
 
 def _around(place: Place, reach: float) -> Area:

@@ -13,10 +13,10 @@ from ..errors import PhotoError
 from ..photos import Photo
 from . import lying
 from .calibration import Calibration, check_calibration
-from .finding import Finding, find_marks, window_around
+from .finding import Finding, find_marks
 from .fitting import fit_marks, off_marks
 from .lying import Evidence, Lying
-from .measuring import Lost, Window
+from .measuring import Lost, Window, window_around
 from .results import Fitted, Mark, Orientation, Position, Settings, Status
 from .search import Place
 from .templates import CutOut, Shape
@@ -119,7 +119,7 @@ def _surroundings(photo: Photo, marks: Sequence[Mark], template: Shape | CutOut 
     half = math.ceil(max(size, 2 * thresholds.MIN_PICTURE_PX) * 0.75)
     return {
         mark.name: window_around(photo, mark.place, half) for mark in marks
-        if mark.place is not None and 0 <= mark.place[0] < photo.columns and 0 <= mark.place[1] < photo.rows
+        if mark.place is not None and photo.contains(mark.place)
     }
 
 

@@ -7,13 +7,18 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
+from scipy import ndimage
 
 from .. import messages, thresholds
+from ..errors import PhotoError
 from ..messages import Message
+from ..photos import Photo
+from ..shifts import shifted
+from ..windows import PixelWindow
 from .correlation import Field, correlate, peak_pixel
 from .search import Place, blocks, pointed
 from .surface import SurfaceError, extremum, fit_surface, surface_extremum
-from .templates import CutOut, Kind, Shape, draw, shifted
+from .templates import CutOut, Kind, Shape, draw
 
 
 class Surface(Enum):
@@ -33,6 +38,15 @@ class Window:
     """Column of its first pixel in the photo."""
     top: int
     """Row of its first pixel in the photo."""
+
+
+def window_around(photo: Photo, place: Place, half: int) -> Window:
+    """The photo around a place, (2 half + 1, 2 half + 1), a little smoothed. Raises PhotoError outside the photo."""
+    if not photo.contains(place):
+        raise PhotoError(messages.MARK_OUTSIDE())
+    left, top = math.floor(place[0]) - half, math.floor(place[1]) - half
+    pixels = photo.grey(PixelWindow(left, top, 2 * half + 1, 2 * half + 1))
+    return Window(ndimage.gaussian_filter(pixels, thresholds.SMOOTHING_PX), left, top)
 
 
 @dataclass(frozen=True)
@@ -146,7 +160,7 @@ class Template:
         """The template with the mark ``offset`` px beside the pixel centre that is ``centre``."""
         if isinstance(self._mark, CutOut):
             move = offset[0] - self._residue[0], offset[1] - self._residue[1]
-            return self._sign * shifted(self._mark.pixels, move)
+            return self._sign * shifted(self._mark.pixels, *move)
         return self._sign * draw(self._mark, offset)
 
 

@@ -11,7 +11,7 @@ from enum import Enum
 from functools import lru_cache
 
 import numpy as np
-from scipy import ndimage, special
+from scipy import special
 
 from .. import messages, thresholds
 from ..errors import PhotoError
@@ -213,8 +213,3 @@ def cut_out(pixels: np.ndarray) -> CutOut:
     except SurfaceError:
         return CutOut(pixels, middle)
     return CutOut(pixels, (middle[0] - (x - reach[1]) / 2, middle[1] - (y - reach[0]) / 2))
-
-
-def shifted(pixels: np.ndarray, offset: tuple[float, float]) -> np.ndarray:
-    """An array moved by (columns, rows), by cubic splines; edges are repeated."""
-    return np.asarray(ndimage.shift(pixels, (offset[1], offset[0]), order=3, mode="nearest"))
