@@ -37,7 +37,7 @@ lint: link ## Check style and types
 test: lint test-core test-qgis test-desktop ## Check style and types, then run all tests
 
 test-core: link ## Run the tests of the numbers, without QGIS
-	$(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/core
+	$(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings

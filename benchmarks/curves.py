@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pywt
-from seam_inspector.plugin.core.wavelets import clip_curves
+from seam_inspector.plugin.imagery.wavelets import clip_curves
 
 from .timing import Goal, Timing, interleaved, is_system_blas, print_table
 

@@ -21,10 +21,10 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.core.band_names import LUMINANCE
-from seam_inspector.plugin.core.causes import Cause
-from seam_inspector.plugin.core.contrast import judge
-from seam_inspector.plugin.core.measuring import luminance
+from seam_inspector.plugin.imagery.band_curves import luminance
+from seam_inspector.plugin.imagery.band_names import LUMINANCE
+from seam_inspector.plugin.seams.measure.causes import Cause
+from seam_inspector.plugin.seams.measure.verdicts import judge
 from skimage.measure import blur_effect
 
 from demo.block import PIXEL, make_block

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.core.inspection import Block, Settings, Source, WindowRequest
-from seam_inspector.plugin.core.rasters import RasterRef, describe, describe_mosaic
-from seam_inspector.plugin.core.windows import PixelWindow
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import RasterRef, describe, describe_mosaic
+from seam_inspector.plugin.seams.measure.inspection import Block, InspectionSettings, Source, WindowRequest
 
 from demo.block import EXPOSURES, write_image
 from demo.camera import Box, take
@@ -55,7 +55,7 @@ class Ground:
         refs = [RasterRef(str(path)) for path in self.files[tile_format]]
         block = Block(describe_mosaic(refs[0]), tuple(Source(ref, describe(ref).extent) for ref in refs[1:]))
         places = [PixelWindow(FIRST + column, FIRST + row, SIDE, SIDE) for row in (0, SIDE) for column in (0, SIDE)]
-        return [WindowRequest(number, block.mosaic, block.sources_over(place), place, Settings())
+        return [WindowRequest(number, block.mosaic, block.sources_over(place), place, InspectionSettings())
                 for number, place in enumerate(places, 1)]
 
 

@@ -9,12 +9,12 @@ import cv2
 import numpy as np
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.core.fiducials.calibration import Calibration
-from seam_inspector.plugin.core.fiducials.interior import orient
-from seam_inspector.plugin.core.fiducials.results import Settings, Status
-from seam_inspector.plugin.core.fiducials.templates import Kind, Shape, draw
-from seam_inspector.plugin.core.photos import Photo
-from seam_inspector.plugin.core.rasters import RasterRef
+from seam_inspector.plugin.imagery.photos import Photo
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration
+from seam_inspector.plugin.photos.measure.interior_orientation import orient
+from seam_inspector.plugin.photos.measure.mark_templates import MarkKind, MarkShape, draw
+from seam_inspector.plugin.photos.measure.orientation import OrientationSettings, Status
 
 from .ground import Ground
 from .timing import Goal, interleaved, print_table
@@ -23,7 +23,7 @@ SIDE_PX = 5600  # 42 um on a photo of 23 cm
 SPAN_MM = 212.0
 MOST_SECONDS = 5.0
 CAMERA = {"1": (106.0, -106.0), "2": (-106.0, -106.0), "3": (-106.0, 106.0), "4": (106.0, 106.0)}
-MARK = Shape(Kind.RING_WITH_CROSS, 38.0, diagonal=True, interrupted=True, softness=1.5)
+MARK = MarkShape(MarkKind.RING_WITH_CROSS, 38.0, diagonal=True, interrupted=True, softness=1.5)
 
 
 def scanned_frame(picture: np.ndarray, path: Path) -> np.ndarray:
@@ -55,7 +55,7 @@ def one_template(path: Path, mark: np.ndarray) -> object:
 
 def whole(path: Path) -> None:
     """Four marks of a kind, size and angle that nobody says, to a fraction of a pixel, and the transformation."""
-    made = orient(Photo(RasterRef(str(path))), Calibration(CAMERA), {}, Settings())
+    made = orient(Photo(RasterRef(str(path))), CameraCalibration(CAMERA), {}, OrientationSettings())
     assert made.count(Status.MEASURED) == len(CAMERA)
 
 

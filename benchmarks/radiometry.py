@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.core.pixels import Pixels
-from seam_inspector.plugin.core.radiometry.assessment import assess
-from seam_inspector.plugin.core.radiometry.rules import default_rules
-from seam_inspector.plugin.core.radiometry.statistics import stream
-from seam_inspector.plugin.core.rasters import RasterRef
+from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.radiometry.measure.assessment import assess
+from seam_inspector.plugin.radiometry.measure.image_statistics import stream
+from seam_inspector.plugin.radiometry.measure.rules import default_rules
 
 from .ground import COMPRESSED, FORMATS, TILES, Ground
 from .timing import Goal, interleaved, print_table

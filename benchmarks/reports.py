@@ -8,8 +8,8 @@ from itertools import cycle, islice
 from multiprocessing import get_context
 from pathlib import Path
 
-from seam_inspector.plugin.core.findings import Finding, FoundCurve
-from seam_inspector.plugin.core.inspection import Block, inspect_window
+from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window
+from seam_inspector.plugin.seams.measure.window_records import CurveRecord, WindowRecord
 
 from .ground import Ground
 from .timing import Goal, print_table
@@ -22,7 +22,7 @@ MOST_MEGABYTES = 30.0
 
 def report_cost(ground: Ground, tile_format: str, count: int) -> tuple[float, float, float, float]:
     """Seconds, processor seconds, MB of the file and growth of the peak memory in MB; for a process of its own."""
-    from seam_inspector.plugin.adapters.window_report import ReportRequest, write_report
+    from seam_inspector.plugin.seams.report.inspection_report import ReportRequest, write_report
 
     requests = ground.requests(tile_format)
     block = Block(requests[0].mosaic, requests[0].sources)
@@ -31,9 +31,9 @@ def report_cost(ground: Ground, tile_format: str, count: int) -> tuple[float, fl
     for number, result in enumerate(islice(cycle(measured), count), 1):
         assert result.window is not None
         extent = block.mosaic.grid.window_extent(result.window)
-        findings.append(Finding(number, "significant", ratios=result.judgement.ratios.detail, extent=extent))
+        findings.append(WindowRecord(number, "significant", ratios=result.judgement.ratios.detail, extent=extent))
         shares = [(clip.raster, clip.role, clip.curves["luminance"]) for clip in result.clips]
-        curves[number] = [FoundCurve(name, role, curve.detail, curve.background) for name, role, curve in shares]
+        curves[number] = [CurveRecord(name, role, curve.detail, curve.background) for name, role, curve in shares]
     request = ReportRequest(tuple(findings), curves, block=block, wkt=block.mosaic.wkt)
     before = peak_memory()
     with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:

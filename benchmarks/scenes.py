@@ -13,15 +13,15 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal, ogr
 from scipy import ndimage
-from seam_inspector.plugin.core.causes import Cause
-from seam_inspector.plugin.core.errors import NotCoveredError
-from seam_inspector.plugin.core.explanation import Explanation, explain
-from seam_inspector.plugin.core.inspection import Block, make_block
-from seam_inspector.plugin.core.measuring import measure_bands
-from seam_inspector.plugin.core.rasters import Clip, Mosaic, RasterRef, describe, describe_mosaic, read_clip
-from seam_inspector.plugin.core.thresholds import DEFAULT_LEVELS, DEFAULT_WAVELET
-from seam_inspector.plugin.core.wavelets import Curve
-from seam_inspector.plugin.core.windows import PixelWindow
+from seam_inspector.plugin.imagery.band_curves import measure_bands
+from seam_inspector.plugin.imagery.errors import NotCoveredError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
+from seam_inspector.plugin.imagery.rasters import Clip, Mosaic, RasterRef, describe, describe_mosaic, read_clip
+from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.seams.measure.causes import Cause
+from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
+from seam_inspector.plugin.seams.measure.inspection import Block, make_block
 
 STEP_PX = 24
 """Raster of the windows that are looked at."""

@@ -15,20 +15,20 @@ from statistics import median
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.core.explanation import explain
-from seam_inspector.plugin.core.inspection import (
-    Settings,
+from seam_inspector.plugin.imagery.band_curves import measure_clip
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.rasters import Clip, RasterRef, describe, read_clip
+from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.seams.measure.explanation import explain
+from seam_inspector.plugin.seams.measure.inspection import (
+    InspectionSettings,
     Source,
     WindowRequest,
     inspect_window,
     make_block,
     window_request,
 )
-from seam_inspector.plugin.core.measuring import measure_clip
-from seam_inspector.plugin.core.rasters import Clip, RasterRef, describe, read_clip
-from seam_inspector.plugin.core.runs import inspect_windows
-from seam_inspector.plugin.core.wavelets import Curve
-from seam_inspector.plugin.core.windows import Grid, PixelWindow
+from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
 
 from .ground import COMPRESSED, FORMATS, SIDE, Ground
 from .timing import Goal, Spread, Timing, interleaved, print_table
@@ -251,7 +251,7 @@ def run_selection(ground: Ground, quick: bool) -> list[Goal]:
     for _ in range(repetitions):
         started = time.perf_counter()
         block, _notices = make_block(mosaic, (), indexed)
-        requests = [window_request(block, number, extent, Settings()) for number, extent in enumerate(drawn)]
+        requests = [window_request(block, number, extent, InspectionSettings()) for number, extent in enumerate(drawn)]
         seconds.append(time.perf_counter() - started)
         candidates = sum(len(request.sources) for request in requests)
     spread = Spread.of(1e3 * x for x in seconds)

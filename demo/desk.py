@@ -217,7 +217,7 @@ class Desk:
 
     def curves_of(self, fid: int) -> bool:
         """Whether the chart shows a window's curves, drawn."""
-        result, panel = self.session.result(fid), self.dock.curves
+        result, panel = self.session.result(fid), self.dock.panels["curves"]
         chart = panel._chart
         if result is None or chart is None or not chart.is_drawn:
             return False
@@ -225,7 +225,7 @@ class Desk:
 
     def noise_of(self, fid: int) -> bool:
         """Whether the noise tab shows what was measured in a window, drawn."""
-        request, panel = self.session.request(fid), self.dock.noise
+        request, panel = self.session.request(fid), self.dock.panels["noise"]
         chart, wanted = panel._chart, panel._wanted
         if request is None or chart is None or wanted is None or wanted[1].window_id != request.window_id:
             return False

@@ -19,10 +19,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from osgeo import gdal
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsVectorLayer
-from seam_inspector.plugin.adapters.charts import ChartCurve, draw_curves
-from seam_inspector.plugin.core import rasters, thresholds, windows
-from seam_inspector.plugin.core.errors import SeamInspectorError
-from seam_inspector.plugin.processing.provider import SeamInspectorProvider
+from seam_inspector.plugin.imagery import grids, rasters
+from seam_inspector.plugin.imagery import limits as imagery_limits
+from seam_inspector.plugin.imagery.errors import SeamInspectorError
+from seam_inspector.plugin.provider import SeamInspectorProvider
+from seam_inspector.plugin.toolkit.charts.curve_chart import ChartCurve, draw_curves
 
 from demo.block import make_block
 
@@ -47,7 +48,7 @@ class Inspected:
     window_id: int
     verdict: str
     ratio_1: float
-    extent: windows.Extent
+    extent: grids.Extent
 
 
 class Log(QgsProcessingFeedback):
@@ -147,7 +148,7 @@ def fitting_side(mosaic: Path) -> float:
     """100 m, or a quarter of a smaller mosaic."""
     grid = rasters.describe_mosaic(rasters.RasterRef(str(mosaic))).grid
     shorter = min(grid.columns * grid.metres_x * grid.pixel_width, grid.rows * grid.metres_y * grid.pixel_height)
-    return min(thresholds.STANDARD_SIDE_M, shorter / 4)
+    return min(imagery_limits.STANDARD_SIDE_M, shorter / 4)
 
 
 def has_layer(path: Path, name: str) -> bool:
@@ -210,10 +211,10 @@ def draw(chosen: Iterable[Inspected], curves: dict[int, list[ChartCurve]], job: 
     grid = figure.subplots(2, len(chosen), squeeze=False, gridspec_kw={"height_ratios": [0.72, 1.0]})
     mosaic = rasters.describe_mosaic(rasters.RasterRef(str(job.mosaic)))
     shares = [curve.detail[0] for window in chosen for curve in curves[window.window_id]]
-    limits = min(shares) * thresholds.MAX_SIGNIFICANT_RATIO, 1.2
+    limits = min(shares) * imagery_limits.MAX_SIGNIFICANT_RATIO, 1.2
     for column, window in enumerate(chosen):
         chart, picture = grid[0][column], grid[1][column]
-        draw_curves(chart, curves[window.window_id], thresholds.MAX_SIGNIFICANT_RATIO)
+        draw_curves(chart, curves[window.window_id], imagery_limits.MAX_SIGNIFICANT_RATIO)
         chart.set_title(f"Window {window.window_id}: {window.verdict}, ratio {window.ratio_1:.2f}", fontweight="bold")
         chart.set_ylim(*limits)
         chart.legend(fontsize=7.5, frameon=False)
@@ -225,9 +226,9 @@ def draw_pictures(axes: Any, window: Inspected, curves: list[ChartCurve], mosaic
     """The middle of a window in the mosaic and in the least sharp source, one above the other."""
     source = min((curve for curve in curves if not curve.is_mosaic), key=lambda curve: curve.detail[0]).label
     path = next(path for path in job.sources if path.name == source)
-    whole = windows.snap_window(mosaic.grid, window.extent)
+    whole = grids.snap_window(mosaic.grid, window.extent)
     width, height = min(PICTURE_PX[0], whole.width), min(PICTURE_PX[1], whole.height)
-    middle = windows.PixelWindow(
+    middle = grids.PixelWindow(
         whole.column + (whole.width - width) // 2, whole.row + (whole.height - height) // 2, width, height
     )
     clips = [rasters.read_clip(rasters.RasterRef(str(file)), mosaic, middle) for file in (job.mosaic, path)]

@@ -9,10 +9,10 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction
 
-from .adapters.packages import broken_package_sentence, missing_packages_sentence
-from .adapters.resources import icon_path
-from .adapters.text import Translation, tr
-from .processing.provider import SeamInspectorProvider
+from .provider import SeamInspectorProvider
+from .toolkit.packages import broken_package_sentence, missing_packages_sentence
+from .toolkit.resources import icon_path
+from .toolkit.translation import Translation, tr
 
 
 class SeamInspectorPlugin:
@@ -124,12 +124,13 @@ class Desk:
 
 
 def _inspection_dock(iface: QgisInterface) -> QgsDockWidget:
-    from .gui.dock import InspectionDock
+    from .desk_tabs import TABS
+    from .seams.desk.dock import InspectionDock
 
-    return InspectionDock(iface)
+    return InspectionDock(iface, TABS)
 
 
 def _bar_dock(iface: QgisInterface) -> QgsDockWidget:
-    from .gui.bar_dock import BarDock
+    from .resolution.desk.bar_dock import BarDock
 
     return BarDock(iface)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.core.synthetic import orthoimage, write_raster
+from tests.numbers.synthetic import orthoimage, write_raster
 
 SIDE = 1024  # px
 BOXES = [(430 * column, 330 * row, SIDE, SIDE) for row in range(7) for column in range(8)][:50]

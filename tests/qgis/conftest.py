@@ -12,7 +12,7 @@ from qgis.core import QgsApplication, QgsProcessingProvider, QgsProject
 importlib.invalidate_caches()  # QGIS looked for plugins before the package's link was there
 
 from tests.qgis.scenes import Scene, make_scene  # noqa: E402
-from tests.qgis.session_desk import Desk, wait_for_tasks  # noqa: E402
+from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks  # noqa: E402
 
 _raised: list[BaseException] = []
 

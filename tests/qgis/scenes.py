@@ -10,7 +10,7 @@ import numpy as np
 from osgeo import ogr, osr
 from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsGeometry, QgsRectangle, QgsVectorLayer
 
-from tests.core.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, read_pixels, write_raster
+from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, read_pixels, write_raster
 
 PIXEL = 0.1  # metres
 COLUMNS, ROWS = 512, 256  # of the mosaic and its sources

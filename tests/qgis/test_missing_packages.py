@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from qgis.core import Qgis, QgsProcessingProvider, QgsProject
 from qgis.gui import QgisInterface
-from seam_inspector.plugin.adapters import packages
+from seam_inspector.plugin.toolkit import packages
 
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import Scene
@@ -32,7 +32,8 @@ DRAWN = (
     ("report", "OUTPUT"),
 )
 """Algorithms and their files with charts."""
-DRAWING = "bar_charts bar_report calibration_chart charts figures noise_charts noise_report radiometry_report".split()
+DRAWING = """resolution.charts resolution.report seams.charts.calibration_chart toolkit.charts.curve_chart
+toolkit.charts.figure_files noise.charts noise.report radiometry.report""".split()
 """Modules that can't be imported without matplotlib."""
 
 
@@ -92,7 +93,7 @@ def without_matplotlib(provider: QgsProcessingProvider, monkeypatch: pytest.Monk
     """A system where only matplotlib is missing; modules that need it can't be imported."""
     find = packages.find_spec
     monkeypatch.setattr(packages, "find_spec", lambda name: None if name == "matplotlib" else find(name))
-    for name in ("matplotlib", *(f"seam_inspector.plugin.adapters.{name}" for name in DRAWING)):
+    for name in ("matplotlib", *(f"seam_inspector.plugin.{name}" for name in DRAWING)):
         monkeypatch.setitem(sys.modules, name, None)
 
 

@@ -13,15 +13,15 @@ import pytest
 from qgis.core import QgsApplication, QgsProject
 from qgis.gui import QgisInterface, QgsDockWidget
 from qgis.PyQt.QtWidgets import QAction, QDockWidget
-from seam_inspector.plugin.adapters.inputs import Inputs
-from seam_inspector.plugin.gui.session import Session
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.session import Session
 
 from demo.gaps import Gaps
 from tests.large import BOXES as LARGE_BOXES
 from tests.large import make_large_rasters
 from tests.patience import MOST_GAP_S, MOST_WORK_S
 from tests.qgis.scenes import Scene, outline, windows
-from tests.qgis.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 BOXES = [(column, row, 64, 64) for row in range(0, 192, 32) for column in range(0, 448, 64)]
 

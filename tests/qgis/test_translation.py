@@ -5,9 +5,10 @@ from collections.abc import Iterator
 
 import pytest
 from qgis.core import QgsApplication
-from seam_inspector.plugin.adapters.text import Translation, sentence, tr
-from seam_inspector.plugin.core import messages
-from seam_inspector.plugin.processing.inspectwindows import InspectWindows
+from seam_inspector.plugin.imagery import messages as imagery_messages
+from seam_inspector.plugin.seams.algorithms.inspectwindows import InspectWindows
+from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.toolkit.translation import Translation, sentence, tr
 
 ENGLISH, POLISH = "Inspect windows", "Skontroluj okna"
 
@@ -24,17 +25,20 @@ def translation(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.parametrize("translation", ["pl", "pl_PL"], indirect=True)
 def test_texts_and_sentences_are_polish_until_removed(translation: Translation) -> None:
     assert tr(ENGLISH) == POLISH
-    assert sentence(messages.NO_SOURCES()).startswith("Żaden ortoobraz źródłowy nie pokrywa okna;")
+    assert sentence(seams_messages.NO_SOURCES()).startswith("Żaden ortoobraz źródłowy nie pokrywa okna;")
 
     translation.remove()
     assert tr(ENGLISH) == ENGLISH
-    assert sentence(messages.NO_SOURCES()) == str(messages.NO_SOURCES())
+    assert sentence(seams_messages.NO_SOURCES()) == str(seams_messages.NO_SOURCES())
 
 
 @pytest.mark.parametrize("translation", ["pl"], indirect=True)
 def test_values_and_sentences_within_a_sentence_are_put_in(translation: Translation) -> None:
-    why = (messages.NOT_COVERED(name="a.tif"), messages.TOO_MANY_INVALID(name="b.tif", share=0.0123, most=0.001))
-    assert sentence(messages.NO_SOURCE_COMPARABLE(why=why)) == (
+    why = (
+        imagery_messages.NOT_COVERED(name="a.tif"),
+        imagery_messages.TOO_MANY_INVALID(name="b.tif", share=0.0123, most=0.001),
+    )
+    assert sentence(seams_messages.NO_SOURCE_COMPARABLE(why=why)) == (
         "Żadnego ortoobrazu źródłowego nie można tu porównać: Raster a.tif nie pokrywa całego okna. "
         "Udział pikseli bez danych w oknie wynosi w rastrze b.tif 1.23%, a dopuszczalne jest 0.1%; przesuń okno."
     )

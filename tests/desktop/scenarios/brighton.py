@@ -110,7 +110,7 @@ def time_clicks(desk: Desk, block: Path) -> None:
 
 def two_source_points(desk: Desk) -> list[tuple[float, float]]:
     """Where a standard window has just two sources."""
-    from seam_inspector.plugin.gui.window_tool import clicked_window
+    from seam_inspector.plugin.seams.desk.map.window_tool import clicked_window
 
     session, grid = desk.session, desk.session.mosaic_grid()
     extent = session.mosaic_layer().extent()

@@ -20,7 +20,7 @@ AGAIN = 10
 
 def play(desk: Desk) -> None:
     """All that is measured is in the report."""
-    from seam_inspector.plugin.core.windows import PixelWindow
+    from seam_inspector.plugin.imagery.grids import PixelWindow
 
     windows = [PixelWindow(*box) for box in desk.parameters["boxes"]]
     mosaic, *sources = desk.load_rasters([Path(path) for path in desk.parameters["rasters"]])

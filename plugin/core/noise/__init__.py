@@ -1,1 +1,0 @@
-"""Random noise of single images (Pyka 2009)."""

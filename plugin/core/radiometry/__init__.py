@@ -1,1 +1,0 @@
-"""Radiometric acceptance of single images against rules with limits."""

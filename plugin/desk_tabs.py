@@ -1,0 +1,30 @@
+"""The tabs of the inspection desk, in their order. A new one is an entry here."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from .noise.desk.noise_panel import NoisePanel
+from .seams.desk.curves.curves_panel import CurvesPanel
+from .seams.desk.images.images_panel import ImagesPanel
+from .toolkit.desk.tabs import DeskTab
+
+TABS = (
+    DeskTab(
+        "curves",
+        QT_TRANSLATE_NOOP("@default", "Curves"),
+        QT_TRANSLATE_NOOP("@default", "How the variance of the selected windows spreads over the levels of detail"),
+        CurvesPanel,
+    ),
+    DeskTab(
+        "images",
+        QT_TRANSLATE_NOOP("@default", "Images"),
+        QT_TRANSLATE_NOOP("@default", "The clips of the selected window side by side, to judge the loss by eye"),
+        ImagesPanel,
+    ),
+    DeskTab(
+        "noise",
+        QT_TRANSLATE_NOOP("@default", "Noise"),
+        QT_TRANSLATE_NOOP("@default", "How much random noise the mosaic, or a source, has in the selected window"),
+        NoisePanel,
+    ),
+)

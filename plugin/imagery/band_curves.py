@@ -1,0 +1,50 @@
+"""From a clip to its curves by band, and to what the verdict looks at."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from . import limits
+from .band_names import has_colours, measured_bands
+from .rasters import Clip
+from .wavelets import Curve, clip_curves
+
+
+def measure_clip(clip: Clip, wavelet: str, levels: int) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
+    """Curves and coarse components of a clip by band name, luminance first where there is one."""
+    return measure_bands(clip.bands, clip.raster.band_names, wavelet, levels)
+
+
+def measure_bands(
+    bands: np.ndarray, names: Sequence[str], wavelet: str, levels: int
+) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
+    """The same for bands (bands, rows, columns) with their names."""
+    weights = limits.LUMINANCE_WEIGHTS if has_colours(names) else ()
+    curves, coarse = clip_curves(bands, wavelet, levels, weights)
+    if weights:
+        curves, coarse = [curves[-1], *curves[:-1]], [coarse[-1], *coarse[:-1]]
+    measured = measured_bands(names)
+    return dict(zip(measured, curves)), dict(zip(measured, coarse))
+
+
+def luminance(bands: np.ndarray) -> np.ndarray:
+    """The luminance, (rows, columns) float32, of bands whose first three are red, green and blue."""
+    red, green, blue = (np.float32(weight) for weight in limits.LUMINANCE_WEIGHTS)
+    mixture: np.ndarray = bands[0] * red
+    mixture += bands[1] * green
+    mixture += bands[2] * blue
+    return mixture
+
+
+def judged_plane(bands: np.ndarray, names: Sequence[str]) -> np.ndarray:
+    """What the verdict looks at, (rows, columns) float32: the luminance, else the first band."""
+    return luminance(bands) if has_colours(names) else bands[0].astype(np.float32)
+
+
+def correlation(a: np.ndarray, b: np.ndarray) -> float | None:
+    """Correlation of two arrays of one shape; None where one of them is constant."""
+    a, b = (x.astype(np.float64).ravel() for x in (a, b))
+    a, b = a - a.mean(), b - b.mean()
+    scale = np.sqrt((a @ a) * (b @ b))
+    return float(a @ b / scale) if scale > 0 else None

@@ -1,0 +1,55 @@
+"""The errors a user can cause. Each carries one sentence from ``messages`` that says what to do."""
+from __future__ import annotations
+
+from .message import Message
+
+
+class SeamInspectorError(Exception):
+    """Base of all errors that are shown to the user as they are."""
+
+    def __init__(self, message: Message) -> None:
+        super().__init__(message)
+        self.message = message
+
+    def __str__(self) -> str:
+        return str(self.message)
+
+
+class SettingsError(SeamInspectorError):
+    """A setting is out of its range, or the inputs together make no job."""
+
+
+class RasterError(SeamInspectorError):
+    """A raster can't be opened, read or compared."""
+
+
+class NotCoveredError(RasterError):
+    """A raster holds too few valid pixels in a window."""
+
+
+class WindowError(SeamInspectorError):
+    """A window can't be measured on the mosaic's pixel grid."""
+
+
+class SeamlineError(SeamInspectorError):
+    """Seamlines from which no window can be placed."""
+
+
+class WindowLayerError(SeamInspectorError):
+    """The window layer can't be made or edited."""
+
+
+class BarLineError(SeamInspectorError):
+    """A line across the bars of a target can't be measured."""
+
+
+class PhotoError(SeamInspectorError):
+    """A photo, its calibration or its marks from which no interior orientation can be had."""
+
+
+class SensorModelError(SeamInspectorError):
+    """A sensor model that can't be fitted, read or applied."""
+
+
+class CancelledError(SeamInspectorError):
+    """The user stopped the work."""

@@ -1,0 +1,141 @@
+"""Pixel grids and windows: standard sizes, snapping, and the rectangle a window covers on the ground."""
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from . import limits, messages
+from .errors import SettingsError, WindowError
+
+Extent = tuple[float, float, float, float]
+"""xmin, ymin, xmax, ymax in map units."""
+
+
+@dataclass(frozen=True)
+class PixelWindow:
+    """A rectangle of whole pixels on one raster's grid."""
+
+    column: int
+    """First column, 0 at the left edge."""
+    row: int
+    """First row, 0 at the top edge."""
+    width: int
+    """Number of columns."""
+    height: int
+    """Number of rows."""
+
+    def shared_pixels(self, other: PixelWindow) -> int:
+        """How many pixels two windows on the same grid have in common."""
+        width = min(self.column + self.width, other.column + other.width) - max(self.column, other.column)
+        height = min(self.row + self.height, other.row + other.height) - max(self.row, other.row)
+        return max(width, 0) * max(height, 0)
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A north-up pixel grid: where pixels lie on the map."""
+
+    left: float
+    """x of the left edge of column 0, map units."""
+    top: float
+    """y of the top edge of row 0, map units."""
+    pixel_width: float
+    """Map units per column, positive."""
+    pixel_height: float
+    """Map units per row, positive (rows run south)."""
+    columns: int
+    """Number of columns."""
+    rows: int
+    """Number of rows."""
+    metres_x: float = 1.0
+    """Metres on the ground per map unit along x (at the raster's centre when the map units are degrees)."""
+    metres_y: float = 1.0
+    """Metres on the ground per map unit along y."""
+
+    @property
+    def extent(self) -> Extent:
+        """The whole grid on the map."""
+        return self.window_extent(PixelWindow(0, 0, self.columns, self.rows))
+
+    @property
+    def ground_sample_distance(self) -> float:
+        """The shorter side of a pixel on the ground, metres."""
+        return min(self.pixel_width * self.metres_x, self.pixel_height * self.metres_y)
+
+    def window_extent(self, window: PixelWindow) -> Extent:
+        """The rectangle of a pixel window on the map."""
+        return (
+            self.left + window.column * self.pixel_width,
+            self.top - (window.row + window.height) * self.pixel_height,
+            self.left + (window.column + window.width) * self.pixel_width,
+            self.top - window.row * self.pixel_height,
+        )
+
+    def contains(self, window: PixelWindow) -> bool:
+        """Whether every pixel of the window is a pixel of the grid."""
+        return (
+            window.column >= 0
+            and window.row >= 0
+            and window.column + window.width <= self.columns
+            and window.row + window.height <= self.rows
+        )
+
+
+def standard_side_px(grid: Grid, side_m: float = limits.STANDARD_SIDE_M) -> int:
+    """Side of the standard window: the smallest power of two of pixels that spans at least ``side_m`` metres.
+
+    0.10 m pixels and 100 m give 1024 px (Pyka 2010, section 5: "rectangles with sides a little over
+    100 m ... cut to 1024^2 pixels").
+
+    Raises SettingsError when the side is not a positive number.
+    """
+    if not (math.isfinite(side_m) and side_m > 0):
+        raise SettingsError(messages.SIDE_NOT_POSITIVE(side=side_m))
+    pixels = side_m / grid.ground_sample_distance
+    # A millionth of a pixel is rounding in the geotransform, not a longer side.
+    return int(2 ** max(0, math.ceil(math.log2(max(pixels - 1e-6, 1.0)))))
+
+
+def standard_window(grid: Grid, x: float, y: float, side_px: int) -> PixelWindow:
+    """The square window of ``side_px`` pixels whose centre lies nearest to the map point (x, y)."""
+    column = round((x - grid.left) / grid.pixel_width - side_px / 2)
+    row = round((grid.top - y) / grid.pixel_height - side_px / 2)
+    return PixelWindow(column, row, side_px, side_px)
+
+
+def snap_window(grid: Grid, extent: Extent, levels: int = limits.DEFAULT_LEVELS) -> PixelWindow:
+    """The pixels of a drawn rectangle that can be measured.
+
+    Edges are rounded to whole pixels, cut to the grid, and trimmed evenly on both sides to a multiple
+    of ``2 ** levels`` pixels, so that the decomposition needs no padding.
+
+    Raises WindowError when the rectangle lies outside the grid, leaves a side shorter than 64 px or
+    ``2 ** levels`` px, or covers more pixels than can be held in memory.
+    """
+    if not all(map(math.isfinite, extent)):
+        raise WindowError(messages.WINDOW_OUTSIDE())
+    xmin, ymin, xmax, ymax = extent
+    left, right = round((xmin - grid.left) / grid.pixel_width), round((xmax - grid.left) / grid.pixel_width)
+    top, bottom = round((grid.top - ymax) / grid.pixel_height), round((grid.top - ymin) / grid.pixel_height)
+    if right <= 0 or bottom <= 0 or left >= grid.columns or top >= grid.rows:
+        raise WindowError(messages.WINDOW_OUTSIDE())
+    left, right, top, bottom = max(left, 0), min(right, grid.columns), max(top, 0), min(bottom, grid.rows)
+    column, width = _trim(left, right, 2**levels)
+    row, height = _trim(top, bottom, 2**levels)
+    fewest = max(limits.MIN_SIDE_PX, 2**levels)
+    if min(width, height) < fewest:
+        if fewest > limits.MIN_SIDE_PX:
+            raise WindowError(
+                messages.TOO_MANY_LEVELS(levels=levels, fewest=fewest, width=right - left, height=bottom - top)
+            )
+        raise WindowError(messages.WINDOW_TOO_SMALL(fewest=fewest, width=right - left, height=bottom - top))
+    if width * height > limits.MAX_WINDOW_PIXELS:
+        most = limits.MAX_WINDOW_PIXELS // 1_000_000
+        raise WindowError(messages.WINDOW_TOO_LARGE(width=width, height=height, most=most))
+    return PixelWindow(column, row, width, height)
+
+
+def _trim(start: int, stop: int, multiple: int) -> tuple[int, int]:
+    """Start and length of the longest multiple inside [start, stop), the rest cut evenly on both sides."""
+    length = (stop - start) // multiple * multiple
+    return start + (stop - start - length) // 2, length

@@ -1,0 +1,30 @@
+"""Limits and defaults that several files here share, each with its source."""
+from __future__ import annotations
+
+# The decomposition
+DEFAULT_WAVELET = "coif3"  # Pyka 2009: Coiflet of order 3
+DEFAULT_LEVELS = 3  # Pyka 2010, section 5: three levels, 1024 px down to 128 px
+MIN_LEVELS = 1
+WAVELETS = (  # the orthogonal ones of PyWavelets; kept here so that the toolbox can list them without loading it
+    "haar",
+    *(f"db{n}" for n in range(1, 39)),
+    *(f"sym{n}" for n in range(2, 21)),
+    *(f"coif{n}" for n in range(1, 18)),
+    "dmey",
+)
+MAX_LEVELS = 8  # 256 px a coarse pixel: beyond it no window of about 100 m is left
+
+# The windows
+STANDARD_SIDE_M = 100.0  # Pyka 2010, section 5: rectangles with sides a little over 100 m
+MIN_SIDE_PX = 64  # below it a level-3 component has fewer than 8 x 8 coefficients
+
+# The pixels
+MAX_INVALID_SHARE = 0.001  # filled with the mean up to here; 0.1 % moves a share by less than 0.001 of itself
+MAX_PIXEL_SIZE_DIFFERENCE = 0.01  # relative; 10 px over a window of 1024 px
+MAX_WINDOW_PIXELS = 8192 * 8192  # 67 million: some 2 GB while it is measured
+
+# The verdict
+MIN_SHARE = 1e-20  # of the variance: smaller ones are rounding of float64, and ratios to them mean nothing
+MAX_SIGNIFICANT_RATIO = 0.5  # Pyka 2010, section 5: detail at level 1 at least halved in the visible cases
+LUMINANCE_WEIGHTS = (0.299, 0.587, 0.114)  # red, green, blue; ITU-R BT.601, Pyka 2009
+MAX_REASONS = 3  # sources named in the reason of a window; more would not be read

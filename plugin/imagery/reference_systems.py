@@ -1,0 +1,154 @@
+"""Reference systems: extents from one to another, and metres on the ground."""
+from __future__ import annotations
+
+import math
+from contextlib import suppress
+
+import numpy as np
+from osgeo import osr
+
+from . import messages
+from .errors import RasterError
+from .gdal_messages import gdal_silenced
+from .grids import Extent
+
+
+def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
+    """The bounding box, in the target reference system, of an extent in another one.
+
+    Raises RasterError when the extent can't be transformed.
+    """
+    if same_system(wkt, target_wkt):
+        return extent
+    with gdal_silenced():
+        try:
+            transform = osr.CoordinateTransformation(_system(wkt), _system(target_wkt))
+            bounds = transform.TransformBounds(*extent, 21)
+        except (RuntimeError, TypeError):  # TypeError: there is no transformation and GDAL's exceptions are off
+            bounds = (math.inf,)
+    if not all(map(math.isfinite, bounds)):
+        raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
+    return tuple(bounds)
+
+
+def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> bool:
+    """Whether coordinates inside an extent of one system mean the same place in another, however that is named."""
+    if same_system(wkt, other):
+        return True
+    try:
+        moved = extent_on(extent, other, wkt)
+    except RasterError:
+        return False
+    return max(abs(a - b) for a, b in zip(moved, extent)) <= tolerance
+
+
+def metres_per_unit(wkt: str, y: float) -> tuple[float, float]:
+    """Metres on the ground per map unit along x and y; for degrees on the ellipsoid at latitude ``y``."""
+    if not wkt:
+        return 1.0, 1.0
+    system = _system(wkt)
+    if not system.IsGeographic():
+        return system.GetLinearUnits(), system.GetLinearUnits()
+    semi_major, flattening = system.GetSemiMajor(), system.GetInvFlattening()
+    squared_eccentricity = (2 - 1 / flattening) / flattening if flattening else 0.0
+    unit = system.GetAngularUnits()
+    sine, cosine = math.sin(y * unit), math.cos(y * unit)
+    prime_vertical = semi_major / math.sqrt(1 - squared_eccentricity * sine**2)
+    meridian = prime_vertical * (1 - squared_eccentricity) / (1 - squared_eccentricity * sine**2)
+    return prime_vertical * cosine * unit, meridian * unit
+
+
+def _system(wkt: str) -> osr.SpatialReference:
+    system = osr.SpatialReference()
+    with gdal_silenced(), suppress(RuntimeError):  # a text that means nothing leaves the system empty
+        system.SetFromUserInput(wkt)
+    system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return system
+
+
+def same_system(a: str, b: str) -> bool:
+    """Whether two texts name one reference system."""
+    return a == b or bool(_system(a).IsSame(_system(b)))
+
+
+def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarray:
+    """Horizontal coordinates (n, 2), x or longitude first, in another reference system. Heights play no part.
+
+    Raises RasterError when there is no transformation or a point has no place in the target.
+    """
+    if same_system(wkt, target_wkt) or not len(points):
+        return np.array(points[:, :2], float)
+    with gdal_silenced():
+        try:
+            transform = osr.CoordinateTransformation(_horizontal(wkt), _horizontal(target_wkt))
+            moved = np.array(transform.TransformPoints(points[:, :2].tolist()), float)[:, :2]
+        except (RuntimeError, TypeError, AttributeError, ValueError):
+            moved = np.full((1, 2), np.nan)
+    if not np.isfinite(moved).all():
+        raise RasterError(messages.POINTS_NOT_TRANSFORMED())
+    return moved
+
+
+def vertical_part(wkt: str) -> str:
+    """The name of a compound or three-dimensional system's heights; empty where the system names none."""
+    system = _system(wkt)
+    if system.IsCompound():
+        return str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
+    return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
+
+
+def vertical_code(wkt: str) -> str:
+    """The vertical part of a compound system, as ``heights_above_ellipsoid`` takes it."""
+    code = _system(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
+    return f"EPSG:{code}" if code else wkt
+
+
+def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
+    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
+
+    ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
+    """
+    source, target = osr.SpatialReference(), osr.SpatialReference()
+    with gdal_silenced():
+        try:
+            named = f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical
+            source.SetFromUserInput(named)
+            target.ImportFromEPSG(4979)
+            for system in (source, target):
+                system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+            options = osr.CoordinateTransformationOptions()
+            options.SetBallparkAllowed(False)
+            transform = osr.CoordinateTransformation(source, target, options)
+            moved = np.array(transform.TransformPoints(geographic.tolist()), float)[:, 2]
+        except (RuntimeError, TypeError, AttributeError, ValueError, IndexError):
+            moved = np.full(1, np.nan)
+    if not np.isfinite(moved).all():
+        raise RasterError(messages.NO_GEOID_GRID(vertical=source.GetName() or vertical))
+    return moved
+
+
+def is_geographic(wkt: str) -> bool:
+    """Whether coordinates are degrees of longitude and latitude."""
+    return bool(_system(wkt).IsGeographic())
+
+
+def utm_wkt(longitude: float, latitude: float) -> str:
+    """The UTM zone (WGS 84) of a place."""
+    system = osr.SpatialReference()
+    system.ImportFromEPSG((32600 if latitude >= 0 else 32700) + int((longitude + 180) % 360 // 6) + 1)
+    return str(system.ExportToWkt())
+
+
+def horizontal_wkt(wkt: str) -> str:
+    """A reference system without its heights."""
+    return str(_horizontal(wkt).ExportToWkt())
+
+
+def _horizontal(wkt: str) -> osr.SpatialReference:
+    system = _system(wkt)
+    if system.IsCompound():
+        system.StripVertical()
+    if system.GetAxesCount() == 3:
+        system.DemoteTo2D()
+    system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return system

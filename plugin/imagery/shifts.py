@@ -1,0 +1,199 @@
+"""How one image lies on another: the sub-pixel shift by phase correlation (Kuglin and Hines 1975).
+
+The phases of the two spectra alone decide, weighted towards the lower frequencies, which noise, blur and
+aliasing touch least. It is measured on square tiles, so that the part of a mosaic that stems from another image
+does not take part: the tile with the clearest peak leads, and those that agree with it are taken together.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cache
+
+import numpy as np
+from scipy import fft, ndimage
+
+MIN_SHIFT_PEAK = 0.15  # height of the phase correlation's peak that is no accident, in large tiles
+MIN_SHIFT_PEAK_PX = 20.0  # over the tile's side, in small ones: unrelated tiles reach 15 / side
+SAME_SHIFT_PX = 1.5  # tiles whose shifts, to the whole pixel, differ by less look at the same image
+MIN_TILE_SHARE = 0.8  # of a tile's pixels have to come from the source whose shift is asked for
+
+
+_Tile = tuple[int, int, int]
+"""First row, first column and side, px."""
+
+_TILE_PX, _LEAST_TILE_PX = 256, 32
+_TILES_A_SIDE = 2
+_CUTOFF = 0.12  # cycles a pixel at which the weight has fallen to exp(-1/2)
+_STEPS, _ROUNDS = 8, 3  # of the fine search, each way: to 1/8, 1/64, 1/512 px
+_SPLINE_REACH_PX = 12  # further away a sample of a cubic spline counts for less than 1e-6
+_STRIDE = 4  # of the pixels of a mask that are looked at
+
+
+@dataclass(frozen=True)
+class Shift:
+    """How far an image lies to the right of and below another, px."""
+
+    x: float
+    y: float
+    peak: float
+    """Height of the correlation's peak: 1 for equal images, near 0 for strangers."""
+
+    @property
+    def length(self) -> float:
+        """Distance, px."""
+        return float(np.hypot(self.x, self.y))
+
+
+@dataclass(frozen=True, eq=False)
+class Spectra:
+    """An image that is compared with several others: the spectrum of each of its tiles is computed once."""
+
+    pixels: np.ndarray
+    """(rows, columns) of real type."""
+    _known: dict[_Tile, np.ndarray] = field(default_factory=dict)
+
+    def of(self, tile: _Tile) -> np.ndarray:
+        """The spectrum of one tile less its mean, (side, side / 2 + 1)."""
+        if tile not in self._known:
+            row, column, side = tile
+            pixels = self.pixels[row : row + side, column : column + side].astype(np.float32)
+            pixels -= pixels.mean()
+            self._known[tile] = fft.rfft2(pixels * _window(side))
+        return self._known[tile]
+
+
+def shifted(image: np.ndarray, x: float, y: float) -> np.ndarray:
+    """An image (rows, columns) of floating type, moved to the right and down by any distance; its edges are repeated.
+
+    By cubic splines along one axis after the other.
+    """
+    return _moved(_moved(image, y, 0), x, 1)
+
+
+def _moved(image: np.ndarray, by: float, axis: int) -> np.ndarray:
+    whole = int(np.floor(-by))
+    t = -by - whole
+    pad = abs(whole) + _SPLINE_REACH_PX
+    padded = np.pad(image, [(pad, pad) if axis == along else (0, 0) for along in (0, 1)], mode="edge")
+    spline = ndimage.spline_filter1d(padded, 3, axis, image.dtype, "mirror")
+    weights = (1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, 1 + 3 * t + 3 * t**2 - 3 * t**3, t**3
+    made = np.zeros_like(image)
+    for first, weight in enumerate(weights, pad + whole - 1):
+        part = slice(first, first + image.shape[axis])
+        made += image.dtype.type(weight / 6) * (spline[:, part] if axis else spline[part])
+    return made
+
+
+def find_shift(
+    image: np.ndarray | Spectra, reference: np.ndarray | Spectra, where: np.ndarray | None = None
+) -> Shift | None:
+    """How ``image`` lies on ``reference``, both (rows, columns) of real type, or their ``Spectra``.
+
+    ``where``, (rows, columns) bool, says which pixels matter: only tiles of mostly such pixels are looked at. None
+    where there is no such tile, or none with a peak that stands out, so that no number is made up.
+    """
+    own, other = (one if isinstance(one, Spectra) else Spectra(one) for one in (image, reference))
+    spectra = []
+    for tile in _tiles(own.pixels.shape, where):
+        cross = _cross_phases(own.of(tile), other.of(tile))
+        shift = _nearest_pixel(cross)
+        if shift.peak >= max(MIN_SHIFT_PEAK, MIN_SHIFT_PEAK_PX / len(cross)):
+            spectra.append((shift, cross))
+    if not spectra:
+        return None
+    leader = max((shift for shift, _ in spectra), key=lambda shift: shift.peak)
+    agreeing = [
+        cross for shift, cross in spectra if np.hypot(shift.x - leader.x, shift.y - leader.y) < SAME_SHIFT_PX
+    ]
+    return _refined(sum(agreeing) / len(agreeing), leader)
+
+
+def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
+    """Tiles spread over the image, as large as they can be; of those the ones that lie mostly ``where`` it matters."""
+    side = min(_TILE_PX, *shape[:2])
+    if where is None:
+        return _grid(shape, side, _TILES_A_SIDE)
+    within = np.pad(where[::_STRIDE, ::_STRIDE].astype(np.int32).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    while side >= _LEAST_TILE_PX:
+        shares = []
+        for tile in _grid(shape, side, -(-2 * max(shape[:2]) // side)):
+            row, column, _ = tile
+            top, bottom, left, right = (-(-edge // _STRIDE) for edge in (row, row + side, column, column + side))
+            count = within[bottom, right] - within[top, right] - within[bottom, left] + within[top, left]
+            shares.append((float(count) / ((bottom - top) * (right - left)), tile))
+        shares = sorted((one for one in shares if one[0] >= MIN_TILE_SHARE), key=lambda one: -one[0])
+        if shares:
+            return [tile for _, tile in shares[: _TILES_A_SIDE**2]]
+        side //= 2
+    return []
+
+
+def _grid(shape: tuple[int, ...], side: int, most: int) -> list[_Tile]:
+    """Tiles of one side, evenly spread, up to ``most`` a side."""
+    places = [
+        sorted({round(place) for place in np.linspace(0, length - side, min(most, -(-length // side) * 2 - 1))})
+        for length in shape[:2]
+    ]
+    return [(row, column, side) for row in places[0] for column in places[1]]
+
+
+def _cross_phases(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """Phases of the cross spectrum, weighted; (side, side / 2 + 1), the sum of the weights over the spectrum 1."""
+    cross = image * reference.conj()
+    magnitude = np.abs(cross)
+    return cross * (_weights(len(cross)) / np.maximum(magnitude, np.finfo(np.float32).tiny))
+
+
+@cache
+def _window(side: int) -> np.ndarray:
+    across = np.hanning(side + 2)[1:-1].astype(np.float32)
+    window: np.ndarray = across[:, np.newaxis] * across
+    return window
+
+
+@cache
+def _weights(side: int) -> np.ndarray:
+    across = fft.rfftfreq(side)
+    weights = np.exp(-0.5 * (across**2 + fft.fftfreq(side)[:, np.newaxis] ** 2) / _CUTOFF**2)
+    weights[0, 0] = 0.0
+    return (weights / (weights * _halves(side)).sum()).astype(np.float32)
+
+
+@cache
+def _halves(side: int) -> np.ndarray:
+    """How often each column of a real image's half spectrum stands in the whole one."""
+    across = fft.rfftfreq(side)
+    return np.where((across > 0) & (across < 0.5), 2.0, 1.0)
+
+
+def _nearest_pixel(cross: np.ndarray) -> Shift:
+    """The highest point of the correlation, to the pixel; its height is that of the top itself, by a parabola."""
+    side = len(cross)
+    surface = fft.irfft2(cross, (side, side)) * side**2
+    row, column = divmod(int(surface.argmax()), side)
+    top = surface[row, column]
+    peak = top
+    for before, after in (
+        (surface[row - 1, column], surface[(row + 1) % side, column]),
+        (surface[row, column - 1], surface[row, (column + 1) % side]),
+    ):
+        bend = 2 * top - before - after
+        peak += (after - before) ** 2 / (8 * bend) if bend > 0 else 0.0
+    x, y = (place - side if place > side // 2 else place for place in (column, row))
+    return Shift(float(x), float(y), float(peak))
+
+
+def _refined(cross: np.ndarray, start: Shift) -> Shift:
+    """The same to a five hundredth of a pixel, by the sum of the spectrum itself."""
+    side = len(cross)
+    down, across = fft.fftfreq(side), fft.rfftfreq(side)
+    near = (cross * _halves(side)).astype(np.complex64)
+    x, y, reach, height = start.x, start.y, 1.0, start.peak
+    for _ in range(_ROUNDS):
+        offsets = np.linspace(-reach, reach, 2 * _STEPS + 1)
+        left = np.exp(2j * np.pi * np.outer(y + offsets, down)).astype(np.complex64)
+        right = np.exp(2j * np.pi * np.outer(across, x + offsets)).astype(np.complex64)
+        values = (left @ near @ right).real
+        i, j = np.unravel_index(values.argmax(), values.shape)
+        x, y, reach, height = x + offsets[j], y + offsets[i], reach / _STEPS, values[i, j]
+    return Shift(float(x), float(y), float(height))

@@ -1,0 +1,173 @@
+"""``seaminspector:checknoise``: random noise of single images, in one group or two."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterFeatureSink,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..imagery import messages as imagery_messages
+from ..imagery.errors import SettingsError
+from ..toolkit.algorithms import groups
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import Warnings
+from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
+from ..toolkit.translation import sentence, tr
+
+if TYPE_CHECKING:
+    from ..imagery.message import Message
+    from .measure.group_noise import ClipNoise
+
+SECOND_GROUP, OUTPUT = "SECOND_GROUP", "OUTPUT"
+LOW_COUNT, MODERATE_COUNT, STRONG_COUNT = "LOW_COUNT", "MODERATE_COUNT", "STRONG_COUNT"
+
+
+class CheckNoise(RasterListAlgorithm):
+    """Whether the details of an image rise from level to level, or noise lifts the finest."""
+
+    ID = "checknoise"
+    NAME = QT_TRANSLATE_NOOP("@default", "Check random noise")
+    GROUP = groups.IMAGE_QUALITY
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "
+        "relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) "
+        "and, where it is strong, level 2 above level 3 (Pyka 2009). Photographs and scans need no place on the map. "
+        "Two groups of images, of another camera, film or process, are compared; where they show the same ground "
+        "each window is measured on both, with the same pixels left out."
+    )
+    RASTER_LISTS = (RASTERS, SECOND_GROUP)
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addRasters(RASTERS, tr("Rasters"), tr("The images to be measured, 8 or 16 bit or float."))
+        self.addRasters(
+            SECOND_GROUP,
+            tr("Second group"),
+            tr("Images of another camera, film or process, to be compared with the first. Pixel sizes may differ."),
+            optional=True,
+        )
+        self.addWindows(
+            tr(
+                "Rectangles in any reference system; each is measured on all rasters under it. Without windows up to "
+                "25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first."
+            )
+        )
+        self.addDescribed(*common.wavelet())
+        self.addDescribed(*common.levels())
+        table = QgsProcessing.SourceType.TypeVector
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Noise"), table),
+            tr(
+                "One row per window, raster and band: relative variances, kurtosis of each level's details (3 for "
+                "Gaussian noise), sigma in DN, and the verdict low, moderate or strong."
+            ),
+        )
+        self.addDescribed(
+            *common.chart(
+                tr("The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.")
+            )
+        )
+        self.addDescribed(*common.report(tr("All figures with the chart on one HTML page.")))
+        self.addNumbers({
+            LOW_COUNT: tr("Windows with low noise"),
+            MODERATE_COUNT: tr("Windows with moderate noise"),
+            STRONG_COUNT: tr("Windows with strong noise"),
+        })
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        super().check(parameters, context)
+        self._settings(parameters, context)
+        self.chart_path(parameters, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..toolkit.executors import open_executor
+        from . import noise_summary, tables
+        from .measure import group_noise, window_plan
+        from .measure.band_noise import NoiseVerdict
+        from .measure.noise_requests import describe_images
+
+        super().check(parameters, context)
+        wavelet, levels = self._settings(parameters, context)
+        chart = self.chart_path(parameters, context)
+        images = []
+        for group, name in enumerate(self.RASTER_LISTS, 1):
+            found, notices = describe_images(self.refs[name], group)
+            images += found
+            self.left_out += notices
+        self.require_rasters(images)
+        drawn = self.drawn_windows(parameters, context, feedback)
+        if drawn is None:
+            plan = window_plan.plan_chosen(images, levels, feedback.isCanceled)
+        else:
+            plan = window_plan.plan_drawn(images, drawn, levels)
+        notices = [*self.left_out, *plan.notices]
+        sizes = window_plan.pixel_size_notice(plan)
+        notices += [sizes] if sizes else []
+        Warnings(feedback).say(notices)
+        if not plan.requests and not feedback.isCanceled():
+            raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(notices[:1])))
+        sink, output_id = self.sink(parameters, OUTPUT, context, tables.noise_fields(levels))
+        results: list[group_noise.ClipNoise] = []
+        with open_executor() as (executor, ahead):
+            measured = group_noise.measure_requests(
+                plan.requests, wavelet, levels, executor, ahead, feedback.isCanceled
+            )
+            for done, clips in enumerate(measured, 1):
+                for clip in clips:
+                    self.write(sink, tables.noise_features(clip, levels))
+                    if clip.reason is not None:
+                        feedback.pushInfo(f"{clip.window_id}: {sentence(clip.reason)}")
+                results += clips
+                feedback.setProgress(100 * done / len(plan.requests))
+        counts = noise_summary.verdict_counts(results)
+        feedback.pushInfo(", ".join(f"{verdict.value}: {counts[verdict]}" for verdict in NoiseVerdict))
+        return {
+            OUTPUT: output_id,
+            common.CHART: self._save_chart(results, chart, feedback),
+            common.REPORT: self.save(
+                feedback,
+                self.file_path(parameters, common.REPORT, context),
+                lambda path: _save_report(path, results, notices, wavelet, levels),
+            ),
+            LOW_COUNT: counts[NoiseVerdict.LOW],
+            MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
+            STRONG_COUNT: counts[NoiseVerdict.STRONG],
+        }
+
+    def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
+        """Wavelet and levels. Raises SettingsError when they can't be used."""
+        from .measure.band_noise import check_noise_settings
+
+        wavelet, levels = self.decomposition(parameters, context)
+        check_noise_settings(wavelet, levels)
+        return wavelet, levels
+
+    def _save_chart(
+        self, results: Sequence[ClipNoise], path: Path | None, feedback: QgsProcessingFeedback
+    ) -> str | None:
+        """Draw and write the chart, where it is wanted and there is something to draw."""
+        if path is None:
+            return None
+        from ..toolkit.charts.figure_files import save_figure
+        from .charts import noise_figure
+
+        figure = noise_figure(results)
+        return self.save(feedback, path, lambda path: save_figure(figure, path)) if figure is not None else None
+
+
+def _save_report(
+    path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int
+) -> None:
+    from ..toolkit.pages.html_page import save_page
+    from .report import noise_page
+
+    save_page(noise_page(results, notices, wavelet, levels), path)

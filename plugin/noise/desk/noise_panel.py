@@ -1,0 +1,197 @@
+"""The tab with the random noise of the selected window, on the mosaic or on one of the sources over it."""
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QCloseEvent, QHideEvent
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+
+from ...imagery.band_names import judged_band
+from ...imagery.drawn_windows import DrawnWindow
+from ...imagery.message import Message
+from ...imagery.rasters import RasterRef
+from ...toolkit.charts.chart_loader import chart_missing
+from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.desk.chart_panel import ChartPanel
+from ...toolkit.desk.clipped_label import ClippedLabel
+from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
+from ...toolkit.desk.tooltips import rich_tip
+from ...toolkit.translation import sentence, tr
+from ..jobs import noise_job
+from ..measure.group_noise import ClipNoise
+from ..noise_summary import band_lines, noise_sentence
+
+if TYPE_CHECKING:
+    from ...toolkit.background_task import Outcome
+    from .noise_chart import NoiseChart
+
+_Key = tuple[RasterRef, DrawnWindow]
+_LOADING_MS = 100  # between looks whether matplotlib is there
+_MOST_KEPT = 500  # results, for going back and forth
+
+
+class NoisePanel(ChartPanel):
+    """Measures the first selected window, in the background and only while the panel is in sight."""
+
+    def __init__(self, session: InspectedWindows, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._background = BackgroundTasks(self)
+        self._background.ended.connect(self._ended)
+        self._results: dict[_Key, ClipNoise | Message] = {}
+        self._wanted: _Key | None = None
+        self._refs: list[RasterRef] = []  # of the box's entries, the mosaic's first
+        self._source: RasterRef | None = None  # the user's choice, kept while it does not cover a window
+        self._chart: NoiseChart | None = None
+        self._build()
+        session.selectionChanged.connect(self._refresh_now)
+        session.windowsChanged.connect(self._refresh_now)
+        session.inputsChanged.connect(self._forget)
+
+    # Parts
+
+    def _build(self) -> None:
+        self._rasters = QComboBox()
+        self._rasters.setToolTip(tr("Raster whose noise is measured: the mosaic, or a source that covers the window"))
+        self._rasters.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self._rasters.setMinimumContentsLength(12)
+        self._rasters.setEnabled(False)
+        self._rasters.activated.connect(self._on_raster_chosen)
+        self._window = QLabel()
+        self._words = ClippedLabel(2)
+        top = QHBoxLayout()
+        top.addWidget(self._rasters, 1)
+        top.addWidget(self._window)
+        self._lay_out(top, self._words)
+
+    def _fill_rasters(self, request: WindowOnRasters) -> None:
+        refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
+        if refs != self._refs:
+            self._refs = refs
+            self._rasters.clear()
+            for ref in refs:
+                self._rasters.addItem(ref.name)
+                self._rasters.setItemData(self._rasters.count() - 1, ref.path, Qt.ItemDataRole.ToolTipRole)
+            self._rasters.setItemText(0, tr("{name} (mosaic)").format(name=refs[0].name))
+        self._rasters.setEnabled(True)
+        self._rasters.setCurrentIndex(refs.index(self._source) if self._source in refs else 0)
+
+    # When to measure
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._wanted = None
+        self._background.cancel_others(set())
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """For good: the dock goes."""
+        self._timer.stop()
+        self._background.close()
+        super().closeEvent(event)
+
+    def _on_raster_chosen(self, index: int) -> None:
+        self._source = self._refs[index] if index else None
+        self._refresh_now()
+
+    def _forget(self) -> None:
+        """There may be something else in the files."""
+        self._results.clear()
+        self._refresh_now()
+
+    def _refresh(self) -> None:
+        """Show what was measured, or have it measured."""
+        if not self.isVisible():
+            return
+        selected = self._session.selected()
+        request = self._session.request(selected[0]) if selected else None
+        self._wanted = None
+        if request is None:
+            self._background.cancel_others(set())
+            self._window.setText("")
+            self._rasters.setEnabled(False)
+            self._say(self._why_nothing(bool(selected)))
+            return
+        self._window.setText(tr("Window {number}").format(number=request.window_id))
+        self._fill_rasters(request)
+        if request.window is None:
+            self._background.cancel_others(set())
+            self._say(sentence(request.reason) if request.reason else "")
+            return
+        mosaic = request.mosaic
+        drawn = DrawnWindow(request.window_id, mosaic.grid.window_extent(request.window), mosaic.wkt)
+        self._wanted = key = self._refs[self._rasters.currentIndex()], drawn
+        self._background.cancel_others({key})
+        if key in self._results:
+            self._show(self._results[key])
+            return
+        if not self._background.is_under_way(key):
+            self._background.start(tr("Measure the noise"), noise_job(*key), partial(self._take, key), key)
+        self._say_measuring()
+
+    def _why_nothing(self, is_selected: bool) -> str:
+        if not is_selected:
+            return tr("Select a window, in the table or on the map, to see its noise.")
+        problem = self._session.problem()
+        return sentence(problem) if problem is not None else ""
+
+    def _take(self, key: _Key, result: Any) -> None:
+        while len(self._results) >= _MOST_KEPT:
+            del self._results[next(iter(self._results))]
+        self._results[key] = result
+        if key == self._wanted:
+            self._refresh_now()
+
+    def _ended(self, key: object, outcome: Outcome) -> None:
+        """A task that was cancelled in QGIS, or failed, must not leave us waiting."""
+        is_awaited = key == self._wanted and self._wanted is not None and self._wanted not in self._results
+        if is_awaited and not self._background.is_under_way(key):
+            stopped = tr("The measurement was stopped. Select the window again to measure it.")
+            self._say(sentence(outcome.message) if outcome.message is not None else stopped)
+
+    # What is shown
+
+    def _say(self, text: str) -> None:
+        """Words in place of the chart."""
+        self._text.setText(text)
+        self._words.setText("")
+        self._pages.setCurrentWidget(self._text)
+
+    def _say_measuring(self) -> None:
+        """The chart of before stays in place, dimmed, so that nothing flickers."""
+        if self._chart is None or self._pages.currentWidget() is not self._chart:
+            self._say(tr("Measuring ..."))
+            return
+        self._chart.setEnabled(False)
+        self._words.setText(tr("Measuring ..."))
+
+    def _show(self, result: ClipNoise | Message) -> None:
+        reason = result if isinstance(result, Message) else result.reason
+        if isinstance(result, Message) or reason is not None:
+            self._say(sentence(reason) if reason is not None else "")
+            return
+        words = noise_sentence(result.bands)
+        if result.bands[judged_band(result.bands)].sigma is None:
+            self._say(words)
+            return
+        if self._chart is None and self._loader.is_alive():
+            self._timer.start(_LOADING_MS)
+            return
+        try:
+            from ...toolkit.desk.painted_chart import chart_style
+            from .noise_chart import NoiseChart
+        except ImportError:
+            self._say(f"{words}\n\n{chart_missing()}")
+            return
+        if self._chart is None:
+            self._chart = NoiseChart(self._pages)
+            self._chart.setToolTip(rich_tip(tr(
+                "Relative variance of the details by level, 1 the finest; the bold curve is judged. It rises in an "
+                "image with little random noise, and noise lifts level 1 above level 2 first."
+            )))  # fmt: skip
+            self._pages.addWidget(self._chart)
+        self._chart.setEnabled(True)
+        self._chart.show_bands(result.bands, chart_style(self._chart))
+        self._words.setText(words, rich_tip(words, *band_lines(result.bands)))
+        self._pages.setCurrentWidget(self._chart)

@@ -1,0 +1,176 @@
+"""Noise of many images in one group or two, with the same pixels left out of both."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from itertools import islice
+from typing import Callable
+
+import numpy as np
+
+from ...imagery import limits as imagery_limits
+from ...imagery import messages as imagery_messages
+from ...imagery.drawn_windows import extent_on_image
+from ...imagery.errors import RasterError
+from ...imagery.grids import PixelWindow
+from ...imagery.message import Message
+from ...imagery.pixels import Pixels
+from ...imagery.rasters import RasterRef
+from . import messages
+from .band_noise import BandNoise, measure_noise
+from .hole_filling import filled
+from .noise_requests import GroupedImage, NoiseRequest, Part
+
+MAX_MASKED_SHARE = 0.05  # filled alike in both groups; a hole of 5 % moves a share by 0.5 % of itself
+
+_Clip = tuple[np.ndarray, np.ndarray]
+"""(bands, rows, columns) and where they are invalid, (rows, columns)."""
+
+
+@dataclass(frozen=True)
+class ClipNoise:
+    """What was measured on one image in one window."""
+
+    window_id: int
+    part: Part
+    paired: bool
+    """Whether the window was measured on both groups, with the same pixels left out."""
+    bands: dict[str, BandNoise]
+    """By band name, luminance first where there is one; empty when nothing could be measured."""
+    reason: Message | None = None
+    """Why nothing could be measured."""
+
+
+def measure_window(
+    ref: RasterRef,
+    window: PixelWindow,
+    wavelet: str = imagery_limits.DEFAULT_WAVELET,
+    levels: int = imagery_limits.DEFAULT_LEVELS,
+) -> ClipNoise:
+    """The noise of one raster in one window on its own pixel grid, both sides multiples of ``2 ** levels``.
+
+    Raises RasterError when the raster can't be opened; what can't be measured has its reason.
+    """
+    part = Part(GroupedImage(Pixels(ref).image(), 1), window)
+    return measure_request(NoiseRequest(1, (part,)), wavelet, levels)[0]
+
+
+def measure_request(request: NoiseRequest, wavelet: str, levels: int) -> list[ClipNoise]:
+    """The noise of each image in a window; one that can't be measured has the reason. Never raises for bad data."""
+    return _measured(request, _read(request, {}), wavelet, levels)
+
+
+def measure_requests(
+    requests: Iterable[NoiseRequest],
+    wavelet: str,
+    levels: int,
+    executor: Executor,
+    ahead: int,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[list[ClipNoise]]:
+    """The results of each request in order, ``ahead`` of them under way at a time. Stops when cancelled.
+
+    The pixels are read here, one request after the other, so that a raster stays open from window to window: a
+    JPEG file is decoded from its top again for each new opening.
+    """
+    waiting = iter(requests)
+    opened: dict[RasterRef, Pixels] = {}
+    while (batch := list(islice(waiting, ahead))) and not cancelled():
+        futures = []
+        for request in batch:
+            refs = {part.member.image.ref for part in request.parts}
+            opened = {ref: pixels for ref, pixels in opened.items() if ref in refs}
+            futures.append(executor.submit(_measured, request, _read(request, opened), wavelet, levels))
+        for future in futures:
+            if cancelled():
+                future.cancel()
+            else:
+                yield future.result()
+
+
+def _read(request: NoiseRequest, opened: dict[RasterRef, Pixels]) -> list[_Clip | Message]:
+    """The pixels of every part and where they are invalid, or why they can't be used. ``opened`` is added to."""
+    clips: list[_Clip | Message] = []
+    for part in request.parts:
+        ref = part.member.image.ref
+        try:
+            if ref not in opened:
+                opened[ref] = Pixels(ref)
+            bands, invalid = opened[ref].read(part.window)
+            clips.append((bands, np.zeros(bands.shape[1:], bool) if invalid is None else invalid))
+        except RasterError as error:
+            clips.append(error.message)
+    return clips
+
+
+def _measured(
+    request: NoiseRequest, clips: list[_Clip | Message], wavelet: str, levels: int
+) -> list[ClipNoise]:
+    most = MAX_MASKED_SHARE if request.paired else imagery_limits.MAX_INVALID_SHARE
+    usable: list[tuple[Part, _Clip]] = []
+    results: dict[Part, ClipNoise] = {}
+    for part, clip in zip(request.parts, clips):
+        if isinstance(clip, Message):
+            results[part] = ClipNoise(request.window_id, part, request.paired, {}, clip)
+        elif (share := float(clip[1].mean())) > most:
+            why = imagery_messages.TOO_MANY_INVALID(name=part.member.image.ref.name, share=share, most=most)
+            results[part] = ClipNoise(request.window_id, part, request.paired, {}, why)
+        else:
+            usable.append((part, clip))
+    paired = len({part.member.group for part, _ in usable}) > 1
+    most = MAX_MASKED_SHARE if paired else imagery_limits.MAX_INVALID_SHARE
+    masks = [invalid for _, (_, invalid) in usable]
+    if paired:
+        masks = _joined_masks([part for part, _ in usable], masks)
+    for (part, (bands, _)), mask in zip(usable, masks):
+        name, share = part.member.image.ref.name, float(mask.mean())
+        if share > most:
+            why = messages.MASKED_TOO_MUCH(share=share, most=most)
+            results[part] = ClipNoise(request.window_id, part, paired, {}, why)
+        else:
+            names = part.member.image.band_names
+            measured = measure_noise(filled(bands, mask), names, wavelet, levels, name, mask)
+            results[part] = ClipNoise(request.window_id, part, paired, measured)
+    return [results[part] for part in request.parts]
+
+
+def _joined_masks(parts: Sequence[Part], masks: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """For each part its own pixels that are invalid in any of the parts."""
+    joined = []
+    for part, own in zip(parts, masks):
+        mask = np.array(own)
+        for other, invalid in zip(parts, masks):
+            if other is not part and invalid.any():
+                mask |= _seen_from(part, other, invalid)
+        joined.append(mask)
+    return joined
+
+
+def _seen_from(part: Part, other: Part, invalid: np.ndarray) -> np.ndarray:
+    """Which pixels of a part lie, if only with an edge, on invalid pixels of another part."""
+    own_grid, grid = part.member.image.grid, other.member.image.grid
+    assert own_grid is not None
+    assert grid is not None
+    extent = own_grid.window_extent(part.window)
+    there = extent_on_image(extent, part.member.image.wkt, other.member.image)
+    assert there is not None  # the window came over the same way
+    columns = np.linspace(there[0], there[2], part.window.width + 1)
+    rows = np.linspace(there[3], there[1], part.window.height + 1)
+    columns = (columns - grid.left) / grid.pixel_width - other.window.column
+    rows = (grid.top - rows) / grid.pixel_height - other.window.row
+    counts = np.pad(invalid.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    (top, bottom), (left, right) = (_covered(edges, size) for edges, size in zip((rows, columns), invalid.shape))
+    found = (
+        counts[np.ix_(bottom, right)] - counts[np.ix_(top, right)] - counts[np.ix_(bottom, left)]
+        + counts[np.ix_(top, left)]
+    )
+    return np.asarray(found > 0)
+
+
+def _covered(edges: np.ndarray, size: int) -> tuple[np.ndarray, np.ndarray]:
+    """First and last but one of the cells 0..size - 1 that lie between neighbouring edges; slivers do not count."""
+    sliver = 1e-3  # of a cell: rounding of coordinates
+    first = np.clip(np.floor(edges[:-1] + sliver), 0, size).astype(int)
+    last = np.clip(np.ceil(edges[1:] - sliver), 0, size).astype(int)
+    return first, np.maximum(last, first)

@@ -1,0 +1,24 @@
+"""What a user can be told: noise."""
+from __future__ import annotations
+
+from ...imagery.message import Message
+
+NOISE_LEVELS_TOO_FEW = Message("{levels} levels asked for; the noise rule compares levels, so use at least {least}.")
+NOISE_CONSTANT = Message("{name} has no variance in {band} here; move the window to where there is content.")
+NOISE_HUMP = Message(
+    "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, "
+    "compression) or a texture of that size; look at the window."
+)
+RASTER_WITHOUT_WINDOW = Message(
+    "{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster."
+)
+WINDOWS_SMALLER = Message("{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.")
+MASKED_TOO_MUCH = Message(
+    "{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the window."
+)
+GROUPS_APART = Message(
+    "The two groups show no common ground, so each raster has windows of its own and nothing is compared pairwise."
+)
+PIXEL_SIZES_DIFFER = Message(
+    "Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both groups."
+)

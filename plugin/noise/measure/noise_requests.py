@@ -1,0 +1,61 @@
+"""What a noise check measures: images in groups, and windows on them, in plain data."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import RasterError
+from ...imagery.grids import PixelWindow
+from ...imagery.message import Message
+from ...imagery.pixels import PixelImage, Pixels
+from ...imagery.rasters import RasterRef
+
+
+@dataclass(frozen=True)
+class GroupedImage:
+    """An image and the group that it belongs to."""
+
+    image: PixelImage
+    group: int
+    """1 or 2."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One image in a window."""
+
+    member: GroupedImage
+    window: PixelWindow
+
+
+@dataclass(frozen=True)
+class NoiseRequest:
+    """One window and the images that are measured in it. With both groups among them, their masks are joined."""
+
+    window_id: int
+    parts: tuple[Part, ...]
+
+    @property
+    def paired(self) -> bool:
+        """Whether both groups take part."""
+        return len({part.member.group for part in self.parts}) > 1
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What will be measured."""
+
+    requests: tuple[NoiseRequest, ...]
+    notices: tuple[Message, ...]
+
+
+def describe_images(refs: Iterable[RasterRef], group: int) -> tuple[list[GroupedImage], list[Message]]:
+    """The images of a group, and notices about those that can't be opened."""
+    images, notices = [], []
+    for ref in dict.fromkeys(refs):
+        try:
+            images.append(GroupedImage(Pixels(ref).image(), group))
+        except RasterError as error:
+            notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
+    return images, notices

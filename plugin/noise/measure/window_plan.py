@@ -1,0 +1,204 @@
+"""Which windows of a noise check are measured on which images: drawn ones, or ones chosen on the images."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Callable
+
+from ...imagery import limits as imagery_limits
+from ...imagery import messages as imagery_messages
+from ...imagery.drawn_windows import DrawnWindow, extent_on_image, shared_extent, shown_share
+from ...imagery.errors import RasterError, WindowError
+from ...imagery.grids import Extent, PixelWindow, snap_window
+from ...imagery.message import Message
+from ...imagery.pixels import PixelImage, Pixels
+from . import limits, messages
+from .noise_requests import GroupedImage, NoiseRequest, Part, Plan
+from .window_choice import choose_windows
+
+MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no part there
+
+
+def plan_drawn(images: Sequence[GroupedImage], windows: Iterable[DrawnWindow], levels: int) -> Plan:
+    """Requests for drawn windows: each on all images under it.
+
+    An image that shows less than half of a window takes no part in it, unless no image shows more. Where both
+    groups take part the window is cut to what all of them show.
+    """
+    requests: list[NoiseRequest] = []
+    notices = [
+        imagery_messages.WINDOW_IMAGE_ROTATED(name=one.image.ref.name) for one in images if one.image.grid is None
+    ]
+    for drawn in windows:
+        shown = [
+            (one, extent, share)
+            for one in images
+            if one.image.grid is not None
+            for extent in (extent_on_image(drawn.extent, drawn.wkt, one.image),)
+            if extent is not None and (share := shown_share(one.image.grid, extent)) > 0
+        ]
+        mostly = [entry for entry in shown if entry[2] >= MIN_PAIRED_SHARE]
+        taken = [(one, extent) for one, extent, _ in mostly or shown]
+        if not taken:
+            notices.append(imagery_messages.WINDOW_ON_NO_RASTER(window=drawn.window_id))
+            continue
+        if len({one.group for one, _ in taken}) > 1:
+            bounds = _common(taken, drawn)
+            requests += _requests(drawn.window_id, [(one, bounds[i]) for i, (one, _) in enumerate(taken)], levels,
+                                  notices)
+        else:
+            for one in taken:
+                requests += _requests(drawn.window_id, [one], levels, notices)
+    return Plan(tuple(requests), tuple(notices))
+
+
+def plan_chosen(
+    images: Sequence[GroupedImage], levels: int, cancelled: Callable[[], bool] = lambda: False
+) -> Plan:
+    """Requests for windows that are chosen on the images, up to 25 on each.
+
+    An image of group 1 that shares ground with images of group 2 gets windows where those are valid too, and they
+    are measured there as well; all others get windows of their own. Windows are numbered through.
+    """
+    requests: list[NoiseRequest] = []
+    notices: list[Message] = []
+    first, second = ([one for one in images if one.group == group] for group in (1, 2))
+    matched: set[int] = set()
+    for one in (*first, *second):
+        if cancelled():
+            break
+        if one.group == 2 and id(one) in matched:
+            continue
+        partners = [other for other in second if _overlap(one.image, other.image)] if one.group == 1 else []
+        found = _chosen(one, partners, levels, notices)
+        for parts in found:
+            requests.append(NoiseRequest(len(requests) + 1, parts))
+            matched.update(id(part.member) for part in parts[1:])
+    if first and second and not any(request.paired for request in requests):
+        notices.append(messages.GROUPS_APART())
+    return Plan(tuple(requests), tuple(notices))
+
+
+def pixel_size_notice(plan: Plan) -> Message | None:
+    """That pixel sizes differ between the groups of a paired window, or None."""
+    for request in plan.requests:
+        sizes = {
+            part.member.group: part.member.image.ground_sample_distance
+            for part in reversed(request.parts)
+        }
+        if request.paired and sizes[1] and sizes[2]:
+            ratio = sizes[1] / sizes[2]
+            if abs(ratio - 1) > imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE:
+                return messages.PIXEL_SIZES_DIFFER(first=f"{sizes[1]:.3g} m", second=f"{sizes[2]:.3g} m")
+    return None
+
+
+def _chosen(
+    one: GroupedImage, partners: list[GroupedImage], levels: int, notices: list[Message]
+) -> list[tuple[Part, ...]]:
+    """The windows of an image, each with the partners that show it."""
+    name = one.image.ref.name
+    opened: list[tuple[GroupedImage, Pixels]] = []
+    for partner in partners:
+        opened.append((partner, Pixels(partner.image.ref)))
+
+    def shown(window: PixelWindow) -> tuple[Part, ...]:
+        parts = []
+        for partner, pixels in opened:
+            there = _window_on(one.image, window, partner.image, levels)
+            if there is not None and _is_valid(pixels, there):
+                parts.append(Part(partner, there))
+        return tuple(parts)
+
+    try:
+        pixels = Pixels(one.image.ref)
+        found: list[tuple[Part, ...]] = []
+        if opened:
+            region = _shared_region(one.image, [partner.image for partner in partners])
+            windows = choose_windows(pixels, one.image, levels, region, lambda window: bool(shown(window)))
+            found = [(Part(one, window), *shown(window)) for window in windows]
+        if not found:
+            found = [(Part(one, window),) for window in choose_windows(pixels, one.image, levels)]
+        found.sort(key=lambda parts: (parts[0].window.row, parts[0].window.column))  # as a file is read best
+    except RasterError as error:
+        notices.append(imagery_messages.SOURCE_LEFT_OUT(name=name, why=error.message))
+        return []
+    if not found:
+        fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
+        notices.append(messages.RASTER_WITHOUT_WINDOW(name=name, fewest=fewest))
+    elif found[0][0].window.width < limits.NOISE_WINDOW_PX:
+        side, wanted = found[0][0].window.width, limits.NOISE_WINDOW_PX
+        notices.append(messages.WINDOWS_SMALLER(name=name, wanted=wanted, side=side))
+    return found
+
+
+def _requests(
+    window_id: int, taken: list[tuple[GroupedImage, Extent]], levels: int, notices: list[Message]
+) -> list[NoiseRequest]:
+    """One request for the images, or none where the window can't be laid on their pixels."""
+    parts = []
+    for one, extent in taken:
+        assert one.image.grid is not None
+        try:
+            parts.append(Part(one, snap_window(one.image.grid, extent, levels)))
+        except WindowError as error:
+            name = one.image.ref.name
+            notices.append(imagery_messages.WINDOW_LEFT_OUT(window=window_id, name=name, why=error.message))
+    return [NoiseRequest(window_id, tuple(parts))] if parts else []
+
+
+def _common(taken: list[tuple[GroupedImage, Extent]], drawn: DrawnWindow) -> list[Extent]:
+    """What all images show of a window, in the reference system of each."""
+    left, bottom, right, top = 0.0, 0.0, 1.0, 1.0  # as shares of the window: its sides are parallel on all images
+    for one, extent in taken:
+        assert one.image.grid is not None
+        shared = shared_extent(one.image.grid.extent, extent)
+        assert shared is not None
+        width, height = extent[2] - extent[0], extent[3] - extent[1]
+        left, right = max(left, (shared[0] - extent[0]) / width), min(right, (shared[2] - extent[0]) / width)
+        bottom, top = max(bottom, (shared[1] - extent[1]) / height), min(top, (shared[3] - extent[1]) / height)
+    return [
+        (x0 + left * (x1 - x0), y0 + bottom * (y1 - y0), x0 + right * (x1 - x0), y0 + top * (y1 - y0))
+        for _, (x0, y0, x1, y1) in taken
+    ]
+
+
+def _overlap(a: PixelImage, b: PixelImage) -> bool:
+    """Whether two images share ground, as far as their footprints tell."""
+    if a.grid is None or b.grid is None or not a.wkt or not b.wkt:
+        return False
+    extent = extent_on_image(b.grid.extent, b.wkt, a)
+    return extent is not None and shared_extent(a.grid.extent, extent) is not None
+
+
+def _shared_region(image: PixelImage, others: Sequence[PixelImage]) -> PixelWindow:
+    """The pixels of an image around all that other images share with it, as far as their footprints tell."""
+    assert image.grid is not None
+    shared = []
+    for other in others:
+        assert other.grid is not None
+        extent = extent_on_image(other.grid.extent, other.wkt, image)
+        box = None if extent is None else shared_extent(image.grid.extent, extent)
+        shared += [] if box is None else [box]
+    xmin, ymin = (min(box[i] for box in shared) for i in (0, 1))
+    xmax, ymax = (max(box[i] for box in shared) for i in (2, 3))
+    left, right = (round((x - image.grid.left) / image.grid.pixel_width) for x in (xmin, xmax))
+    top, bottom = (round((image.grid.top - y) / image.grid.pixel_height) for y in (ymax, ymin))
+    return PixelWindow(left, top, max(right - left, 1), max(bottom - top, 1))
+
+
+def _window_on(image: PixelImage, window: PixelWindow, other: PixelImage, levels: int) -> PixelWindow | None:
+    """The pixels of another image that show a window; None when it does not show all of it."""
+    assert image.grid is not None
+    assert other.grid is not None
+    extent = extent_on_image(image.grid.window_extent(window), image.wkt, other)
+    if extent is None or shown_share(other.grid, extent) < 1 - imagery_limits.MAX_INVALID_SHARE:
+        return None
+    try:
+        return snap_window(other.grid, extent, levels)
+    except WindowError:
+        return None
+
+
+def _is_valid(pixels: Pixels, window: PixelWindow) -> bool:
+    invalid = pixels.read(window, min(limits.NOISE_SHRINK, min(window.width, window.height) // 16))[1]
+    return invalid is None or not invalid.any()

@@ -1,0 +1,78 @@
+"""``seaminspector:enhancephoto``: negative, grey and simple filters of a photo."""
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterRasterLayer,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...toolkit.algorithms import groups
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.translation import tr
+
+DEFAULT_FILTER_PX = 3.0  # the usual 3 x 3
+
+PHOTO, OPERATION, SIZE, OUTPUT = "PHOTO", "OPERATION", "SIZE", "OUTPUT"
+OPERATIONS = ("negative", "grey", "mean", "gaussian", "laplace", "sobel")
+
+
+class EnhancePhoto(SeamInspectorAlgorithm):
+    """One operation on every pixel of a photo, whose place on the map is kept."""
+
+    ID = "enhancephoto"
+    NAME = QT_TRANSLATE_NOOP("@default", "Enhance photo")
+    GROUP = groups.PHOTOS
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "
+        "against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the "
+        "map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy."
+    )
+    RASTER_LISTS = ()
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")), tr("Any raster that GDAL reads.")
+        )
+        self.addDescribed(
+            common.choice(OPERATION, tr("Operation"), OPERATIONS),
+            tr(
+                "negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel "
+                "(length of the gradient) are floating point."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                SIZE, tr("Size (px)"), QgsProcessingParameterNumber.Type.Double, DEFAULT_FILTER_PX,
+            ),
+            tr("Side of the mean's square (odd), or standard deviation of the Gaussian; of no meaning to the others."),
+        )
+        self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ...imagery.photos import Photo
+
+        Photo(common.required_raster(parameters, PHOTO, context))
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._photo = common.required_raster(parameters, PHOTO, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..measure.enhancement import Operation, enhance
+
+        path = self.parameterAsOutputLayer(parameters, OUTPUT, context)
+        operation = Operation(self.parameterAsEnumString(parameters, OPERATION, context))
+        size = self.parameterAsDouble(parameters, SIZE, context)
+        enhance(
+            self._photo, path, operation, size, feedback.isCanceled, lambda share: feedback.setProgress(100 * share)
+        )
+        return {OUTPUT: path}

@@ -1,0 +1,209 @@
+"""``seaminspector:interiororientation``: the fiducial marks of a scanned photo and its interior orientation."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery.errors import PhotoError
+from ...toolkit.algorithms import groups
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.translation import sentence, tr
+from ..measure import messages
+from . import photo_parameters as own
+
+if TYPE_CHECKING:
+    from ...imagery.photos import Photo
+    from ...imagery.rasters import RasterRef
+    from ..measure.camera_calibration import CameraCalibration
+    from ..measure.mark_templates import CutOut, MarkShape
+    from ..measure.orientation import Orientation, OrientationSettings, Position
+
+RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
+
+
+class InteriorOrientation(SeamInspectorAlgorithm):
+    """Fiducial marks by correlation and a surface, the transformation by least squares."""
+
+    ID = "interiororientation"
+    NAME = QT_TRANSLATE_NOOP("@default", "Interior orientation")
+    GROUP = groups.PHOTOS
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to "
+        "millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the "
+        "extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can't be trusted fails with the "
+        "reason; point at it on the map and give that point as its position, with the measurement off."
+    )
+    RASTER_LISTS = ()
+    DRAWN = ()
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        for definition, description in (*own.inputs(), *own.template_choices(), *own.settings()):
+            self.addDescribed(definition, description, advanced=definition.name() in own.ADVANCED)
+        for definition, description in own.outputs():
+            self.addDescribed(definition, description)
+        self.addNumbers({
+            RMS_UM: tr("Root mean square of the residuals (um)"),
+            MARKS: tr("Marks measured or given"),
+            FAILED: tr("Marks that failed"),
+        })
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..measure.camera_calibration import check_calibration
+
+        check_calibration(self._calibration(parameters, context), self._settings(parameters, context).model)
+        self._open(common.required_raster(parameters, own.PHOTO, context))
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._photo_ref = common.required_raster(parameters, own.PHOTO, context)
+        self._template_ref = common.raster(parameters, own.TEMPLATE, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from .. import mark_tables
+        from ..measure.interior_orientation import orient
+        from ..measure.orientation import Status
+
+        calibration = self._calibration(parameters, context)
+        photo = self._open(self._photo_ref)
+        positions = self._positions(parameters, context, photo)
+        settings = self._settings(parameters, context)
+        feedback.setProgress(5)
+        made = orient(photo, calibration, positions, settings, feedback.isCanceled)
+        feedback.setProgress(80)
+        crs = QgsCoordinateReferenceSystem.fromWkt(photo.wkt) if photo.wkt else QgsCoordinateReferenceSystem()
+        sink, destination = self.sink(
+            parameters, own.OUTPUT, context, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs
+        )
+        self.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
+        self._tell(made, feedback)
+        failed = made.count(Status.FAILED)
+        results: dict[str, Any] = {own.OUTPUT: destination, MARKS: len(made.marks) - failed, FAILED: failed}
+        if made.fitted is not None and made.fitted.redundancy:
+            results[RMS_UM] = made.fitted.rms
+        results.update(self._files(parameters, context, feedback, photo, calibration, made))
+        feedback.setProgress(100)
+        return results
+
+    def _files(
+        self,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        photo: Photo,
+        calibration: CameraCalibration,
+        made: Orientation,
+    ) -> dict[str, Any]:
+        """Write the files asked for; without a transformation the report alone, and say so."""
+        from ...toolkit.pages.html_page import save_page
+        from ..measure import orientation_files
+        from ..report import orientation_page
+
+        results: dict[str, Any] = {}
+        path = self.file_path(parameters, common.REPORT, context)
+        if path is not None:
+            save_page(orientation_page(photo, made), path)
+            results[common.REPORT] = str(path)
+        if made.fitted is None:
+            why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
+            feedback.reportError(sentence(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why)))
+            return results
+        for name, text in (
+            (own.PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
+            (own.WORLD_FILE, orientation_files.world_file(photo, made)),
+        ):
+            path = self.file_path(parameters, name, context)
+            if path is not None:
+                orientation_files.save(text, path)
+                results[name] = str(path)
+        return results
+
+    def _tell(self, made: Orientation, feedback: QgsProcessingFeedback) -> None:
+        for notice in made.notices:
+            feedback.pushWarning(sentence(notice))
+        for mark in made.marks:
+            if mark.reason is not None:
+                feedback.pushWarning(f"{mark.name}: {sentence(mark.reason)}")
+        if made.fitted is not None:
+            feedback.pushInfo(
+                tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.").format(
+                    marks=made.fitted.marks, model=made.fitted.to_mm.model.value, rms=made.fitted.rms
+                )
+            )
+
+    # --- the inputs ---------------------------------------------------------------------------------------------
+
+    @staticmethod
+    def _open(ref: RasterRef) -> Photo:
+        from ...imagery.photos import Photo
+
+        return Photo(ref)
+
+    def _calibration(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CameraCalibration:
+        from ..measure.camera_calibration import read_calibration
+
+        path = self.parameterAsFile(parameters, own.CALIBRATION, context)
+        if not path:
+            raise PhotoError(messages.NO_CALIBRATION())
+        return read_calibration(Path(path))
+
+    def _positions(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, photo: Photo
+    ) -> dict[str, Position]:
+        from ...toolkit import layers
+        from .. import mark_tables
+
+        if not parameters.get(own.POSITIONS):
+            return {}
+        source = self.source(parameters, own.POSITIONS, context)
+        measure = self.parameterAsBool(parameters, own.MEASURE, context)
+        return mark_tables.positions(layers.features(source), source.fields().names(), photo, measure)
+
+    def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> OrientationSettings:
+        from ..measure.measuring_marks import Surface
+        from ..measure.orientation import OrientationSettings
+        from ..measure.transformations import Model
+
+        surface, model, tone = (
+            self.parameterAsEnumString(parameters, name, context)
+            for name in (own.SURFACE, own.MODEL, own.TEMPLATE_TONE)
+        )
+        return OrientationSettings(
+            template=self._template(parameters, context),
+            shapes=() if parameters.get(own.TEMPLATE) else self._shapes(parameters, context),
+            sign={own.TONES[1]: 1, own.TONES[2]: -1}.get(tone),
+            search=self.parameterAsDouble(parameters, own.SEARCH, context),
+            least=self.parameterAsDouble(parameters, own.MIN_CORRELATION, context),
+            surface=Surface(surface),
+            model=Model(model),
+        )
+
+    def _template(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CutOut | None:
+        from ..measure.mark_templates import cut_out
+
+        ref = getattr(self, "_template_ref", None) or common.raster(parameters, own.TEMPLATE, context)
+        return cut_out(self._open(ref).grey()) if ref is not None else None
+
+    def _shapes(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[MarkShape, ...]:
+        from ..measure.mark_templates import chosen_shapes
+
+        kind, direction, centre = (
+            None if word == own.AUTOMATIC else word
+            for word in (
+                self.parameterAsEnumString(parameters, name, context)
+                for name in (own.TEMPLATE_KIND, own.TEMPLATE_DIRECTION, own.TEMPLATE_CENTRE)
+            )
+        )
+        diagonal = None if direction is None else direction == own.DIRECTIONS[2]
+        interrupted = None if centre is None else centre == own.CENTRES[2]
+        return chosen_shapes(kind, diagonal, interrupted)

@@ -1,0 +1,154 @@
+"""Fiducial marks as QGIS's point layers: positions in, measured marks out."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from qgis.core import NULL, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsWkbTypes
+
+from ..imagery.errors import PhotoError
+from ..imagery.photos import Photo
+from ..imagery.rasters import GeoTransform
+from ..toolkit.table_fields import feature, table_fields
+from ..toolkit.translation import sentence
+from .measure import messages
+from .measure.mark_comparison import DifferenceStatistics, Measured
+from .measure.orientation import Mark, Position
+
+MARK, PHOTO, MEASURE = "mark", "photo", "measure"
+
+
+def mark_fields() -> QgsFields:
+    """OUTPUT of ``interiororientation``: one point per mark of the calibration."""
+    return table_fields(
+        (MARK, "text"),
+        ("column", "real"),
+        ("row", "real"),
+        ("x_mm", "real"),
+        ("y_mm", "real"),
+        ("residual_x", "real"),
+        ("residual_y", "real"),
+        ("correlation", "real"),
+        ("status", "text"),
+        ("reason", "text"),
+    )
+
+
+def mark_feature(mark: Mark, photo: Photo) -> QgsFeature:
+    """The row of a mark; one that failed has no place."""
+    column, row = mark.place or (None, None)
+    residual_x, residual_y = mark.residual or (None, None)
+    geometry = None if mark.place is None else QgsGeometry.fromPointXY(map_point(photo.geotransform, *mark.place))
+    reason = sentence(mark.reason) if mark.reason is not None else None
+    values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status.value]
+    return feature(mark_fields(), [*values, reason], geometry)
+
+
+def map_point(transform: GeoTransform, column: float, row: float) -> QgsPointXY:
+    """Where QGIS shows a place of a photo."""
+    a, b, c, d, e, f = transform
+    return QgsPointXY(a + b * column + c * row, d + e * column + f * row)
+
+
+def place(transform: GeoTransform, point: QgsPointXY) -> tuple[float, float]:
+    """Column and row of a point on the map, pixel centres at .5."""
+    a, b, c, d, e, f = transform
+    x, y = point.x() - a, point.y() - d
+    below = b * f - c * e
+    return (f * x - c * y) / below, (b * y - e * x) / below
+
+
+def positions(rows: Iterable[QgsFeature], names: Sequence[str], photo: Photo, measure: bool) -> dict[str, Position]:
+    """Where the user says that marks are; points without a name or a place are left out.
+
+    Whether a position is measured says its field ``measure`` where there is one, else ``measure``. Raises PhotoError
+    for a layer without the field ``mark`` and for a mark that is there twice.
+    """
+    if MARK not in names:
+        raise PhotoError(messages.POSITIONS_WITHOUT_MARK())
+    made: dict[str, Position] = {}
+    for row in rows:
+        name = _text(row[MARK])
+        point = _point(row)
+        if not name or point is None:
+            continue
+        if name in made:
+            raise PhotoError(messages.POSITION_TWICE(mark=name))
+        own = row[MEASURE] if MEASURE in names else NULL
+        made[name] = Position(place(photo.geotransform, point), measure if own == NULL else _is_true(own))
+    if not made:
+        raise PhotoError(messages.POSITIONS_EMPTY())
+    return made
+
+
+def measured(rows: Iterable[QgsFeature], names: Sequence[str], layer: str) -> list[Measured]:
+    """The marks of a layer to be compared: by ``column`` and ``row`` where it has them, else by the points themselves.
+
+    Raises PhotoError for a layer without the field ``mark``.
+    """
+    if MARK not in names:
+        raise PhotoError(messages.COMPARED_WITHOUT_MARK(layer=layer))
+    photo = next((field for field in (PHOTO, "layer") if field in names), None)
+    made = []
+    for row in rows:
+        name, column, line = _text(row[MARK]), None, None
+        if {"column", "row"} <= set(names):
+            column, line = _value(row["column"]), _value(row["row"])
+        else:
+            point = _point(row)
+            if point is not None:
+                column, line = point.x(), -point.y()
+        if not name or column is None or line is None:
+            continue
+        mm = [_value(row[field]) if field in names else None for field in ("x_mm", "y_mm")]
+        calibrated = None if mm[0] is None or mm[1] is None else (mm[0], mm[1])
+        made.append(Measured(_text(row[photo]) if photo else "", name, (column, line), calibrated))
+    return made
+
+
+def statistics_fields() -> QgsFields:
+    """OUTPUT of ``comparemarks``: one row for each unit."""
+    return table_fields(
+        ("unit", "text"), ("count", "integer"), ("mean", "real"), ("standard_deviation", "real"), ("maximum", "real"),
+        ("minimum", "real"),
+    )
+
+
+def statistics_feature(unit: str, made: DifferenceStatistics) -> QgsFeature:
+    """The row of a unit."""
+    values: list[Any] = [unit, made.count, made.mean, made.standard_deviation, made.maximum, made.minimum]
+    return feature(statistics_fields(), values)
+
+
+def difference_fields() -> QgsFields:
+    """DIFFERENCES of ``comparemarks``: one row for each mark in both layers."""
+    return table_fields(
+        (PHOTO, "text"), (MARK, "text"), ("difference_column", "real"), ("difference_row", "real"), ("distance", "real")
+    )
+
+
+def _point(row: QgsFeature) -> QgsPointXY | None:
+    geometry = row.geometry()
+    if geometry.isNull() or geometry.isEmpty() or geometry.type() != QgsWkbTypes.GeometryType.PointGeometry:
+        return None
+    return geometry.centroid().asPoint()
+
+
+def _text(value: object) -> str:
+    """A name from a field of any type; 1 and 1.0 are the same."""
+    if value is None or value == NULL:
+        return ""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
+    return str(value).strip()
+
+
+def _value(value: object) -> float | None:
+    try:
+        return None if value == NULL else float(str(value))
+    except ValueError:
+        return None
+
+
+def _is_true(value: object) -> bool:
+    return str(value).strip().lower() not in ("0", "0.0", "false", "no", "off", "f", "n", "")

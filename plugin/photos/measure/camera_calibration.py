@@ -1,0 +1,149 @@
+"""A camera's calibrated fiducial marks: from CSV, or from MicMac's MeasuresCamera.xml."""
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+
+from ...imagery.errors import PhotoError
+from . import messages
+from .transformations import LEAST_MARKS, Model
+
+MIN_FRAME_MM = 24.0  # the short side of 35 mm film, the smallest frame; 23 cm given in centimetres is below it
+MAX_FRAME_MM = 1000.0  # no frame is that long; 23 cm given in micrometres is far above it
+MIN_MARK_DISTANCE = 0.01  # of the frame: nearer ones are one mark with two names
+
+Point = tuple[float, float]
+
+PRINCIPAL_POINT, FOCAL_LENGTH, DATA_STRIP = "principal_point", "focal_length", "data_strip"
+"""Rows of the CSV that are no marks."""
+
+
+@dataclass(frozen=True)
+class CameraCalibration:
+    """What the camera's certificate says. Millimetres, x to the right, y upwards."""
+
+    marks: Mapping[str, Point]
+    """The marks by name, in the file's order."""
+    principal_point: Point = (0.0, 0.0)
+    """Where the optical axis meets the film."""
+    focal_length: float | None = None
+    """mm."""
+    data_strip: Point | None = None
+    """Somewhere in the strip of instruments or writing beside the picture."""
+
+    @property
+    def points(self) -> np.ndarray:
+        """(n, 2) mm, in the order of the marks."""
+        return np.array(list(self.marks.values()), dtype=np.float64)
+
+    @property
+    def span(self) -> float:
+        """The longer extent of the marks, mm."""
+        return float(np.ptp(self.points, axis=0).max())
+
+
+def read_calibration(path: Path) -> CameraCalibration:
+    """The calibration in a file. Raises PhotoError when there is none."""
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise PhotoError(messages.CALIBRATION_NOT_READ(path=path, error=error.strerror or error)) from None
+    except UnicodeDecodeError:
+        raise PhotoError(messages.CALIBRATION_UNKNOWN(name=path.name)) from None
+    made = _micmac(text, path.name) if text.lstrip().startswith("<") else _table(text, path.name)
+    if not made.marks:
+        raise PhotoError(messages.CALIBRATION_EMPTY(name=path.name))
+    return made
+
+
+def check_calibration(calibration: CameraCalibration, model: Model) -> None:
+    """Raise PhotoError for a calibration from which no interior orientation can be had."""
+    count, least = len(calibration.marks), LEAST_MARKS[model]
+    if count < least:
+        raise PhotoError(messages.TOO_FEW_CALIBRATED(count=count, model=model.value, least=least))
+    span = calibration.span
+    if not MIN_FRAME_MM <= span <= MAX_FRAME_MM:
+        raise PhotoError(
+            messages.CALIBRATION_UNIT(span=span, least=MIN_FRAME_MM, most=MAX_FRAME_MM)
+        )
+    for (one, a), (other, b) in combinations(calibration.marks.items(), 2):
+        if math.dist(a, b) < MIN_MARK_DISTANCE * span:
+            raise PhotoError(messages.MARKS_AT_ONE_PLACE(one=one, other=other))
+
+
+def _micmac(text: str, name: str) -> CameraCalibration:
+    try:
+        root = ElementTree.fromstring(text)
+    except ElementTree.ParseError:
+        raise PhotoError(messages.CALIBRATION_UNKNOWN(name=name)) from None
+    marks: dict[str, Point] = {}
+    for measure in root.iter("OneMesureAF1I"):
+        mark = (measure.findtext("NamePt") or "").strip()
+        values = [_number(part) for part in (measure.findtext("PtIm") or "").split()]
+        if not mark or len(values) != 2 or None in values:
+            raise PhotoError(messages.CALIBRATION_ROW(name=name, row=mark or len(marks) + 1))
+        _add(marks, mark, values, name)
+    return CameraCalibration(marks)
+
+
+def _table(text: str, name: str) -> CameraCalibration:
+    first = text.lstrip().splitlines()[0] if text.strip() else ""
+    separator = max(",;\t", key=first.count)
+    rows = csv.DictReader(io.StringIO(text.lstrip()), delimiter=separator, skipinitialspace=True)
+    rows.fieldnames = [(field or "").strip().lower() for field in rows.fieldnames or ()]
+    if not {"mark", "x_mm", "y_mm"} <= set(rows.fieldnames):
+        raise PhotoError(messages.CALIBRATION_COLUMNS(name=name))
+    marks: dict[str, Point] = {}
+    special: dict[str, list[float | None]] = {}
+    for number, row in enumerate(rows, 2):
+        mark = (row["mark"] or "").strip()
+        values = [_number(row[axis]) for axis in ("x_mm", "y_mm")]
+        if not mark and values == [None, None]:
+            continue
+        key = re.sub(r"[\s-]+", "_", mark.lower())
+        if key in (PRINCIPAL_POINT, DATA_STRIP, FOCAL_LENGTH):
+            special[key] = values
+            if values[0] is None or (key != FOCAL_LENGTH and values[1] is None):
+                raise PhotoError(messages.CALIBRATION_ROW(name=name, row=number))
+            continue
+        if not mark or None in values:
+            raise PhotoError(messages.CALIBRATION_ROW(name=name, row=number))
+        _add(marks, mark, values, name)
+    return CameraCalibration(
+        marks,
+        _point(special.get(PRINCIPAL_POINT)) or (0.0, 0.0),
+        special[FOCAL_LENGTH][0] if FOCAL_LENGTH in special else None,
+        _point(special.get(DATA_STRIP)),
+    )
+
+
+def _add(marks: dict[str, Point], mark: str, values: list[float | None], name: str) -> None:
+    if mark in marks:
+        raise PhotoError(messages.CALIBRATION_TWICE(name=name, mark=mark))
+    point = _point(values)
+    if point is not None:
+        marks[mark] = point
+
+
+def _point(values: list[float | None] | None) -> Point | None:
+    if values is None or values[0] is None or values[1] is None:
+        return None
+    return values[0], values[1]
+
+
+def _number(text: str | None) -> float | None:
+    """A number with a point or a comma; None for anything else."""
+    try:
+        value = float((text or "").strip().replace(",", "."))
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

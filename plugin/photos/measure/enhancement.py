@@ -1,0 +1,101 @@
+"""Simple operations on whole photos, in strips, their place on the map kept (Mikrut and Chwastek 2007, section 3.3)."""
+from __future__ import annotations
+
+from enum import Enum
+from typing import Callable
+
+import numpy as np
+from scipy import ndimage
+
+from ...imagery.errors import SettingsError
+from ...imagery.photos import Photo
+from ...imagery.raster_writing import RasterWriter
+from ...imagery.rasters import RasterRef
+from . import messages
+
+MAX_FILTER_PX = 101  # a wider one wants another tool
+
+
+class Operation(Enum):
+    """What is done to a photo."""
+
+    NEGATIVE = "negative"
+    GREY = "grey"
+    MEAN = "mean"
+    GAUSSIAN = "gaussian"
+    LAPLACE = "laplace"
+    SOBEL = "sobel"
+
+
+def enhance(
+    ref: RasterRef,
+    path: str,
+    operation: Operation,
+    size: float,
+    cancelled: Callable[[], bool] = lambda: False,
+    progress: Callable[[float], None] = lambda share: None,
+) -> None:
+    """Write the photo's enhanced copy as a GeoTIFF.
+
+    ``size`` is the side of the mean's square, odd, or the Gaussian's standard deviation, px. Mean and Gaussian keep the
+    data type; the negative too, its values taken from the largest the type (or its number of bits) can hold; Laplace
+    and Sobel, which have signs or grow, are float32. Grey is 8 bit. Edges are mirrored. Invalid pixels stay invalid.
+
+    Raises SettingsError for a size out of range, RasterError for a raster that can't be read or written.
+    """
+    margin = _margin(operation, size)
+    photo = Photo(ref)
+    grey = operation is Operation.GREY
+    kind = _data_type(operation, photo.dtype)
+    largest = photo.largest
+    with RasterWriter(path, photo, kind, 1 if grey else photo.bands) as writer:
+        for strip in photo.strips(margin, grey):
+            if cancelled():
+                return
+            made = _applied(operation, strip.pixels, size, largest)
+            writer.write(strip.row, _as_type(made[:, strip.above : strip.above + strip.rows], kind), strip.invalid)
+            progress((strip.row + strip.rows) / photo.rows)
+
+
+def _margin(operation: Operation, size: float) -> int:
+    if operation is Operation.MEAN:
+        if size < 3 or size % 2 != 1 or size > MAX_FILTER_PX:
+            raise SettingsError(messages.FILTER_SIDE(size=size, most=MAX_FILTER_PX))
+        return int(size) // 2
+    if operation is Operation.GAUSSIAN:
+        if not 0 < size <= MAX_FILTER_PX:
+            raise SettingsError(messages.FILTER_DEVIATION(size=size, most=MAX_FILTER_PX))
+        return int(4 * size + 0.5)
+    return 1 if operation in (Operation.LAPLACE, Operation.SOBEL) else 0
+
+
+def _data_type(operation: Operation, own: np.dtype) -> np.dtype:
+    if operation is Operation.GREY:
+        return np.dtype(np.uint8)
+    return np.dtype(np.float32) if operation in (Operation.LAPLACE, Operation.SOBEL) else own
+
+
+def _applied(operation: Operation, pixels: np.ndarray, size: float, largest: float) -> np.ndarray:
+    """One strip (bands, rows, columns), float64."""
+    if operation is Operation.NEGATIVE:
+        return largest - pixels
+    if operation is Operation.GREY:
+        return pixels * (255 / largest)
+    return np.stack([_filtered(operation, band, size) for band in pixels])
+
+
+def _filtered(operation: Operation, band: np.ndarray, size: float) -> np.ndarray:
+    if operation is Operation.MEAN:
+        return np.asarray(ndimage.uniform_filter(band, int(size), mode="reflect"))
+    if operation is Operation.GAUSSIAN:
+        return np.asarray(ndimage.gaussian_filter(band, size, mode="reflect"))
+    if operation is Operation.LAPLACE:
+        return np.asarray(ndimage.laplace(band, mode="reflect"))
+    return np.hypot(ndimage.sobel(band, axis=0, mode="reflect"), ndimage.sobel(band, axis=1, mode="reflect"))
+
+
+def _as_type(values: np.ndarray, kind: np.dtype) -> np.ndarray:
+    if kind.kind == "f":
+        return values.astype(kind)
+    limits = np.iinfo(kind)
+    return np.clip(np.rint(values), limits.min, limits.max).astype(kind)

@@ -1,0 +1,131 @@
+"""The interior orientation of one photo: from pixels and a calibration to marks and a transformation."""
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Callable
+
+import numpy as np
+
+from ...imagery.errors import PhotoError
+from ...imagery.photos import Photo
+from . import limits, messages, scan_orientation
+from .arrangements import Place
+from .camera_calibration import CameraCalibration, check_calibration
+from .finding_marks import FoundMarks, find_marks
+from .fitting_marks import fit_marks, off_marks
+from .mark_templates import CutOut, MarkShape
+from .measuring_marks import Lost, Window, window_around
+from .orientation import Fitted, Mark, Orientation, OrientationSettings, Position, Status
+from .scan_orientation import OrientationEvidence, ScanOrientation
+
+MIN_PICTURE_PX = 20  # half a side of the picture of a mark
+ONE_PLACE_PX = 3.0  # two marks nearer than that are one that was found twice
+
+
+def orient(
+    photo: Photo,
+    calibration: CameraCalibration,
+    positions: Mapping[str, Position],
+    settings: OrientationSettings,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Orientation:
+    """Measure the marks of a photo and fit the transformation.
+
+    Raises PhotoError where nothing can be measured at all.
+    """
+    check_calibration(calibration, settings.model)
+    _check_positions(calibration, positions)
+    given = {name: one.place for name, one in positions.items() if not one.measure}
+    finding = FoundMarks(template=settings.template)
+    if set(given) != set(calibration.marks):
+        finding = find_marks(photo, calibration, positions, settings, cancelled)
+    marks = _without_doubles([_mark(name, place, given, finding) for name, place in calibration.marks.items()])
+    marks, off = off_marks(marks, settings.model)
+    marks = _supported(marks, positions)
+    fitted, marks, left_out = fit_marks(marks, settings.model)
+    if fitted is None and not any(mark.place for mark in marks):
+        _raise_nothing(photo, marks)
+    way, evidence = finding.lying, finding.evidence
+    if fitted is not None and way is None:
+        way, evidence = _nearest_lying(fitted), OrientationEvidence.POSITIONS
+    notices = (*finding.notices, *off, *left_out)
+    views = _surroundings(photo, marks, finding.template)
+    return Orientation(tuple(marks), fitted, way, evidence, finding.template, notices, views)
+
+
+def _check_positions(calibration: CameraCalibration, positions: Mapping[str, Position]) -> None:
+    unknown = [name for name in positions if name not in calibration.marks]
+    if unknown:
+        raise PhotoError(
+            messages.POSITION_UNKNOWN(mark=unknown[0], marks=", ".join(calibration.marks))
+        )
+    seen: dict[Place, str] = {}
+    for name, position in positions.items():
+        for place, other in seen.items():
+            if math.dist(place, position.place) < 1:
+                raise PhotoError(messages.POSITIONS_AT_ONE_PLACE(one=other, other=name))
+        seen[position.place] = name
+
+
+def _mark(name: str, calibrated: Place, given: Mapping[str, Place], finding: FoundMarks) -> Mark:
+    if name in given:
+        return Mark(name, calibrated, Status.GIVEN, given[name])
+    found = finding.results.get(name, Lost(messages.MARK_NOT_ARRANGED()))
+    if isinstance(found, Lost):
+        return Mark(name, calibrated, Status.FAILED, None, found.correlation, found.reason)
+    return Mark(name, calibrated, Status.MEASURED, (found.column, found.row), found.correlation)
+
+
+def _without_doubles(marks: Sequence[Mark]) -> list[Mark]:
+    """Two marks at one place are none."""
+    made = []
+    for mark in marks:
+        twin = next(
+            (
+                other for other in marks
+                if other is not mark and mark.place and other.place
+                and math.dist(mark.place, other.place) < ONE_PLACE_PX
+            ),
+            None,
+        )
+        if twin is not None and mark.status is Status.MEASURED:
+            mark = replace(mark, status=Status.FAILED, place=None, reason=messages.MARK_TWICE(other=twin.name))
+        made.append(mark)
+    return made
+
+
+def _supported(marks: Sequence[Mark], positions: Mapping[str, Position]) -> list[Mark]:
+    """Marks that nobody pointed at have to confirm each other."""
+    count = sum(mark.place is not None for mark in marks)
+    least = min(limits.MIN_SUPPORT, len(marks))
+    if count >= least:
+        return list(marks)
+    reason = messages.MARK_UNSUPPORTED(count=count, least=least)
+    return [
+        replace(mark, status=Status.FAILED, place=None, reason=reason)
+        if mark.status is Status.MEASURED and mark.name not in positions else mark
+        for mark in marks
+    ]
+
+
+def _raise_nothing(photo: Photo, marks: Sequence[Mark]) -> None:
+    why = next(mark.reason for mark in marks if mark.reason is not None)
+    raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
+
+
+def _surroundings(photo: Photo, marks: Sequence[Mark], template: MarkShape | CutOut | None) -> dict[str, Window]:
+    """The photo around every mark that has a place, for the report."""
+    size = template.size if isinstance(template, MarkShape) else max(template.pixels.shape) if template else 0.0
+    half = math.ceil(max(size, 2 * MIN_PICTURE_PX) * 0.75)
+    return {
+        mark.name: window_around(photo, mark.place, half) for mark in marks
+        if mark.place is not None and photo.contains(mark.place)
+    }
+
+
+def _nearest_lying(fitted: Fitted) -> ScanOrientation:
+    """The way to lie that a transformation comes nearest."""
+    back = fitted.to_pixels.linear(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))[:, :2]
+    return max(scan_orientation.LYINGS, key=lambda one: float(np.sum(one.matrix * back)))

@@ -1,0 +1,121 @@
+"""Two measurements of the same marks against each other (Mikrut and Chwastek 2007, tables 1 to 4)."""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery.errors import PhotoError
+from . import messages
+from .transformations import Model, fit
+
+Key = tuple[str, str]
+"""Photo and mark."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A mark as one operator or program measured it."""
+
+    photo: str
+    """Empty where the layer does not say."""
+    mark: str
+    place: tuple[float, float]
+    """Column and row, px."""
+    calibrated: tuple[float, float] | None = None
+    """mm, where the layer has it."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One mark, the second measurement less the first, px."""
+
+    photo: str
+    mark: str
+    column: float
+    row: float
+
+    @property
+    def distance(self) -> float:
+        """px."""
+        return math.hypot(self.column, self.row)
+
+
+@dataclass(frozen=True)
+class DifferenceStatistics:
+    """Of distances, in one unit."""
+
+    count: int
+    mean: float
+    standard_deviation: float
+    """Of the sample (n - 1); NaN for a single mark."""
+    maximum: float
+    minimum: float
+
+    def scaled(self, factor: float) -> DifferenceStatistics:
+        """The same in a unit of another size."""
+        return DifferenceStatistics(
+            self.count, self.mean * factor, self.standard_deviation * factor, self.maximum * factor,
+            self.minimum * factor,
+        )
+
+
+def differences(first: Sequence[Measured], second: Sequence[Measured]) -> list[Difference]:
+    """The marks that both have, in the first one's order.
+
+    Marks are joined by photo and mark where both say the photo, else by mark. Raises PhotoError for a mark that a
+    layer has twice and where nothing is in both.
+    """
+    by_photo = any(one.photo for one in first) and any(one.photo for one in second)
+    known = _by_key(second, by_photo)
+    made = []
+    for key, one in _by_key(first, by_photo).items():
+        other = known.get(key)
+        if other is not None:
+            made.append(Difference(
+                one.photo, one.mark, other.place[0] - one.place[0], other.place[1] - one.place[1]
+            ))
+    if not made:
+        raise PhotoError(messages.NOTHING_IN_COMMON())
+    return made
+
+
+def _by_key(marks: Sequence[Measured], by_photo: bool) -> dict[Key, Measured]:
+    made: dict[Key, Measured] = {}
+    for one in marks:
+        key = one.photo if by_photo else "", one.mark
+        if key in made:
+            raise PhotoError(messages.COMPARED_TWICE(mark=one.mark))
+        made[key] = one
+    return made
+
+
+def statistics(found: Sequence[Difference]) -> DifferenceStatistics:
+    """Of the distances, px."""
+    distances = np.array([one.distance for one in found])
+    spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
+    return DifferenceStatistics(
+        len(distances), float(distances.mean()), spread, float(distances.max()), float(distances.min())
+    )
+
+
+def pixel_size(marks: Sequence[Measured]) -> float | None:
+    """um per pixel from the calibrated coordinates beside the measured ones; None where they do not tell."""
+    photos: dict[str, list[Measured]] = {}
+    for one in marks:
+        if one.calibrated is not None:
+            photos.setdefault(one.photo, []).append(one)
+    sizes = []
+    for group in photos.values():
+        if len(group) < 2:
+            continue
+        source = np.array([one.place for one in group])
+        target = np.array([one.calibrated for one in group])
+        try:
+            matrix = fit(Model.SIMILARITY, source, target).matrix
+        except PhotoError:
+            continue
+        sizes.append(1000 * math.sqrt(abs(float(np.linalg.det(matrix[:2, :2])))))
+    return float(np.mean(sizes)) if sizes else None

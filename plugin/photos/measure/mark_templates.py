@@ -1,0 +1,219 @@
+"""What a fiducial mark looks like: marks drawn from a few numbers, and marks cut out by the user.
+
+A drawn mark is anti-aliased as a scanner blurs it: every edge is a Gaussian's integral. It can therefore be drawn at
+any sub-pixel place, and its own centre is exact.
+"""
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import lru_cache
+
+import numpy as np
+from scipy import special
+
+from ...imagery.errors import PhotoError
+from . import limits, messages
+from .correlation import correlate, peak_pixel
+from .correlation_surface import SurfaceError, extremum
+
+ARM_WIDTH = 0.6  # the arms of a ring with cross against its ring: UNBC's photo, Wild RC10
+WEDGE_HALF_ANGLE_DEG = 30.0  # equilateral
+MIN_SYMMETRY = 0.8  # a cut-out that correlates so with itself turned by 180 degrees has a centre of its own
+
+
+class MarkKind(Enum):
+    """The figure of a mark."""
+
+    CROSS = "cross"
+    DOT = "dot"
+    RING_WITH_DOT = "ring with dot"
+    RING_WITH_CROSS = "ring with cross"
+    WEDGE = "wedge"
+
+
+@dataclass(frozen=True)
+class MarkShape:
+    """A mark to be drawn, light on dark. Lengths in pixels."""
+
+    kind: MarkKind
+    size: float
+    """Diameter of the ring or dot, length of a cross or of a pair of wedges."""
+    diagonal: bool = False
+    """Arms, or the wedges, at 45 degrees."""
+    interrupted: bool = False
+    """The cross is open in the middle."""
+    width: float = 0.1
+    """Line width as a share of the size; of a ring with dot the dot's diameter is twice that."""
+    reach: float = 1.0
+    """How far the arms of a ring with cross go, ring radii."""
+    softness: float = 0.5
+    """Standard deviation of the blur, px."""
+    angle: float = 0.0
+    """Rotation in degrees, clockwise on the screen. Wedges at 0 lie left and right of the mark, their tips on it."""
+
+    @property
+    def radius(self) -> float:
+        """From the centre to the outermost part, px."""
+        reach = self.reach if self.kind is MarkKind.RING_WITH_CROSS else 1.0
+        return self.size / 2 * max(reach, 1 + self.width)
+
+    @property
+    def margin(self) -> int:
+        """Half the side of the drawing without its middle pixel: the figure and the ground around it, px."""
+        ground = 0.6 * self.radius if self.kind is MarkKind.DOT else 0.15 * self.radius
+        return max(2, math.ceil(self.radius + max(ground, 1.0) + self.softness))
+
+    def scaled(self, factor: float) -> MarkShape:
+        """The same mark on pixels ``factor`` times as small."""
+        return replace(self, size=self.size * factor, softness=max(self.softness * factor, limits.PIXEL_SOFTNESS))
+
+
+@lru_cache(maxsize=64)
+def draw(shape: MarkShape, offset: tuple[float, float] = (0.0, 0.0), margin: int | None = None) -> np.ndarray:
+    """The mark, (2 m + 1, 2 m + 1) float64 from 0 (ground) to 1.
+
+    Its centre lies ``offset`` (columns, rows) px beside the centre of the middle pixel. The same drawing is wanted for
+    every mark of a photo: it is kept a while, and read-only.
+    """
+    half = shape.margin if margin is None else margin
+    axis = np.arange(-half, half + 1, dtype=np.float64)
+    x, y = axis[np.newaxis] - offset[0], axis[:, np.newaxis] - offset[1]
+    turn = math.radians(shape.angle + (45.0 if shape.diagonal else 0.0))
+    u, v = x * math.cos(turn) + y * math.sin(turn), y * math.cos(turn) - x * math.sin(turn)
+    soft = max(shape.softness, limits.PIXEL_SOFTNESS)
+    parts = _PARTS[shape.kind](shape, u, v, soft)
+    clear = np.ones(np.broadcast(u, v).shape)
+    for part in parts:
+        clear *= 1 - part
+    drawn = np.asarray(1 - clear)
+    drawn.flags.writeable = False
+    return drawn
+
+
+def _below(distance: np.ndarray, soft: float) -> np.ndarray:
+    """1 where a distance is negative, 0 where it is positive, blurred."""
+    return np.asarray(special.erfc(distance / (soft * math.sqrt(2))) / 2)
+
+
+def _line(across: np.ndarray, width: float, soft: float) -> np.ndarray:
+    return _below(np.abs(across) - width / 2, soft) if width > 6 * soft else (
+        _below(across - width / 2, soft) - _below(across + width / 2, soft)
+    )
+
+
+def _arms(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float, length: float, gap: float) -> list[np.ndarray]:
+    width = max(shape.width * shape.size, 1.0)
+    arms = []
+    for along, across in ((u, v), (v, u)):
+        arm = _line(across, width, soft) * _below(np.abs(along) - length, soft)
+        if shape.interrupted:
+            arm = arm * (1 - _below(np.abs(along) - gap, soft))
+        arms.append(arm)
+    return arms
+
+
+def _ring(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> np.ndarray:
+    return _line(np.hypot(u, v) - shape.size / 2, max(shape.width * shape.size, 1.0), soft)
+
+
+def _disc(diameter: float, u: np.ndarray, v: np.ndarray, soft: float) -> np.ndarray:
+    return _below(np.hypot(u, v) - diameter / 2, soft)
+
+
+def _cross(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
+    return _arms(shape, u, v, soft, shape.size / 2, 0.15 * shape.size)
+
+
+def _dot(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
+    return [_disc(shape.size, u, v, soft)]
+
+
+def _ring_with_dot(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
+    return [_ring(shape, u, v, soft), _disc(max(2 * shape.width * shape.size, 1.0), u, v, soft)]
+
+
+def _ring_with_cross(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
+    thin = replace(shape, width=ARM_WIDTH * shape.width)
+    return [_ring(shape, u, v, soft), *_arms(thin, u, v, soft, shape.reach * shape.size / 2, 0.15 * shape.size)]
+
+
+def _wedge(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
+    slope = math.radians(WEDGE_HALF_ANGLE_DEG)
+    side = np.abs(v) * math.cos(slope) - np.abs(u) * math.sin(slope)
+    return [_below(side, soft) * _below(np.abs(u) - shape.size / 2, soft)]
+
+
+_PARTS = {
+    MarkKind.CROSS: _cross,
+    MarkKind.DOT: _dot,
+    MarkKind.RING_WITH_DOT: _ring_with_dot,
+    MarkKind.RING_WITH_CROSS: _ring_with_cross,
+    MarkKind.WEDGE: _wedge,
+}
+
+
+def all_shapes() -> tuple[MarkShape, ...]:
+    """Every mark that can be drawn, its size of no meaning: what is tried when nobody says what marks are there."""
+    made = []
+    for diagonal in (False, True):
+        made += [MarkShape(kind, 1.0, diagonal) for kind in (MarkKind.RING_WITH_CROSS, MarkKind.CROSS, MarkKind.WEDGE)]
+        made.append(MarkShape(MarkKind.CROSS, 1.0, diagonal, interrupted=True))
+    return (*made, MarkShape(MarkKind.RING_WITH_DOT, 1.0), MarkShape(MarkKind.DOT, 1.0))
+
+
+def chosen_shapes(kind: str | None, diagonal: bool | None, interrupted: bool | None) -> tuple[MarkShape, ...]:
+    """Those of all shapes that are as asked for; None asks for nothing.
+
+    What has no arms has no direction, and what has no cross no open middle.
+    """
+    made = []
+    for shape in all_shapes():
+        armed = shape.kind in (MarkKind.CROSS, MarkKind.RING_WITH_CROSS)
+        if kind is not None and shape.kind.value != kind:
+            continue
+        if diagonal is not None and (armed or shape.kind is MarkKind.WEDGE) and shape.diagonal != diagonal:
+            continue
+        if interrupted is not None and shape.kind is MarkKind.RING_WITH_CROSS:
+            shape = replace(shape, interrupted=interrupted)
+        if interrupted is not None and shape.kind is MarkKind.CROSS and shape.interrupted != interrupted:
+            continue
+        made.append(shape)
+    return tuple(made)
+
+
+@dataclass(frozen=True)
+class CutOut:
+    """A mark cut out of a photo by the user."""
+
+    pixels: np.ndarray
+    """(rows, columns) float64."""
+    centre: tuple[float, float]
+    """Column and row of the mark in it, pixel centres at .5."""
+
+
+def cut_out(pixels: np.ndarray) -> CutOut:
+    """A user's template (rows, columns) with its centre.
+
+    The centre is the one of symmetry where the template looks alike when it is turned by 180 degrees, else the middle.
+    Raises PhotoError for a template that holds nothing or is too small.
+    """
+    rows, columns = pixels.shape
+    if min(rows, columns) < limits.MIN_TEMPLATE_PX:
+        raise PhotoError(messages.TEMPLATE_TOO_SMALL(width=columns, height=rows, fewest=limits.MIN_TEMPLATE_PX))
+    pixels = np.asarray(pixels, dtype=np.float64)
+    if np.ptp(pixels) == 0:
+        raise PhotoError(messages.TEMPLATE_EMPTY())
+    middle = columns / 2, rows / 2
+    reach = (rows // 4, columns // 4)
+    inner = pixels[reach[0] : rows - reach[0], reach[1] : columns - reach[1]]
+    alike = correlate(pixels[::-1, ::-1], inner)
+    row, column = peak_pixel(alike)
+    if alike[row, column] < MIN_SYMMETRY:
+        return CutOut(pixels, middle)
+    try:
+        x, y = extremum(alike, row, column)
+    except SurfaceError:
+        return CutOut(pixels, middle)
+    return CutOut(pixels, (middle[0] - (x - reach[1]) / 2, middle[1] - (y - reach[0]) / 2))

@@ -1,0 +1,322 @@
+"""One mark to a fraction of a pixel: the template that fits, its place, and whether the place can be trusted."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from enum import Enum
+
+import numpy as np
+from scipy import ndimage
+
+from ...imagery.errors import PhotoError
+from ...imagery.grids import PixelWindow
+from ...imagery.message import Message
+from ...imagery.photos import Photo
+from ...imagery.shifts import shifted
+from . import limits, messages
+from .arrangements import Place, blocks, pointed
+from .correlation import Field, correlate, peak_pixel
+from .correlation_surface import SurfaceError, extremum, fit_surface, surface_extremum
+from .mark_templates import CutOut, MarkKind, MarkShape, draw
+
+BRIGHTNESS_REACH_PX = 2  # 5 x 5 grey values: they hold the grain itself
+REFINING_SIZES = (0.87, 0.93, 1.0, 1.07, 1.15)  # against the coarse size, which is good to 10 %
+REFINING_ROUNDS = 6
+SETTLING_ROUNDS = 5  # two or three are enough to stay within 0.005 px
+LOBE_SHARE = 0.7  # of a mark's size: a ring on its own edge, a cross on its own arm still correlates
+MAX_SECOND_SHARE = 0.85  # of the best correlation: above it, which of the two is the mark is a guess
+HALF_REACH_PX = 4  # how far a half may look for the mark
+MAX_HALF_SHIFT_PX = 1.0  # of a half against the whole: UNBC's marks 0.3 px
+SMOOTHING_PX = 0.5  # standard deviation of the blur against grain before a mark is measured: the lines are wider
+
+
+class Surface(Enum):
+    """What the second-degree surface is laid through."""
+
+    CORRELATION = "correlation"
+    BRIGHTNESS = "brightness"
+
+
+@dataclass(frozen=True)
+class Window:
+    """A piece of the photo around where a mark should be."""
+
+    pixels: np.ndarray
+    """(rows, columns)."""
+    left: int
+    """Column of its first pixel in the photo."""
+    top: int
+    """Row of its first pixel in the photo."""
+
+
+def window_around(photo: Photo, place: Place, half: int) -> Window:
+    """The photo around a place, (2 half + 1, 2 half + 1), a little smoothed. Raises PhotoError outside the photo."""
+    if not photo.contains(place):
+        raise PhotoError(messages.MARK_OUTSIDE())
+    left, top = math.floor(place[0]) - half, math.floor(place[1]) - half
+    pixels = photo.grey(PixelWindow(left, top, 2 * half + 1, 2 * half + 1))
+    return Window(ndimage.gaussian_filter(pixels, SMOOTHING_PX), left, top)
+
+
+@dataclass(frozen=True)
+class Found:
+    """A mark's place."""
+
+    column: float
+    """px, pixel centres at .5."""
+    row: float
+    """px, pixel centres at .5."""
+    correlation: float
+    """With the template at its very place, 1 at most."""
+
+
+@dataclass(frozen=True)
+class Lost:
+    """A mark that could not be measured."""
+
+    reason: Message
+    """Why."""
+    correlation: float | None = None
+    """The best one, where there was any."""
+
+
+def refined(
+    windows: Mapping[str, Window], places: Mapping[str, Place], begin: MarkShape, sign: int, angle: float, finest: float
+) -> tuple[MarkShape, float]:
+    """The drawn mark that correlates best with a photo's marks, in pixels of the photo, and its median correlation.
+
+    ``begin`` has a size good to 15 %; ``places`` are the marks in the frame, mm, and ``angle`` is the frame's rotation
+    in degrees. A mark wider than ``finest`` px is reduced to about that, which is faster.
+    """
+    step = max(1, round(begin.size / finest))
+    fields = {mark: Field(sign * blocks(window.pixels, step)) for mark, window in windows.items()}
+
+    def fitness(shape: MarkShape) -> float:
+        found = []
+        for mark, field in fields.items():
+            values = field.correlate(draw(aimed(shape, places[mark], angle)))
+            found.append(float(values.max()) if values.size else -1.0)
+        return float(np.median(found))
+
+    tried = sorted(((fitness(one), n, one) for n, one in enumerate(_begin(begin.scaled(1 / step)))), reverse=True)
+    best, _, shape = tried[0]
+    for _ in range(REFINING_ROUNDS):
+        before = best
+        for other in _neighbours(shape):
+            value = fitness(other)
+            if value > best:
+                best, shape = value, other
+        if best - before < 1e-3:
+            break
+    return shape.scaled(step), best
+
+
+def levelled(window: Window) -> Window:
+    """A window less the plane that fits it best."""
+    y, x = np.indices(window.pixels.shape, dtype=np.float64)
+    terms = np.column_stack([x.ravel(), y.ravel(), np.ones(x.size)])
+    plane = np.linalg.lstsq(terms, window.pixels.ravel().astype(np.float64), rcond=None)[0]
+    return replace(window, pixels=window.pixels - (terms @ plane).reshape(x.shape))
+
+
+def aimed(shape: MarkShape, place: Place, angle: float) -> MarkShape:
+    """A shape as it stands in a frame turned by an angle: a wedge looks to the middle."""
+    turned = pointed(shape, place)
+    return replace(turned, angle=turned.angle + angle)
+
+
+def _begin(shape: MarkShape) -> Iterator[MarkShape]:
+    for factor in REFINING_SIZES:
+        sized = replace(shape, size=shape.size * factor, softness=0.8)
+        if shape.kind in (MarkKind.DOT, MarkKind.WEDGE):
+            yield sized
+            continue
+        for width in (0.06, 0.12):
+            yield replace(sized, width=width)
+            if shape.kind is MarkKind.RING_WITH_CROSS:
+                yield replace(sized, width=width, reach=1.6)
+
+
+def _neighbours(shape: MarkShape) -> Iterator[MarkShape]:
+    for factor in (0.95, 1.05, 0.98, 1.02):
+        yield replace(shape, size=shape.size * factor)
+    for factor in (0.8, 1.25):
+        yield replace(shape, softness=min(max(shape.softness * factor, limits.PIXEL_SOFTNESS), shape.size / 4))
+        yield replace(shape, width=min(max(shape.width * factor, 0.02), 0.3))
+    if shape.kind in (MarkKind.CROSS, MarkKind.RING_WITH_CROSS):
+        yield replace(shape, interrupted=not shape.interrupted)
+    if shape.kind is MarkKind.RING_WITH_CROSS:
+        for reach in (1.0, 1.4, 1.8):
+            yield replace(shape, reach=reach)
+
+
+class Template:
+    """A mark to measure with: drawn at any sub-pixel place, or the user's cut-out moved there."""
+
+    def __init__(self, mark: MarkShape | CutOut, sign: int) -> None:
+        self._mark, self._sign = mark, sign
+        if isinstance(mark, CutOut):
+            self.centre: Place = (math.floor(mark.centre[0]) + 0.5, math.floor(mark.centre[1]) + 0.5)
+            self._residue = mark.centre[0] - self.centre[0], mark.centre[1] - self.centre[1]
+            self.size = float(min(mark.pixels.shape)) / 2
+            self.halves_tell = True
+        else:
+            self.centre = (mark.margin + 0.5, mark.margin + 0.5)
+            self.size = mark.size
+            self.halves_tell = mark.kind is not MarkKind.WEDGE
+
+    def at(self, offset: Place) -> np.ndarray:
+        """The template with the mark ``offset`` px beside the pixel centre that is ``centre``."""
+        if isinstance(self._mark, CutOut):
+            move = offset[0] - self._residue[0], offset[1] - self._residue[1]
+            return self._sign * shifted(self._mark.pixels, *move)
+        return self._sign * draw(self._mark, offset)
+
+
+def measure(
+    window: Window, near: Place, reach: float, template: Template, least: float, surface: Surface
+) -> Found | Lost:
+    """The mark's place: the correlation's best pixel within reach (px) of where it should be, then the extremum.
+
+    With the surface over the correlation the template is moved to the sub-pixel place and correlated again until
+    it stays there; so the extremum is at the middle of the pixels it is computed from, where it has no bias. No
+    second place in the whole window may fit nearly as well.
+    """
+    field = correlate(window.pixels, template.at((0.0, 0.0)))
+    if field.size == 0:
+        return Lost(messages.MARK_NO_ROOM())
+    row, column = _best_near(field, window, near, reach, template)
+    best = float(field[row, column])
+    if best < least:
+        return Lost(messages.MARK_TOO_WEAK(value=best, least=least), best)
+    second = _second(field, row, column, template.size)
+    if second > MAX_SECOND_SHARE * best:
+        return Lost(messages.MARK_AMBIGUOUS(best=best, second=second), best)
+    try:
+        if surface is Surface.BRIGHTNESS:
+            x, y = _brightness_extremum(window.pixels, column + template.centre[0], row + template.centre[1])
+            pixels = window.pixels
+        else:
+            x, y, best, pixels = _settled(window.pixels, template, (row, column))
+    except SurfaceError as error:
+        return Lost(error.message, best)
+    if best < least:
+        return Lost(messages.MARK_TOO_WEAK(value=best, least=least), best)
+    if math.dist((window.left + x, window.top + y), near) > reach + 2:
+        return Lost(messages.MARK_WANDERS(), best)
+    doubt = _doubt(pixels, template, (x, y))
+    if doubt is not None:
+        return Lost(doubt, best)
+    return Found(window.left + x, window.top + y, best)
+
+
+def _best_near(field: np.ndarray, window: Window, near: Place, reach: float, template: Template) -> tuple[int, int]:
+    """Row and column of the best correlation among places within reach of one; the nearest where there are none."""
+    rows, columns = np.indices(field.shape)
+    x = window.left + columns + template.centre[0] - near[0]
+    y = window.top + rows + template.centre[1] - near[1]
+    distance = np.maximum(np.abs(x), np.abs(y))
+    inside = distance <= max(reach, float(distance.min()))
+    return peak_pixel(np.where(inside, field, -2.0))
+
+
+def _second(field: np.ndarray, row: int, column: int, size: float) -> float:
+    """The highest correlation that is not on the best peak's own slope; -1 where there is no room."""
+    reach = max(3, math.ceil(size * LOBE_SHARE))
+    others = field.copy()
+    others[max(row - reach, 0) : row + reach + 1, max(column - reach, 0) : column + reach + 1] = -1
+    return float(others.max())
+
+
+def _settled(
+    pixels: np.ndarray, template: Template, start: tuple[int, int]
+) -> tuple[float, float, float, np.ndarray]:
+    """Column and row in the window, px, the correlation there, and the pixels less the ground's slope.
+
+    A slope of the ground pulls the correlation to one side; a plane, fitted together with the template, takes it off.
+    """
+    place = start[1] + template.centre[0], start[0] + template.centre[1]
+    offset = (0.0, 0.0)
+    reach = HALF_REACH_PX
+    best = 0.0
+    level = pixels
+    for _ in range(SETTLING_ROUNDS):
+        pattern = template.at(offset)
+        middle = round(place[1] - offset[1] - template.centre[1]), round(place[0] - offset[0] - template.centre[0])
+        level = _without_slope(pixels, pattern, middle)
+        top, left = max(middle[0] - reach, 0), max(middle[1] - reach, 0)
+        area = level[top : middle[0] + pattern.shape[0] + reach, left : middle[1] + pattern.shape[1] + reach]
+        field = correlate(area, pattern)
+        row, column = peak_pixel(field)
+        x, y = extremum(field, row, column)
+        best, before = float(field[row, column]), place
+        place = left + x + template.centre[0] + offset[0], top + y + template.centre[1] + offset[1]
+        offset = _fraction(place[0]), _fraction(place[1])
+        if max(abs(place[0] - before[0]), abs(place[1] - before[1])) < 0.003:
+            break
+    return place[0], place[1], best, level
+
+
+def _without_slope(pixels: np.ndarray, pattern: np.ndarray, corner: tuple[int, int]) -> np.ndarray:
+    """A window less the plane that, together with the pattern at a place, fits it best."""
+    rows, columns = pattern.shape
+    top, left = max(corner[0], 0), max(corner[1], 0)
+    under = pixels[top : corner[0] + rows, left : corner[1] + columns]
+    mark = pattern[top - corner[0] :, left - corner[1] :][: under.shape[0], : under.shape[1]]
+    y, x = np.indices(under.shape, dtype=np.float64)
+    terms = np.column_stack([mark.ravel(), x.ravel(), y.ravel(), np.ones(mark.size)])
+    _, across, down, _ = np.linalg.lstsq(terms, under.ravel().astype(np.float64), rcond=None)[0]
+    y, x = np.indices(pixels.shape, dtype=np.float64)
+    return np.asarray(pixels - across * x - down * y)
+
+
+def _fraction(position: float) -> float:
+    """How far a position lies beside the nearest pixel centre."""
+    return position - 0.5 - round(position - 0.5)
+
+
+def _brightness_extremum(pixels: np.ndarray, x: float, y: float) -> tuple[float, float]:
+    """The extremum of the brightness around a pixel centre (the paper's formula 2)."""
+    reach = BRIGHTNESS_REACH_PX
+    row, column = int(y), int(x)
+    around = pixels[max(row - reach, 0) : row + reach + 1, max(column - reach, 0) : column + reach + 1]
+    if around.shape != (2 * reach + 1, 2 * reach + 1):
+        raise SurfaceError(messages.SURFACE_OUTSIDE())
+    dx, dy, _ = surface_extremum(fit_surface(around), reach, float(np.ptp(pixels)))
+    return column + 0.5 + dx, row + 0.5 + dy
+
+
+def _doubt(pixels: np.ndarray, template: Template, place: Place) -> Message | None:
+    """Why a place can't be trusted: each half of the template, alone, has to find the mark at the same place.
+
+    Dirt, a scratch or the edge of the frame pulls at one half; a place that is no mark has halves that wander off.
+    """
+    if not template.halves_tell:
+        return None
+    whole = template.at((_fraction(place[0]), _fraction(place[1])))
+    middle = int(template.centre[1]), int(template.centre[0])
+    corner = round(place[1] - 0.5) - middle[0], round(place[0] - 0.5) - middle[1]
+    reach = HALF_REACH_PX
+    worst = 0.0
+    for rows, columns in (
+        (slice(0, middle[0] + 1), slice(None)),
+        (slice(middle[0], None), slice(None)),
+        (slice(None), slice(0, middle[1] + 1)),
+        (slice(None), slice(middle[1], None)),
+    ):
+        half = whole[rows, columns]
+        top, left = corner[0] + (rows.start or 0) - reach, corner[1] + (columns.start or 0) - reach
+        area = pixels[max(top, 0) : top + half.shape[0] + 2 * reach, max(left, 0) : left + half.shape[1] + 2 * reach]
+        field = correlate(area, half)
+        if field.shape != (2 * reach + 1, 2 * reach + 1):
+            return messages.MARK_AT_THE_EDGE()
+        row, column = peak_pixel(field)
+        try:
+            x, y = extremum(field, row, column)
+        except SurfaceError:
+            x, y = float(column), float(row)
+        worst = max(worst, abs(x - reach), abs(y - reach))
+    if worst > MAX_HALF_SHIFT_PX:
+        return messages.MARK_HALVES_DIFFER(shift=worst, most=MAX_HALF_SHIFT_PX)
+    return None

@@ -1,0 +1,115 @@
+"""What an interior orientation is asked for and what comes of it."""
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from ...imagery.message import Message
+from . import limits
+from .arrangements import Place
+from .mark_templates import CutOut, MarkShape
+from .measuring_marks import Surface, Window
+from .scan_orientation import OrientationEvidence, ScanOrientation
+from .transformations import Model, Transformation
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A transformation and what it leaves."""
+
+    to_mm: Transformation
+    """Columns and rows to photo coordinates, mm."""
+    to_pixels: Transformation
+    """Back, fitted the same way's inverse."""
+    marks: int
+    """How many took part."""
+    redundancy: int
+    """Degrees of freedom left over; with 0 the residuals are 0 and tell nothing."""
+    rms_x: float
+    """Root mean square of the residuals in x, um."""
+    rms_y: float
+    """Root mean square of the residuals in y, um."""
+
+    @property
+    def rms(self) -> float:
+        """Root mean square of the residual vectors' lengths, um."""
+        return math.hypot(self.rms_x, self.rms_y)
+
+
+class Status(Enum):
+    """How a mark came to its place."""
+
+    MEASURED = "measured"
+    GIVEN = "given"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True)
+class OrientationSettings:
+    """How a photo is measured."""
+
+    template: CutOut | None = None
+    """The user's own; else marks are drawn."""
+    shapes: tuple[MarkShape, ...] = ()
+    """Which marks are drawn, their sizes of no meaning; none for all there are."""
+    sign: int | None = None
+    """1 for marks lighter than their ground (or like the template), -1 for darker ones; None for either."""
+    search: float = limits.DEFAULT_SEARCH_MM
+    """How far around a position a mark is looked for, mm."""
+    least: float = limits.DEFAULT_MIN_CORRELATION
+    """Smallest correlation of a measured mark."""
+    surface: Surface = Surface.CORRELATION
+    model: Model = Model.AFFINE
+
+
+@dataclass(frozen=True)
+class Position:
+    """Where the user says that a mark is."""
+
+    place: Place
+    """Column and row, px, pixel centres at .5."""
+    measure: bool = True
+    """Whether it is approximate and to be measured; else it is taken as it is."""
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What became of a mark of the calibration."""
+
+    name: str
+    calibrated: Place
+    """mm."""
+    status: Status
+    place: Place | None
+    """Column and row, px, pixel centres at .5; None where it failed."""
+    correlation: float | None = None
+    reason: Message | None = None
+    """Why it failed."""
+    residual: Place | None = None
+    """Transformed less calibrated, um in x and y; None without a transformation."""
+
+
+@dataclass(frozen=True)
+class Orientation:
+    """The result for one photo."""
+
+    marks: tuple[Mark, ...]
+    """In the order of the calibration."""
+    fitted: Fitted | None
+    """The transformation; None where too few marks were found."""
+    lying: ScanOrientation | None
+    """How the photo lies in the scan; None where it is not known."""
+    evidence: OrientationEvidence | None
+    """What decided that."""
+    template: MarkShape | CutOut | None
+    """What the marks were measured with."""
+    notices: tuple[Message, ...] = ()
+    """What the user should know."""
+    views: Mapping[str, Window] = field(default_factory=dict)
+    """The surroundings of each mark, for pictures."""
+
+    def count(self, status: Status) -> int:
+        """How many marks have a status."""
+        return sum(mark.status is status for mark in self.marks)

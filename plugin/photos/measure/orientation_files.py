@@ -1,0 +1,94 @@
+"""The files that other programs take from an interior orientation."""
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import PhotoError, SettingsError
+from ...imagery.photos import Photo
+from . import messages
+from .camera_calibration import CameraCalibration
+from .orientation import Fitted, Orientation
+
+
+def parameters(photo: Photo, calibration: CameraCalibration, made: Orientation) -> dict[str, object]:
+    """All there is to know about a transformation, ready for JSON. Raises PhotoError where there is none."""
+    fitted = _fitted(made)
+    corners = np.array([[0.0, 0.0], [photo.columns, 0.0], [0.0, photo.rows], [photo.columns, photo.rows]])
+    linear = fitted.to_mm.linear(corners)[:, :2]
+    across, down = np.hypot(*linear[:, 0]), np.hypot(*linear[:, 1])
+    turned = math.degrees(math.atan2(linear[1, 0], linear[0, 0]))
+    shear = math.degrees(math.asin(float(np.clip(linear[:, 0] @ linear[:, 1] / (across * down), -1, 1))))
+    principal = fitted.to_pixels(np.array([calibration.principal_point]))[0]
+    lying = made.lying
+    return {
+        "photo": photo.ref.name,
+        "columns": photo.columns,
+        "rows": photo.rows,
+        "pixel_coordinates": "column to the right, row downwards, the first pixel's centre at (0.5, 0.5)",
+        "photo_coordinates": "mm, x to the right, y upwards",
+        "model": fitted.to_mm.model.value,
+        "to_mm": _rows(fitted.to_mm.matrix),
+        "to_pixels": _rows(fitted.to_pixels.matrix),
+        "pixel_size_um": {"x": 1000 * float(across), "y": 1000 * float(down)},
+        "scale_px_per_mm": {"x": 1 / float(across), "y": 1 / float(down)},
+        "rotation_deg": turned,
+        "shear_deg": shear,
+        "mirrored": bool(np.linalg.det(linear) > 0),
+        "lies": None if lying is None else {
+            "turned_deg": lying.turned,
+            "mirrored": lying.mirrored,
+            "known_by": None if made.evidence is None else made.evidence.value,
+        },
+        "marks": fitted.marks,
+        "redundancy": fitted.redundancy,
+        "rms_um": fitted.rms if fitted.redundancy else None,
+        "rms_x_um": fitted.rms_x if fitted.redundancy else None,
+        "rms_y_um": fitted.rms_y if fitted.redundancy else None,
+        "principal_point_mm": {"x": calibration.principal_point[0], "y": calibration.principal_point[1]},
+        "principal_point_px": {"column": float(principal[0]), "row": float(principal[1])},
+        "focal_length_mm": calibration.focal_length,
+        "focal_length_px": None if calibration.focal_length is None
+        else calibration.focal_length / float(math.sqrt(across * down)),
+        "notices": [str(notice) for notice in made.notices],
+    }
+
+
+def world_file(photo: Photo, made: Orientation) -> str:
+    """The six lines of a world file that puts a photo's pixels in millimetres.
+
+    A projective transformation is replaced by the affine one that comes nearest at the photo's marks. Raises PhotoError
+    where there is no transformation.
+    """
+    fitted = _fitted(made)
+    places = np.array([mark.place for mark in made.marks if mark.place is not None])
+    a, b, c, d, e, f = fitted.to_mm.linear(places).ravel()
+    lines = (a, d, b, e, a / 2 + b / 2 + c, d / 2 + e / 2 + f)
+    return "".join(f"{value:.15g}\n" for value in lines)
+
+
+def save(text: str, path: Path) -> None:
+    """Write a text file. Raises SettingsError where none can be."""
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error.strerror or error)) from None
+
+
+def parameters_text(photo: Photo, calibration: CameraCalibration, made: Orientation) -> str:
+    """``parameters`` as JSON."""
+    return json.dumps(parameters(photo, calibration, made), indent=2, ensure_ascii=False) + "\n"
+
+
+def _fitted(made: Orientation) -> Fitted:
+    if made.fitted is None:
+        raise PhotoError(messages.NO_TRANSFORMATION())
+    return made.fitted
+
+
+def _rows(matrix: np.ndarray) -> list[list[float]]:
+    return [[float(value) for value in row] for row in matrix]

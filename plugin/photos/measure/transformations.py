@@ -1,0 +1,127 @@
+"""Pixels to millimetres and back: similarity, affine and projective, by least squares."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from ...imagery.errors import PhotoError
+from . import messages
+
+
+class Model(Enum):
+    """A transformation between two planes."""
+
+    AFFINE = "affine"
+    SIMILARITY = "similarity"
+    PROJECTIVE = "projective"
+
+
+LEAST_MARKS = {Model.SIMILARITY: 2, Model.AFFINE: 3, Model.PROJECTIVE: 4}
+"""Marks that determine a model without any left over for a check."""
+
+_PARAMETERS = {Model.SIMILARITY: 4, Model.AFFINE: 6, Model.PROJECTIVE: 8}
+
+
+@dataclass(frozen=True)
+class Transformation:
+    """A plane to a plane."""
+
+    model: Model
+    matrix: np.ndarray
+    """(3, 3) homogeneous, its last element 1."""
+
+    def __call__(self, points: np.ndarray) -> np.ndarray:
+        """(n, 2) transformed."""
+        made = np.column_stack([points, np.ones(len(points))]) @ self.matrix.T
+        return np.asarray(made[:, :2] / made[:, 2:])
+
+    @property
+    def inverse(self) -> Transformation:
+        """Back again."""
+        matrix = np.linalg.inv(self.matrix)
+        return Transformation(self.model, matrix / matrix[2, 2])
+
+    def linear(self, points: np.ndarray) -> np.ndarray:
+        """(2, 3): the affine transformation that comes nearest at some points; itself unless projective."""
+        if self.model is not Model.PROJECTIVE:
+            return np.asarray(self.matrix[:2])
+        return np.asarray(fit(Model.AFFINE, points, self(points), mirrored=None).matrix[:2])
+
+
+def redundancy(model: Model, marks: int) -> int:
+    """Degrees of freedom: observed coordinates less unknowns. Below 1 the residuals say nothing."""
+    return 2 * marks - _PARAMETERS[model]
+
+
+def fit(model: Model, source: np.ndarray, target: np.ndarray, mirrored: bool | None = None) -> Transformation:
+    """The transformation of (n, 2) points to (n, 2) points with the least squares of residuals in the target.
+
+    A similarity keeps its sense of rotation or, when ``mirrored``, turns it round; None takes the better one.
+    Raises PhotoError for too few points or for points in one place or on one line.
+    """
+    if len(source) < LEAST_MARKS[model]:
+        raise PhotoError(messages.TOO_FEW_MARKS(model=model.value, least=LEAST_MARKS[model], count=len(source)))
+    source, target = np.asarray(source, dtype=np.float64), np.asarray(target, dtype=np.float64)
+    centre, size = source.mean(axis=0), max(float(np.abs(source - source.mean(axis=0)).max()), 1e-300)
+    spread = np.linalg.svd(source - centre, compute_uv=False)
+    if spread[0] < 1e-9 or (model is not Model.SIMILARITY and spread[1] < 1e-6 * spread[0]):
+        raise PhotoError(messages.MARKS_ON_A_LINE(model=model.value))
+    normalise = np.array([[1 / size, 0, -centre[0] / size], [0, 1 / size, -centre[1] / size], [0, 0, 1]])
+    scaled = (source - centre) / size
+    if model is Model.SIMILARITY:
+        made = min(
+            (_similarity(scaled, target, mirror) for mirror in ((False, True) if mirrored is None else (mirrored,))),
+            key=lambda matrix: _misfit(matrix, scaled, target),
+        )
+    elif model is Model.AFFINE:
+        made = _affine(scaled, target)
+    else:
+        made = _projective(scaled, target)
+    matrix = made @ normalise
+    return Transformation(model, matrix / matrix[2, 2])
+
+
+def _misfit(matrix: np.ndarray, source: np.ndarray, target: np.ndarray) -> float:
+    return float(np.sum((Transformation(Model.AFFINE, matrix)(source) - target) ** 2))
+
+
+def _similarity(source: np.ndarray, target: np.ndarray, mirrored: bool) -> np.ndarray:
+    sign = -1.0 if mirrored else 1.0
+    x, y = source.T
+    one, none = np.ones_like(x), np.zeros_like(x)
+    rows = np.concatenate([np.stack([x, -sign * y, one, none], 1), np.stack([sign * y, x, none, one], 1)])
+    a, b, c, d = np.linalg.lstsq(rows, np.concatenate([target[:, 0], target[:, 1]]), rcond=None)[0]
+    return np.array([[a, -sign * b, c], [b, sign * a, d], [0.0, 0.0, 1.0]])
+
+
+def _affine(source: np.ndarray, target: np.ndarray) -> np.ndarray:
+    rows = np.column_stack([source, np.ones(len(source))])
+    return np.vstack([np.linalg.lstsq(rows, target, rcond=None)[0].T, [0.0, 0.0, 1.0]])
+
+
+def _projective(source: np.ndarray, target: np.ndarray) -> np.ndarray:
+    """Direct linear transformation, then a few steps of Gauss and Newton on the residuals themselves."""
+    shift, scale = target.mean(axis=0), max(float(np.abs(target - target.mean(axis=0)).max()), 1e-300)
+    aim = (target - shift) / scale
+    parameters = np.append(_affine(source, aim)[:2].ravel(), [0.0, 0.0])
+    x, y = source.T
+    for _ in range(20):
+        a, b, c, d, e, f, g, h = parameters
+        below = g * x + h * y + 1
+        u, v = (a * x + b * y + c) / below, (d * x + e * y + f) / below
+        none = np.zeros_like(x)
+        columns = np.stack([x, y, np.ones_like(x)], 1) / below[:, np.newaxis]
+        nothing = np.stack([none] * 3, 1)
+        rows = np.concatenate([
+            np.column_stack([columns, nothing, -u * x / below, -u * y / below]),
+            np.column_stack([nothing, columns, -v * x / below, -v * y / below]),
+        ])
+        step = np.linalg.lstsq(rows, np.concatenate([aim[:, 0] - u, aim[:, 1] - v]), rcond=None)[0]
+        parameters = parameters + step
+        if np.abs(step).max() < 1e-14:
+            break
+    made = np.append(parameters, 1.0).reshape(3, 3)
+    back = np.array([[scale, 0, shift[0]], [0, scale, shift[1]], [0, 0, 1]])
+    return np.asarray(back @ made)

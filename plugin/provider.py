@@ -1,0 +1,66 @@
+"""The provider ``seaminspector``: our algorithms and ready models in the toolbox, the modeler and qgis_process."""
+from __future__ import annotations
+
+from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.PyQt.QtGui import QIcon
+
+from .noise.checknoise import CheckNoise
+from .photos.algorithms.comparemarks import CompareMarks
+from .photos.algorithms.enhancephoto import EnhancePhoto
+from .photos.algorithms.interiororientation import InteriorOrientation
+from .radiometry.checkradiometry import CheckRadiometry
+from .resolution.algorithms.measureresolution import MeasureResolution
+from .resolution.algorithms.minimumheight import MinimumHeight
+from .resolution.algorithms.simulatebayer import SimulateBayer
+from .seams.algorithms.calibratethreshold import CalibrateThreshold
+from .seams.algorithms.inspectwindows import InspectWindows
+from .seams.algorithms.placewindows import PlaceWindows
+from .seams.algorithms.predictloss import PredictLoss
+from .seams.algorithms.report import Report
+from .sensors.algorithms.comparesensormodels import CompareSensorModels
+from .sensors.algorithms.fitsensormodel import FitSensorModel
+from .sensors.algorithms.orthorectify import Orthorectify
+from .toolkit.resources import icon_path, model_paths
+
+ALGORITHMS = (
+    PlaceWindows,
+    InspectWindows,
+    PredictLoss,
+    CalibrateThreshold,
+    Report,
+    CheckNoise,
+    CheckRadiometry,
+    MeasureResolution,
+    MinimumHeight,
+    SimulateBayer,
+    InteriorOrientation,
+    CompareMarks,
+    EnhancePhoto,
+    FitSensorModel,
+    CompareSensorModels,
+    Orthorectify,
+)
+
+
+class SeamInspectorProvider(QgsProcessingProvider):
+    """Offers every algorithm of ``ALGORITHMS`` and every model of resources/models."""
+
+    def id(self) -> str:
+        return "seaminspector"
+
+    def name(self) -> str:
+        return "Seam Inspector"
+
+    def icon(self) -> QIcon:
+        return QIcon(icon_path())
+
+    def svgIconPath(self) -> str:
+        return icon_path()
+
+    def loadAlgorithms(self) -> None:
+        for algorithm in ALGORITHMS:
+            self.addAlgorithm(algorithm())
+        for path in model_paths():
+            model = QgsProcessingModelAlgorithm()
+            if model.fromFile(path):
+                self.addAlgorithm(model)

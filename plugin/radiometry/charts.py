@@ -1,0 +1,79 @@
+"""Charts of a radiometric acceptance: histograms with their limits, and the seams' steps against contrast."""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from ..toolkit.charts.curve_chart import BAND_COLOURS, PAPER
+from ..toolkit.charts.figure_files import new_figure
+from ..toolkit.translation import tr
+from .measure.assessment import Assessment
+from .measure.rules import CLIPPED_HIGH, CLIPPED_LOW, PEAK, SEAM_CONTRAST, SEAM_STEP
+
+
+def histogram_figure(result: Assessment) -> Figure | None:
+    """The histograms of an image's bands, the tails that count as clipped and where the peak has to lie."""
+    if result.available is None or not result.histograms:
+        return None
+    low, high = result.available
+    figure = new_figure(6.2, 2.7)
+    axes = figure.subplots()
+    spare = iter(PAPER.sources * 9)
+    for name, histogram in result.histograms.items():
+        counts, middles = histogram.binned(result.available)
+        colour = BAND_COLOURS.get(name) or (PAPER.text if len(result.histograms) == 1 else next(spare))
+        axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=name)
+    rules = {finding.rule.check: finding.rule for finding in result.findings}
+    whole = next(iter(result.histograms.values())).has_steps
+    for check in (CLIPPED_LOW, CLIPPED_HIGH):
+        if check in rules:
+            width = rules[check].values * (1 if whole else (high - low) / 256)
+            start = low - 0.5 if check == CLIPPED_LOW else high - width + 0.5
+            axes.axvspan(start, start + width, color=PAPER.limit, alpha=0.2, linewidth=0)
+    most = rules[PEAK].most if PEAK in rules else None
+    if most is not None:
+        reach, middle = most * (high - low), (low + high) / 2
+        axes.axvspan(middle - reach, middle + reach, color="#009e73", alpha=0.12, linewidth=0,
+                     label=tr("where the peak should lie"))
+    axes.set_xlim(low - 0.01 * (high - low), high + 0.01 * (high - low))
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel(tr("value (DN)"))
+    axes.set_ylabel(tr("pixels (%)"))
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(fontsize="small", frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def balance_figure(results: Sequence[Assessment]) -> Figure | None:
+    """Contrast beside the seams against the step at them, a point for each raster with seams: tonal unity is bought
+    with contrast. None with fewer than two."""
+    points = [(result, *pair) for result in results if (pair := step_and_contrast(result)) is not None]
+    if len(points) < 2:
+        return None
+    figure = new_figure(6.2, 3.9)
+    axes = figure.subplots()
+    for index, (result, step, contrast) in enumerate(points):
+        label = result.image.ref.name if result.window_id is None else f"{result.image.ref.name} {result.window_id}"
+        axes.plot([100 * step], [100 * contrast], "o", color=PAPER.sources[index % len(PAPER.sources)], markersize=8,
+                  label=label)
+    axes.set_xlim(0, 115 * max(max(step for _, step, _ in points), 1e-3))
+    axes.set_ylim(0, 115 * max(max(contrast for _, _, contrast in points), 1e-3))
+    axes.set_xlabel(tr("largest step at a seam (% of the largest value)"))
+    axes.set_ylabel(tr("contrast beside the seams (% of the range)"))
+    axes.grid(True, color=PAPER.grid)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(fontsize="small", frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def step_and_contrast(result: Assessment) -> tuple[float, float] | None:
+    """The largest step of any seam and band, and the mean of the bands' contrasts beside the seams; None where they
+    are not measured."""
+    steps, contrasts = (
+        [finding.value for finding in result.findings if finding.rule.check == check and finding.value is not None]
+        for check in (SEAM_STEP, SEAM_CONTRAST)
+    )
+    return (max(steps), math.fsum(contrasts) / len(contrasts)) if steps and contrasts else None

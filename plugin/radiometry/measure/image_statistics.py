@@ -1,0 +1,174 @@
+"""Histograms and sampled areas of a raster, streamed in blocks: memory is flat, the time close to the bare read's."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+import numpy as np
+
+from ...imagery.grids import PixelWindow
+from ...imagery.pixels import PixelImage, Pixels
+from ...imagery.value_ranges import ValueRange
+from . import limits
+from .uniform_areas import Areas, joined, sample_areas
+
+MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
+MAX_AREAS = 8192  # looked at, spread over the raster: memory is flat and the time a small part of the read's
+
+_BINS = 65536  # of 16 bit values one each; of values without steps of their own, over the range that was given
+_SHOWN_BINS = 256
+_Block = tuple[np.ndarray, Optional[np.ndarray]]
+"""(bands, rows, columns) and where they are invalid."""
+
+
+@dataclass(frozen=True, eq=False)
+class Histogram:
+    """How often a band has each value."""
+
+    values: np.ndarray
+    """(bins,) float64: the value of each bin, rising; the middle of the bin for values without steps."""
+    counts: np.ndarray
+    """(bins,) int64, valid pixels only."""
+
+    @property
+    def pixels(self) -> int:
+        """How many valid pixels there are."""
+        return int(self.counts.sum())
+
+    @property
+    def mean(self) -> float:
+        """Of all valid pixels; NaN where there are none."""
+        return float(self.counts @ self.values / self.pixels) if self.pixels else math.nan
+
+    @property
+    def deviation(self) -> float:
+        """Standard deviation of all valid pixels."""
+        return math.sqrt(self.counts @ (self.values - self.mean) ** 2 / self.pixels) if self.pixels else math.nan
+
+    @property
+    def largest(self) -> float:
+        """The largest value that occurs; NaN where there is none."""
+        return float(self.values[np.flatnonzero(self.counts)[-1]]) if self.pixels else math.nan
+
+    def share(self, least: float = -math.inf, most: float = math.inf) -> float:
+        """Share of the pixels with values from ``least`` to ``most``, both inclusive."""
+        inside = (self.values >= least) & (self.values <= most)
+        return float(self.counts[inside].sum()) / self.pixels
+
+    @property
+    def has_steps(self) -> bool:
+        """Whether each bin is one whole number."""
+        return bool(self.values[1] - self.values[0] == 1)
+
+    def binned(self, available: ValueRange) -> tuple[np.ndarray, np.ndarray]:
+        """Counts in up to 256 equal bins over a range, and their middles; values beyond it are in the outer bins."""
+        low, high = available
+        extent = high - low + self.has_steps
+        bins = min(_SHOWN_BINS, int(extent)) if self.has_steps else _SHOWN_BINS
+        places = np.clip(np.floor((self.values - low) * (bins / extent)), 0, bins - 1).astype(np.int64)
+        middles = low + (np.arange(bins) + 0.5) * (extent / bins) - self.has_steps / 2
+        return np.bincount(places, self.counts, bins).astype(np.int64), middles
+
+
+@dataclass(frozen=True, eq=False)
+class ImageStatistics:
+    """What streaming a raster, or a window of it, leaves."""
+
+    histograms: dict[str, Histogram]
+    """By band name."""
+    areas: Areas
+    """Areas of 16 x 16 px spread over it, those with an invalid pixel left out."""
+    complete: bool
+    """False when it was cancelled before the end."""
+
+
+def can_count(image: PixelImage, given: ValueRange | None) -> bool:
+    """Whether the values can be counted: those of 8 and 16 bit always, others over a given range."""
+    dtype = np.dtype(image.data_type)
+    return given is not None or (dtype.itemsize <= 2 and dtype.kind in "iu")
+
+
+def stream(
+    pixels: Pixels,
+    image: PixelImage,
+    window: PixelWindow,
+    given: ValueRange | None = None,
+    progress: Callable[[float], bool] = lambda share: True,
+) -> ImageStatistics:
+    """Histograms and areas of a window of a raster, read block by block, every block once and
+    one ahead.
+
+    ``given`` is the range over which values other than 8 and 16 bit are counted; ``progress`` is told the share that
+    is done after each block and ends the work by returning False.
+
+    Raises RasterError when the pixels can't be read.
+    """
+    counts: np.ndarray | None = None
+    areas: list[Areas] = []
+    done = 0
+    step = area_step(window)
+    for block, (bands, invalid) in _read_ahead(pixels, pixels.blocks(window, MAX_BLOCK_PIXELS)):
+        own = np.stack([_counted(band, invalid, given) for band in bands])
+        counts = own if counts is None else counts + own
+        areas.append(sample_areas(bands, invalid, step))
+        done += block.width * block.height
+        if not progress(done / (window.width * window.height)):
+            break
+    assert counts is not None
+    values = _values(np.dtype(image.data_type), given)
+    histograms = {name: Histogram(values, own) for name, own in zip(image.band_names, counts)}
+    return ImageStatistics(histograms, joined(areas), done == window.width * window.height)
+
+
+def _read_ahead(pixels: Pixels, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, _Block]]:
+    """Every block with its pixels; the next one is read in a thread of its own meanwhile."""
+    with ThreadPoolExecutor(1) as reader:
+        coming: tuple[PixelWindow, Future[_Block]] | None = None
+        for block in blocks:
+            ready, coming = coming, (block, reader.submit(pixels.read, block))
+            if ready is not None:
+                yield ready[0], ready[1].result()
+        if coming is not None:
+            yield coming[0], coming[1].result()
+
+
+def area_step(window: PixelWindow) -> int:
+    """Distance between the areas that are looked at, px: side by side where that is no more than 8192."""
+    return max(limits.AREA_PX, math.ceil(math.sqrt(window.width * window.height / MAX_AREAS)))
+
+
+def _counted(band: np.ndarray, invalid: np.ndarray | None, given: ValueRange | None) -> np.ndarray:
+    counts = _counts(band, given)
+    if invalid is not None:
+        counts -= _counts(band[invalid], given)
+    return counts
+
+
+def _counts(band: np.ndarray, given: ValueRange | None) -> np.ndarray:
+    """How often each value occurs. Two 8 bit values are counted as one of 16 bit, in a third less time."""
+    if band.dtype.kind in "iu" and band.dtype.itemsize <= 2:
+        unsigned = band.view(f"u{band.dtype.itemsize}").ravel()
+        if band.dtype.itemsize == 1:
+            even = len(unsigned) // 2 * 2
+            pairs = np.bincount(unsigned[:even].view(np.uint16), minlength=_BINS).reshape(256, 256)
+            counts = pairs.sum(axis=0) + pairs.sum(axis=1) + np.bincount(unsigned[even:], minlength=256)
+        else:
+            counts = np.bincount(unsigned, minlength=_BINS)
+        return np.roll(counts, len(counts) // 2) if band.dtype.kind == "i" else counts
+    assert given is not None
+    low, high = given
+    with np.errstate(invalid="ignore"):  # invalid pixels may be NaN; they are taken off again
+        places = np.nan_to_num((band.ravel().astype(np.float64) - low) * (_BINS / (high - low)))
+    return np.bincount(np.clip(places, 0, _BINS - 1).astype(np.int64), minlength=_BINS)
+
+
+def _values(dtype: np.dtype, given: ValueRange | None) -> np.ndarray:
+    if dtype.kind in "iu" and dtype.itemsize <= 2:
+        information = np.iinfo(dtype)
+        return np.arange(information.min, information.max + 1, dtype=np.float64)
+    assert given is not None
+    low, high = given
+    return low + (np.arange(_BINS) + 0.5) * ((high - low) / _BINS)

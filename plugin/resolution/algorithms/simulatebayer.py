@@ -1,0 +1,85 @@
+"""``seaminspector:simulatebayer``: what a single-chip camera would have seen."""
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterRasterLayer,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...toolkit.algorithms import groups
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.translation import tr
+from ..measure import limits
+
+RASTER, PATTERN, DEMOSAIC, OUTPUT = "RASTER", "PATTERN", "DEMOSAIC", "OUTPUT"
+
+
+class SimulateBayer(SeamInspectorAlgorithm):
+    """An image through a Bayer filter and back."""
+
+    ID = "simulatebayer"
+    NAME = QT_TRANSLATE_NOOP("@default", "Simulate a Bayer filter")
+    GROUP = groups.GROUND_RESOLUTION
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its "
+        "filter is kept, and the other two are interpolated from the neighbours. Fine lines get wider and coloured "
+        "(Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(RASTER, tr("Image")),
+            tr("A colour image, or one of a single band, north-up or without georeference."),
+        )
+        self.addDescribed(
+            common.choice(PATTERN, tr("Pattern"), limits.BAYER_PATTERNS),
+            tr("Colours of the filter over the first two pixels of the first row, then of the second."),
+        )
+        self.addDescribed(
+            common.choice(DEMOSAIC, tr("Interpolation"), limits.DEMOSAICS),
+            tr(
+                "bilinear: the mean of the nearest pixels of the colour. edge_aware: along edges, by OpenCV, which has "
+                "to be installed."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterRasterDestination(OUTPUT, tr("Seen by a single chip")),
+            tr("Red, green and blue on the image's own pixels, in its data type."),
+        )
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..measure.bayer import check_demosaic
+
+        check_demosaic(*self._ways(parameters, context))
+        self.describe_picture(parameters, RASTER, context)
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._raster = self.describe_picture(parameters, RASTER, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..measure.bayer import simulate_file
+
+        path = self.parameterAsOutputLayer(parameters, OUTPUT, context)
+
+        def progress(share: float) -> bool:
+            feedback.setProgress(100 * share)
+            return not feedback.isCanceled()
+
+        simulate_file(self._raster, path, *self._ways(parameters, context), progress)
+        return {OUTPUT: path}
+
+    def _ways(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, str]:
+        """Pattern and interpolation."""
+        return (
+            self.parameterAsString(parameters, PATTERN, context),
+            self.parameterAsString(parameters, DEMOSAIC, context),
+        )

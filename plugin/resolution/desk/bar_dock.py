@@ -1,0 +1,296 @@
+"""The dock of bar groups: draw a line across the bars of each group and watch its profile."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from qgis.core import (
+    Qgis,
+    QgsApplication,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsGeometry,
+    QgsMapLayerProxyModel,
+    QgsPointXY,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
+from qgis.gui import QgisInterface
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtWidgets import (
+    QBoxLayout,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QSpinBox,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...imagery.errors import SeamInspectorError
+from ...imagery.message import Message
+from ...imagery.rasters import Mosaic
+from ...toolkit.background_task import End, Outcome
+from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.desk.clipped_label import ClippedLabel
+from ...toolkit.desk.layer_box import LayerBox
+from ...toolkit.desk.tool_dock import ToolDock
+from ...toolkit.layers import layer_ref, mosaic_crs
+from ...toolkit.translation import sentence, tr
+from .. import line_layer
+from ..jobs import bar_job, image_job
+from ..line_table import pixel_segment
+from ..measure import limits, messages
+from ..measure.bar_groups import BarLine, Resolution
+from ..measure.target import DIRECTIONS, Target
+from .bar_profile import BarProfile
+from .bar_tool import BarTool
+
+if TYPE_CHECKING:
+    from ..measure.bar_groups import GroupResult
+
+_Filter = QgsMapLayerProxyModel.Filter
+
+
+class BarDock(ToolDock):
+    """Owns the map tool, the profile and the tasks."""
+
+    def __init__(self, iface: QgisInterface) -> None:
+        super().__init__(iface, tr("Bar groups"), "SeamInspectorBarDock")
+        self._background = BackgroundTasks(self)
+        self._raster: Mosaic | None = None  # the image, once it is open
+        self._waiting: BarLine | None = None  # the newest line, while an older one is measured
+        self.results: tuple[GroupResult, ...] = ()
+        tool = BarTool(self._canvas)
+        self._offer_tool(
+            tool, "bar_group", tr("Draw a line across the bars of the group: drag, or click at both ends.")
+        )
+        self.image = LayerBox(_Filter.RasterLayer, tr("no image"))
+        self.image.only_files()
+        self.lines = LayerBox(_Filter.LineLayer, tr("new layer"))
+        self.group, self.bars, self.reference_group = (self._whole(value) for value in (
+            1, limits.DEFAULT_BARS, limits.DEFAULT_REFERENCE_GROUP
+        ))
+        self.bars.setMinimum(limits.MIN_BARS)
+        self.reference_grd = QDoubleSpinBox()
+        self.reference_grd.setRange(0.01, 100000)
+        self.reference_grd.setSuffix(tr(" cm"))
+        self.reference_grd.setValue(limits.DEFAULT_REFERENCE_GRD_CM)
+        self.direction = QComboBox()
+        for direction, words in zip(DIRECTIONS, (tr("along"), tr("across"))):
+            self.direction.addItem(words, direction)
+        self.profile = BarProfile()
+        self.verdict = ClippedLabel(4)
+        self._lay_out()
+        self.image.layerChanged.connect(self._image_changed)
+        self.direction.currentIndexChanged.connect(self._take_next)
+        tool.moved.connect(self._line_moved)
+        tool.drawn.connect(self._line_drawn)
+        tool.cancelled.connect(self._line_cancelled)
+        self._background.ended.connect(self._task_ended)
+        self._background.failed.connect(self._warn)
+        self._image_changed()
+
+    def close_desk(self) -> None:
+        super().close_desk()
+        self._background.close()
+
+    def target(self) -> Target:
+        """The target as it is set here."""
+        return Target(self.bars.value(), self.reference_group.value(), self.reference_grd.value())
+
+    def line_layer(self) -> QgsVectorLayer | None:
+        """The layer that lines are added to; None until there is one."""
+        layer = self.lines.currentLayer()
+        return layer if isinstance(layer, QgsVectorLayer) else None
+
+    # the line
+
+    def _line_moved(self, start: QgsPointXY, end: QgsPointXY) -> None:
+        line = self._bar_line(start, end)
+        if line is not None:
+            self._measure(line)
+
+    def _line_drawn(self, start: QgsPointXY, end: QgsPointXY) -> None:
+        raster, line = self._raster, self._bar_line(start, end)
+        if raster is None or line is None:
+            return
+        self._measure(line)
+        try:
+            layer = self.line_layer() or self._new_layer(raster)
+            map_crs = self._canvas.mapSettings().destinationCrs()
+            transform = QgsCoordinateTransform(map_crs, layer.crs(), QgsProject.instance().transformContext())
+            shape = QgsGeometry.fromPolylineXY([start, end])
+            line_layer.add_bar_line(layer, shape, transform, self.group.value(), self.direction.currentData())
+        except SeamInspectorError as error:
+            self._warn(error.message)
+            return
+        layer.triggerRepaint()
+        self.group.setValue(self.group.value() + 1)
+
+    def _line_cancelled(self) -> None:
+        self._waiting = None
+        self.results = ()
+        self.profile.show_results([], self.target().criterion)
+        self.verdict.setText(self.draw.toolTip())
+
+    def _new_layer(self, raster: Mosaic) -> QgsVectorLayer:
+        folder = Path(QgsProject.instance().homePath() or QgsApplication.qgisSettingsDirPath())
+        layer = line_layer.create_bar_layer(mosaic_crs(raster), folder)
+        QgsProject.instance().addMapLayer(layer)
+        self.lines.show_layer(layer.id())
+        return layer
+
+    def _take_next(self) -> None:
+        """The next number of the direction, where its lines have numbers."""
+        following = line_layer.next_group(self.line_layer(), self.direction.currentData())
+        if following is not None:
+            self.group.setValue(following)
+
+    def _bar_line(self, start: QgsPointXY, end: QgsPointXY) -> BarLine | None:
+        """A line of the map in pixels of the image; None without image or where the map has no place on it."""
+        if self._raster is None:
+            return None
+        map_crs, crs = self._canvas.mapSettings().destinationCrs(), mosaic_crs(self._raster)
+        transform = QgsCoordinateTransform(map_crs, crs, QgsProject.instance().transformContext())
+        try:
+            ends = [transform.transform(start), transform.transform(end)]
+        except QgsCsException:
+            return None
+        if ends[0] == ends[1]:
+            return None
+        return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, self._raster.grid))
+
+    # measuring, in the background
+
+    def _measure(self, line: BarLine) -> None:
+        """Measure a line as soon as the one before is done; those between are left out."""
+        if self._raster is None:
+            return
+        if self._background.is_under_way(_KEY):
+            self._waiting = line
+            return
+        self._waiting = None
+        job = bar_job(self._raster, line, self.target(), limits.DEFAULT_BAR_WIDTH_PX)
+        self._background.start(tr("Measure a bar group"), job, self._take, _KEY)
+
+    def _task_ended(self, key: object, outcome: Outcome) -> None:
+        if key == _IMAGE_KEY and outcome.end is not End.DONE:
+            self.image.show_layer("")  # cancelled in QGIS, or failed, which a message told
+            self._image_changed()
+        elif self._waiting is not None:
+            self._measure(self._waiting)
+
+    def _take(self, resolution: object) -> None:
+        assert isinstance(resolution, Resolution)
+        self.results = resolution.results
+        self.profile.show_results(self.results, self.target().criterion)
+        self.verdict.setText(_verdict(resolution))
+
+    def _image_changed(self) -> None:
+        """Open the image, in the background: it may lie on a slow network."""
+        self._background.abandon()  # what is under way is of the image before
+        self._raster = self._waiting = None
+        self.draw.setEnabled(False)
+        layer = self.image.currentLayer()
+        if not isinstance(layer, QgsRasterLayer):
+            self._refuse(messages.NO_BAR_IMAGE())
+            return
+        try:
+            job = image_job(layer_ref(layer))
+        except SeamInspectorError as error:
+            self._refuse(error.message)
+            return
+        self.verdict.setText(tr("Reading the pictures ..."))
+        self._background.start(tr("Read pictures"), job, self._take_image, _IMAGE_KEY)
+
+    def _take_image(self, found: object) -> None:
+        if isinstance(found, Mosaic):
+            self._raster = found
+            self.draw.setEnabled(True)
+            self.verdict.setText(self.draw.toolTip())
+        else:
+            assert isinstance(found, Message)
+            self._refuse(found)
+
+    def _refuse(self, why: Message) -> None:
+        """There is no image to draw on."""
+        self._leave_tool()
+        self.verdict.setText(sentence(why))
+
+    # widgets
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Side by side when the dock is wide, one above the other when it is narrow."""
+        super().resizeEvent(event)
+        directions = QBoxLayout.Direction
+        self._sides.setDirection(directions.LeftToRight if self.is_wide else directions.TopToBottom)
+
+    def _warn(self, message: Message) -> None:
+        self._show_message(sentence(message), Qgis.MessageLevel.Warning)
+
+    @staticmethod
+    def _whole(value: int) -> QSpinBox:
+        box = QSpinBox()
+        box.setRange(-999, 999)
+        box.setValue(value)
+        return box
+
+    def _lay_out(self) -> None:
+        button = QToolButton()
+        button.setDefaultAction(self.draw)
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.group.setToolTip(tr("Number of the group that is drawn next; it goes up by one with every line."))
+        self.bars.setToolTip(tr("How many bars each group of the target has."))
+        self.reference_group.setToolTip(tr("Number of the group whose distance is known. Higher numbers are finer."))
+        self.reference_grd.setToolTip(tr("Width of one bar and one gap of the reference group together."))
+        form = QFormLayout()
+        form.setContentsMargins(0, 0, 0, 0)
+        form.addRow(tr("Image"), self.image)
+        form.addRow(tr("Lines"), self.lines)
+        form.addRow(tr("Bars"), self.bars)
+        form.addRow(tr("Reference"), _row(self.reference_group, self.reference_grd))
+        form.addRow(tr("Group"), _row(self.group, self.direction, button))
+        settings = QVBoxLayout()
+        settings.addLayout(form)
+        settings.addStretch()
+        shown = QVBoxLayout()
+        shown.addWidget(self.profile, 1)
+        shown.addWidget(self.verdict)
+        self._sides = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._sides.setContentsMargins(4, 2, 4, 4)
+        self._sides.setSpacing(6)
+        self._sides.addLayout(settings)
+        self._sides.addLayout(shown, 1)
+        body = QWidget()
+        body.setLayout(self._sides)
+        self.setWidget(body)
+
+
+_KEY, _IMAGE_KEY = "bar group", "image"
+
+
+def _row(*widgets: QWidget) -> QWidget:
+    row, layout = QWidget(), QHBoxLayout()
+    layout.setContentsMargins(0, 0, 0, 0)
+    for widget in widgets:
+        layout.addWidget(widget, 1)
+    row.setLayout(layout)
+    return row
+
+
+def _verdict(resolution: Resolution) -> str:
+    """What a line by itself shows: its distance and verdict, or the reasons why it has none."""
+    results = resolution.results
+    reasons = list(dict.fromkeys(sentence(result.reason) for result in results if result.reason is not None))
+    grd = results[0].grd_cm if results else None
+    words = "" if grd is None else f"{grd:.2f} cm"
+    if results and all(result.resolved for result in results):
+        words += ", " + tr("resolved")
+    said = ": ".join(part for part in (words, " ".join(reasons)) if part)
+    notice = sentence(resolution.scale_notice) if resolution.scale_notice is not None else ""
+    return "\n".join(part for part in (said, notice) if part)

@@ -1,0 +1,135 @@
+"""The line layer of bar groups: its features -> lines in pixels of the raster, and results -> its rows.
+
+The field names are contracts.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from qgis.core import NULL, QgsCoordinateTransform, QgsCsException, QgsFeature, QgsFields, QgsGeometry, QgsPointXY
+
+from ..imagery import messages as imagery_messages
+from ..imagery.errors import SettingsError
+from ..imagery.grids import Grid
+from ..imagery.message import Message
+from ..toolkit.table_fields import feature, table_fields
+from ..toolkit.translation import sentence
+from .measure import messages
+from .measure.bar_groups import BarLine, GroupResult
+from .measure.profiles import Segment
+from .measure.target import DIRECTIONS
+
+MAX_LINE_BEND = 0.05  # of its length that a line across the bars may leave its chord
+
+GROUP, DIRECTION = "group", "direction"
+
+
+def check_fields(names: Sequence[str]) -> None:
+    """Raise SettingsError for a line layer without its fields."""
+    for name in (GROUP, DIRECTION):
+        if name not in names:
+            raise SettingsError(messages.FIELD_MISSING(field=name))
+
+
+def bar_line(row: QgsFeature, grid: Grid, transform: QgsCoordinateTransform) -> BarLine:
+    """A line of the layer in pixels of a raster; what can't be measured says why. ``transform``: to the raster."""
+    group = _whole(row[GROUP])
+    given = "" if row[DIRECTION] is None or row[DIRECTION] == NULL else str(row[DIRECTION])
+    direction = given.strip().lower()
+    segment, reason = _segment(QgsGeometry(row.geometry()), grid, transform)
+    if direction not in DIRECTIONS:
+        reason = messages.DIRECTION_UNKNOWN(direction=given)
+    if group is None:
+        reason = messages.GROUP_NOT_GIVEN()
+    return BarLine(group, direction, segment, reason)
+
+
+def line_on_map(segment: Segment, grid: Grid) -> QgsGeometry:
+    """A line in pixels on the map of its raster."""
+    return QgsGeometry.fromPolylineXY(
+        [
+            QgsPointXY(grid.left + column * grid.pixel_width, grid.top - row * grid.pixel_height)
+            for column, row in (segment.start, segment.end)
+        ]
+    )
+
+
+def pixel_segment(points: Sequence[QgsPointXY], grid: Grid) -> Segment:
+    """A line between two points of the map in pixels of the raster."""
+    start, end = (
+        ((point.x() - grid.left) / grid.pixel_width, (grid.top - point.y()) / grid.pixel_height) for point in points
+    )
+    return Segment(start, end)
+
+
+def result_fields() -> QgsFields:
+    """OUTPUT: one row per line and band."""
+    return table_fields(
+        (GROUP, "integer"),
+        (DIRECTION, "text"),
+        ("band", "text"),
+        ("grd", "real"),
+        ("bars_found", "integer"),
+        ("amplitude", "real"),
+        ("full_amplitude", "real"),
+        ("modulation", "real"),
+        ("resolved", "integer"),
+        ("spurious", "integer"),
+        ("shift_px", "real"),
+        ("reason", "text"),
+    )
+
+
+def result_features(results: Sequence[GroupResult], grid: Grid) -> Iterator[QgsFeature]:
+    """The rows of OUTPUT: the lines as they were measured, turned to be perpendicular to the bars."""
+    fields = result_fields()
+    for result in results:
+        measured, reading = result.measured, result.reading
+        numbers: list[float | None] = [None] * 4
+        if reading is not None:
+            numbers = [len(reading.bars), reading.amplitude, reading.full_amplitude, reading.modulation]
+        segment = measured.segment or measured.line.segment
+        yield feature(
+            fields,
+            [
+                measured.line.group,
+                measured.line.direction,
+                result.band or None,
+                result.grd_cm,
+                *numbers,
+                None if reading is None else int(result.resolved),
+                None if reading is None else int(result.spurious),
+                measured.shifts.get(result.band),
+                None if result.reason is None else sentence(result.reason),
+            ],
+            None if segment is None else line_on_map(segment, grid),
+        )
+
+
+def _segment(
+    geometry: QgsGeometry, grid: Grid, transform: QgsCoordinateTransform
+) -> tuple[Segment | None, Message | None]:
+    if geometry.isNull() or geometry.isEmpty():
+        return None, messages.BAR_LINE_EMPTY()
+    if geometry.isMultipart() and geometry.constGet().numGeometries() > 1:
+        return None, messages.BAR_LINE_MULTIPART()
+    try:
+        geometry.transform(transform)
+    except QgsCsException:
+        return None, imagery_messages.EXTENT_NOT_TRANSFORMED()
+    points = [QgsPointXY(point.x(), point.y()) for point in geometry.vertices()]
+    chord = QgsGeometry.fromPolylineXY([points[0], points[-1]])
+    bend = max(chord.distance(QgsGeometry.fromPointXY(point)) for point in points)
+    segment = pixel_segment((points[0], points[-1]), grid)
+    if chord.length() == 0 or bend > MAX_LINE_BEND * chord.length():
+        return None if chord.length() == 0 else segment, messages.BAR_LINE_BENT()
+    return segment, None
+
+
+def _whole(value: object) -> int | None:
+    """A group's number from a field of any type."""
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return int(number) if number.is_integer() and abs(number) < 1000 else None

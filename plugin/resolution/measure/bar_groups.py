@@ -1,0 +1,311 @@
+"""From lines across the bars to the ground resolved distance: every group measured, then all judged together."""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ...imagery.errors import BarLineError
+from ...imagery.message import Message
+from ...imagery.rasters import Mosaic
+from . import limits, messages
+from .bars import BarReading, read_bars
+from .profiles import Patch, Segment, bar_profile, read_patch, turned_line
+from .target import DIRECTIONS, Target
+
+MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Shannon
+MIN_ALIAS_FREE_PX = 2.5  # three bars that are finer than two pixels can't seem so far apart in the 5 px they cover
+MAX_BAR_SPACING_DIFFERENCE = 0.25  # relative, two steps of 2^(1/6): bars further off are not the group's
+MAX_TARGET_SCALE_DIFFERENCE = 0.2  # relative: more is no error of drawing or of the pixel size
+MAX_SATURATED_SHARE = 0.25  # of the middle of a bar: more is not noise that touches the limit
+
+GREEN = "green"
+
+
+@dataclass(frozen=True)
+class BarLine:
+    """One line of the user, in pixels of the raster."""
+
+    group: int | None
+    """Number of the group; None where none is given."""
+    direction: str
+    """``along`` or ``across`` the flight, or what was given instead."""
+    segment: Segment | None
+    """None where the line can't be used."""
+    reason: Message | None = None
+    """Why it can't be used."""
+
+
+@dataclass(frozen=True)
+class MeasuredLine:
+    """What a line showed."""
+
+    line: BarLine
+    segment: Segment | None
+    """The line turned to be perpendicular to the bars; None when it could not be measured."""
+    readings: dict[str, BarReading] = field(default_factory=dict)
+    """By band."""
+    saturated: dict[str, float] = field(default_factory=dict)
+    """The DN that bars are clipped at, by band."""
+    shifts: dict[str, float] = field(default_factory=dict)
+    """Displacement of a band's bars against those of green along the line, px, by band."""
+    reason: Message | None = None
+    """Why it could not be measured."""
+
+
+@dataclass(frozen=True)
+class GroupResult:
+    """The verdict on a line in one band."""
+
+    measured: MeasuredLine
+    band: str
+    """Empty for a line that could not be measured."""
+    grd_cm: float | None
+    """Of the group; None without a group."""
+    resolved: bool = False
+    spurious: bool = False
+    """Whether bars are seen there that are aliasing."""
+    reason: Message | None = None
+    """Why it is not resolved, or what to know about it."""
+
+    @property
+    def reading(self) -> BarReading | None:
+        """What was measured."""
+        return self.measured.readings.get(self.band)
+
+    @property
+    def is_judged(self) -> bool:
+        """Whether there was something to judge: a finer group depends on it then."""
+        reading = self.reading
+        return reading is not None and not reading.is_flat
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """What a target says."""
+
+    results: tuple[GroupResult, ...]
+    """By line and band, in the order of the lines."""
+    grd_cm: dict[tuple[str, str], float | None]
+    """Ground resolved distance by direction and band; None where no group is resolved."""
+    notices: tuple[Message, ...]
+    """What the user should know of the target as a whole."""
+    scale_notice: Message | None = None
+    """The one of them that says that the bars do not lie as the group numbers and the pixel size say."""
+
+    def worst(self, direction: str) -> float | None:
+        """The largest distance of a direction over its bands; None unless every band resolves a group."""
+        found = [value for (where, _), value in self.grd_cm.items() if where == direction]
+        return None if not found or None in found else max(value for value in found if value is not None)
+
+    @property
+    def mean(self) -> float | None:
+        """Geometric mean of both directions."""
+        along, across = (self.worst(direction) for direction in DIRECTIONS)
+        return None if along is None or across is None else math.sqrt(along * across)
+
+
+def measure_line(
+    raster: Mosaic, line: BarLine, bars: int, width: float, band: int | None = None
+) -> MeasuredLine:
+    """Profiles across the bars of one group and what they show; never raises for a line that can't be measured.
+
+    ``width``: px either side that the profile is averaged over. ``band``: the place of the one band that is measured,
+    None for all. Raises RasterError when the raster can't be read.
+    """
+    if line.segment is None or line.reason is not None:
+        return MeasuredLine(line, None, reason=line.reason)
+    try:
+        patch = read_patch(raster, line.segment, bars)
+    except BarLineError as error:
+        return MeasuredLine(line, None, reason=error.message)
+    names = raster.band_names
+    wanted = list(range(len(names))) if band is None else [band]
+    segment = turned_line(patch, wanted, line.segment, width)
+    every = {index: read_bars(bar_profile(patch, index, segment, width), bars) for index in wanted}
+    readings = {names[index]: reading for index, reading in every.items()}
+    clipped = {names[index]: _saturation(patch, index, segment, width, reading) for index, reading in every.items()}
+    reference = readings.get(GREEN)
+    if GREEN in names and reference is None:
+        reference = read_bars(bar_profile(patch, names.index(GREEN), segment, width), bars)
+    shifts = {}
+    for name, reading in readings.items():
+        shift = _shift(reading, reference)
+        if shift is not None:
+            shifts[name] = shift
+    saturated = {name: value for name, value in clipped.items() if value is not None}
+    return MeasuredLine(line, segment, readings, saturated, shifts)
+
+
+def judge(raster: Mosaic, measured: Sequence[MeasuredLine], target: Target) -> Resolution:
+    """The verdicts on all lines of a target, and its ground resolved distance by direction and band."""
+    measured = _without_twins(measured)
+    scale, off_scale = _pixels_per_cm(raster, measured, target)
+    notices = [] if off_scale is None else [off_scale]
+    results = [result for line in measured for result in _line_results(line, target, scale)]
+    results, distances = _without_spurious(results)
+    for (direction, band), distance in distances.items():
+        if distance is None:
+            notices.append(messages.NO_GRD(direction=direction, band=band))
+    return Resolution(tuple(results), distances, tuple(notices), off_scale)
+
+
+def _without_twins(measured: Sequence[MeasuredLine]) -> list[MeasuredLine]:
+    """The lines, all but the first of a group and direction put out of count."""
+    seen: set[tuple[int | None, str]] = set()
+    lines = []
+    for one in measured:
+        key = one.line.group, one.line.direction
+        if one.reason is None and key in seen:
+            one = MeasuredLine(one.line, one.segment, reason=messages.GROUP_TWICE(group=key[0], direction=key[1]))
+        elif one.reason is None:
+            seen.add(key)
+        lines.append(one)
+    return lines
+
+
+def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -> list[GroupResult]:
+    group = measured.line.group
+    grd = None if group is None else target.grd_cm(group)
+    if measured.reason is not None or grd is None:
+        return [GroupResult(measured, "", grd, reason=measured.reason)]
+    cycle = None if scale is None else grd * scale
+    results = []
+    for band, reading in measured.readings.items():
+        reason = _weakness(reading, target)
+        aliasing = None if reason is not None else _aliasing(reading, cycle)
+        why = reason or aliasing
+        if why is None and band in measured.saturated:
+            results.append(GroupResult(measured, band, grd, True, False, _clipped(measured, band)))
+        else:
+            results.append(GroupResult(measured, band, grd, why is None, aliasing is not None, why))
+    return results
+
+
+def _clipped(measured: MeasuredLine, band: str) -> Message:
+    return messages.BARS_SATURATED(value=measured.saturated[band])
+
+
+def _weakness(reading: BarReading, target: Target) -> Message | None:
+    """Why a reading is no resolved group; None when it is one."""
+    found, noise = len(reading.bars), reading.profile.noise
+    if reading.is_flat or found == 0:
+        return messages.NO_BARS()
+    if found < target.bars or reading.amplitude is None:
+        return messages.BARS_MERGED(found=found, bars=target.bars)
+    if reading.amplitude <= limits.MIN_NOISE_RATIO * noise:
+        return messages.BARS_IN_NOISE(amplitude=reading.amplitude, noise=noise)
+    if found > target.bars:
+        return messages.TOO_MANY_BARS(found=found, bars=target.bars)
+    if reading.amplitude < target.criterion * reading.full_amplitude:
+        return messages.BARS_TOO_WEAK(share=reading.share, criterion=target.criterion)
+    return None
+
+
+def _aliasing(reading: BarReading, cycle: float | None) -> Message | None:
+    """Why bars that stand out can't be the group's; None when they can. ``cycle``: the group's, px; None: unknown."""
+    spacing = reading.spacing
+    assert spacing is not None
+    narrow = spacing if cycle is None else min(cycle, spacing * (1 + MAX_BAR_SPACING_DIFFERENCE))
+    if narrow < MIN_NYQUIST_PX:
+        return messages.BARS_BEYOND_NYQUIST(cycle=narrow)
+    if cycle is None and spacing < MIN_ALIAS_FREE_PX:
+        return messages.BARS_MAYBE_ALIASED(spacing=spacing)
+    if cycle is not None and abs(spacing / cycle - 1) > MAX_BAR_SPACING_DIFFERENCE:
+        return messages.BARS_MISPLACED(spacing=spacing, cycle=cycle)
+    return None
+
+
+def _pixels_per_cm(
+    raster: Mosaic, measured: Sequence[MeasuredLine], target: Target
+) -> tuple[float | None, Message | None]:
+    """How many pixels a centimetre of the target covers, from the pixel size and from the bars themselves.
+
+    The bars are believed where both differ: a photograph may have no scale, or a target another number for its
+    reference group. Only bars count for it that lie too far apart to be aliased.
+    """
+    ground = 0.01 / raster.ground_sample_distance if raster.has_place else None
+    seen: list[tuple[float, float]] = []
+    for one in measured:
+        group = one.line.group
+        if one.reason is not None or group is None:
+            continue
+        good = [reading for reading in one.readings.values() if _weakness(reading, target) is None]
+        spacings = [reading.spacing for reading in good if reading.spacing is not None]
+        if spacings and float(np.median(spacings)) >= MIN_ALIAS_FREE_PX:
+            seen.append((target.grd_cm(group), float(np.median(spacings))))
+    if not seen:
+        return ground, None
+    seen.sort(reverse=True)
+    if _runs_backwards(seen):
+        return None, messages.TARGET_REVERSED()
+    scale = float(np.median([spacing / grd for grd, spacing in seen[:3]]))
+    if ground is None:
+        return scale, None
+    if abs(scale / ground - 1) > MAX_TARGET_SCALE_DIFFERENCE:
+        return scale, messages.TARGET_SCALE_DIFFERS(ratio=scale / ground)
+    return ground, None
+
+
+def _runs_backwards(seen: Sequence[tuple[float, float]]) -> bool:
+    """Whether bars of a larger distance lie closer together."""
+    distances, spacings = np.log(np.array(seen)).T
+    if np.ptp(distances) == 0:
+        return False
+    slope = float(np.polyfit(distances, spacings, 1)[0])
+    return slope < -0.5
+
+
+def _without_spurious(
+    results: Sequence[GroupResult],
+) -> tuple[list[GroupResult], dict[tuple[str, str], float | None]]:
+    """Groups that are finer than one that is not resolved put out of count; the finest that is left, in cm."""
+    judged = list(results)
+    distances: dict[tuple[str, str], float | None] = {}
+    order = sorted(range(len(judged)), key=lambda place: -(judged[place].grd_cm or 0))
+    lost: dict[tuple[str, str], int] = {}  # the first group of a direction and band that is not resolved
+    for place in order:
+        result = judged[place]
+        if not result.is_judged:
+            continue
+        group = result.measured.line.group
+        assert group is not None
+        key = result.measured.line.direction, result.band
+        distances.setdefault(key, None)
+        if result.resolved and key in lost:
+            judged[place] = replace(
+                result, resolved=False, spurious=True, reason=messages.BARS_SPURIOUS(group=lost[key])
+            )
+        elif result.resolved:
+            distances[key] = result.grd_cm
+        else:
+            lost.setdefault(key, group)
+    return judged, distances
+
+
+def _saturation(patch: Patch, band: int, segment: Segment, width: float, reading: BarReading) -> float | None:
+    """The DN that two bars or more are clipped at; None when they are not."""
+    if len(reading.bars) < 2 or reading.spacing is None or patch.highest is None:
+        return None
+    along, beside = patch.distances(segment)
+    near = (np.abs(beside) <= width + 0.5) & patch.valid
+    values = patch.bands[band]
+    limits = {patch.highest, *(2.0**bits - 1 for bits in (8, 10, 11, 12, 14, 16))} if reading.bright else {0.0}
+    clipped = []
+    for bar in reading.bars:
+        middle = values[near & (np.abs(along - bar.position) <= max(reading.spacing / 8, 0.5))]
+        if middle.size:
+            extreme = float(middle.max() if reading.bright else middle.min())
+            if extreme in limits and np.mean(middle == extreme) > MAX_SATURATED_SHARE:
+                clipped.append(extreme)
+    return clipped[0] if len(clipped) >= 2 else None
+
+
+def _shift(reading: BarReading, reference: BarReading | None) -> float | None:
+    """Mean displacement of bars and gaps; None where they don't correspond."""
+    if reference is None or len(reading.bars) < 2 or len(reading.bars) != len(reference.bars):
+        return None
+    mine, others = ([one.position for one in (*each.bars, *each.gaps)] for each in (reading, reference))
+    return float(np.mean(np.subtract(mine, others)))

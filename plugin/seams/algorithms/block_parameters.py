@@ -1,0 +1,90 @@
+"""Mosaic and orthoimages of a run, from the parameters MOSAIC, SOURCES and SOURCE_INDEX."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingAlgorithm, QgsProcessingContext
+
+from ...imagery.errors import SettingsError
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm, Warnings
+from ..measure import messages
+
+if TYPE_CHECKING:
+    from ...imagery.message import Message
+    from ...imagery.rasters import Mosaic, RasterRef
+    from ..measure.inspection import Block
+    from ..measure.seam_cells import Cell
+    from ..measure.source_images import Source
+
+
+@dataclass(frozen=True)
+class GivenSources:
+    """The values of SOURCES and SOURCE_INDEX in plain data, as far as they can be had before the work begins."""
+
+    refs: tuple[RasterRef, ...]
+    """The files of SOURCES."""
+    left_out: tuple[Message, ...]
+    """Why others have no file."""
+    index_path: str
+    """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
+
+
+def check_sources(parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    """Raise SettingsError when neither SOURCES nor SOURCE_INDEX names any."""
+    if not common.raster_values(parameters, common.SOURCES, context) and not parameters.get(common.SOURCE_INDEX):
+        raise SettingsError(messages.NO_SOURCES_GIVEN())
+
+
+def given_sources(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> GivenSources:
+    """What the layers of SOURCES and SOURCE_INDEX say of their files; to be asked in their thread."""
+    from ...toolkit.layers import layer_path
+
+    refs, left_out = common.raster_refs(parameters, common.SOURCES, context)
+    index = algorithm.parameterAsVectorLayer(parameters, common.SOURCE_INDEX, context)
+    return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
+
+
+def indexed_sources(
+    algorithm: SeamInspectorAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    given: GivenSources,
+    crs: QgsCoordinateReferenceSystem,
+) -> list[Source]:
+    """The orthoimages of SOURCE_INDEX with their footprints in a reference system; none where it is not given.
+
+    Raises SettingsError when the layer is no such index.
+    """
+    from ...toolkit import layers
+    from ..tables import source_index
+
+    if not parameters.get(common.SOURCE_INDEX):
+        return []
+    index = algorithm.source(parameters, common.SOURCE_INDEX, context)
+    transform = common.transform(index, crs, context)
+    return source_index.indexed_sources(layers.features(index), index.fields().names(), given.index_path, transform)
+
+
+def given_block(
+    algorithm: SeamInspectorAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    mosaic: Mosaic,
+    given: GivenSources,
+    warnings: Warnings,
+    cells: Iterable[Cell] = (),
+) -> Block:
+    """Mosaic and sources; warns of those left out. Raises SettingsError when none is named at all."""
+    from ...toolkit.layers import mosaic_crs
+    from ..measure.inspection import make_block
+
+    indexed = indexed_sources(algorithm, parameters, context, given, mosaic_crs(mosaic))
+    warnings.say(given.left_out)
+    block, notices = make_block(mosaic, given.refs, indexed, cells)
+    warnings.say(notices)
+    return block

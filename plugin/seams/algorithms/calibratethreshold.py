@@ -1,0 +1,166 @@
+"""``seaminspector:calibratethreshold``: the threshold that the operator's own eyes support."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery.errors import SettingsError
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.translation import sentence, tr
+from ..measure import messages
+
+if TYPE_CHECKING:
+    from ..measure.threshold_calibration import ThresholdCalibration, Verdicts
+    from ..measure.window_records import WindowRecord
+
+WINDOWS, PAIRS, OUTPUT = "WINDOWS", "PAIRS", "OUTPUT"
+MAX_RATIO, AUC, AUC_LOW, AUC_HIGH = "MAX_RATIO", "AUC", "AUC_LOW", "AUC_HIGH"
+VISIBLE_COUNT, INVISIBLE_COUNT, WANTED_COUNT = "VISIBLE_COUNT", "INVISIBLE_COUNT", "WANTED_COUNT"
+
+_HIGHEST_RATIO = 1.0  # MAX_RATIO of 'Inspect windows' stays below it
+
+
+class CalibrateThreshold(SeamInspectorAlgorithm):
+    """How well each measure agrees with what an observer saw, and where its limit belongs."""
+
+    ID = "calibratethreshold"
+    NAME = QT_TRANSLATE_NOOP("@default", "Calibrate the threshold")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Finds the largest ratio of a significant loss that an observer's verdicts support. For every threshold it "
+        "counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The "
+        "threshold to set is the one with the largest Youden index (sensitivity + specificity - 1); the area under "
+        "the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % "
+        "bootstrap interval. With fewer than 5 visible or 5 invisible verdicts there is no number."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        table = QgsProcessing.SourceType.TypeVector
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [table]),
+            tr(
+                "Windows that were inspected and judged: fields 'ratio_1' and 'observer' with the words 'visible' "
+                "(a loss was seen at 2x) and 'invisible'; 'composite_ratio_1' takes part where it is there."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(PAIRS, tr("Pairs"), [table], optional=True),
+            tr(
+                "The table of pairs of the same windows. With it the absolute contrast 'contrast_1' is judged too: "
+                "against the composite where there is one, else the largest over the sources."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Calibration"), table),
+            tr(
+                "For each measure a summary with the threshold to set, the area and the verdicts wanted, what the "
+                "standard limit does, and what every other threshold would do."
+            ),
+        )
+        self.addDescribed(
+            *common.chart(tr("ROC curves with their areas, and the judged windows of each measure."), by_default=True)
+        )
+        self.addNumbers({
+            MAX_RATIO: tr("Largest ratio of a significant loss"),
+            AUC: tr("Area under the ROC curve"),
+            AUC_LOW: tr("Area, lower end of its interval"),
+            AUC_HIGH: tr("Area, upper end of its interval"),
+            VISIBLE_COUNT: tr("Visible verdicts"),
+            INVISIBLE_COUNT: tr("Invisible verdicts"),
+            WANTED_COUNT: tr("Verdicts wanted"),
+        })
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ..measure.threshold_calibration import calibrate
+        from ..tables import calibration_table
+
+        chart = self.chart_path(parameters, context)
+        found = []
+        for verdicts in self._verdicts(parameters, context, feedback):
+            most = float("inf") if verdicts.measure == "contrast_1" else _HIGHEST_RATIO
+            found.append(calibrate(verdicts, most))
+            for notice in found[-1].notices:
+                feedback.pushWarning(sentence(notice))
+        output, output_id = self.sink(parameters, OUTPUT, context, calibration_table.calibration_fields())
+        for one in found:
+            self.write(output, calibration_table.calibration_features(one))
+        results: dict[str, Any] = {OUTPUT: output_id, **_numbers(found[0])}
+        if chart is not None:
+            from ...toolkit.charts.figure_files import save_figure
+            from ..charts.calibration_chart import calibration_figure
+
+            save_figure(calibration_figure(found), chart)
+            results[common.CHART] = str(chart)
+        return results
+
+    def _verdicts(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> list[Verdicts]:
+        """The measures that are there, ratio_1 first, in the judged windows."""
+        from ...toolkit import layers
+        from ..measure.window_records import contrast_of
+        from ..tables.record_tables import read_findings, read_pairs
+
+        windows = self.source(parameters, WINDOWS, context)
+        names = windows.fields().names()
+        if "observer" not in names:
+            raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="observer"))
+        judged, unknown = [], 0
+        for finding in read_findings(layers.features(windows), names):
+            judged += [finding] if finding.observer in ("visible", "invisible") else []
+            unknown += finding.observer not in ("visible", "invisible", "")
+        if unknown:
+            feedback.pushWarning(sentence(messages.VERDICTS_UNKNOWN(count=unknown)))
+        measures = {"ratio_1": [(finding, _first(finding.ratios)) for finding in judged]}
+        if "composite_ratio_1" in names:
+            measures["composite_ratio_1"] = [(finding, _first(finding.composite_ratios)) for finding in judged]
+        if parameters.get(PAIRS):
+            table = self.source(parameters, PAIRS, context)
+            pairs = read_pairs(layers.features(table), table.fields().names())
+            if "contrast_1" in table.fields().names():
+                measures["contrast_1"] = [(one, contrast_of(pairs.get(one.window_id, ()))) for one in judged]
+            else:  # of an earlier version
+                feedback.pushWarning(sentence(messages.PAIRS_WITHOUT_CONTRAST()))
+        return [self._measured(measure, values, feedback) for measure, values in measures.items()]
+
+    @staticmethod
+    def _measured(
+        measure: str, values: list[tuple[WindowRecord, float | None]], feedback: QgsProcessingFeedback
+    ) -> Verdicts:
+        """The windows where the measure has a value, by the observer's word."""
+        from ..measure.threshold_calibration import Verdicts
+
+        known = [(finding.observer, value) for finding, value in values if value is not None]
+        if len(known) < len(values):
+            missing = len(values) - len(known)
+            feedback.pushWarning(sentence(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing)))
+        groups = (tuple(value for word, value in known if word == one) for one in ("visible", "invisible"))
+        return Verdicts(measure, *groups)
+
+
+def _numbers(found: ThresholdCalibration) -> dict[str, float]:
+    """What the results say of the first measure; a number that nobody knows is not among them."""
+    visible, invisible = len(found.verdicts.visible), len(found.verdicts.invisible)
+    numbers: dict[str, float] = {VISIBLE_COUNT: visible, INVISIBLE_COUNT: invisible}
+    if found.best is not None:
+        numbers[MAX_RATIO] = found.best.threshold
+    if found.area is not None:
+        numbers.update({AUC: found.area.value, AUC_LOW: found.area.low, AUC_HIGH: found.area.high})
+    if found.wanted is not None:
+        numbers[WANTED_COUNT] = sum(found.wanted)
+    return numbers
+
+
+def _first(values: tuple[float | None, ...]) -> float | None:
+    return values[0] if values else None

@@ -1,0 +1,207 @@
+"""``seaminspector:inspectwindows``: the main job."""
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterString,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery.errors import SettingsError
+from ...toolkit import messages as toolkit_messages
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm, Warnings
+from ...toolkit.algorithms.window_features import WindowFeatures
+from ...toolkit.resources import style_path
+from ...toolkit.translation import sentence, tr
+from ..measure import messages
+from ..measure.window_records import REFERENCES
+from .block_parameters import check_sources, given_block, given_sources
+
+if TYPE_CHECKING:
+    from ..measure.inspection import Block, InspectionSettings, WindowRequest
+    from ..measure.seam_cells import Cell
+
+WINDOWS, CELLS, REFERENCE = "WINDOWS", "CELLS", "REFERENCE"
+SCHEDULER = "SCHEDULER"
+OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
+WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
+
+class InspectWindows(SeamInspectorAlgorithm):
+    """How much detail a mosaic kept in each window, against each of its sources."""
+
+    ID = "inspectwindows"
+    NAME = QT_TRANSLATE_NOOP("@default", "Inspect windows")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that covers the "
+        "window are clipped and decomposed by wavelets; the share of the variance that each level of detail has in "
+        "the mosaic is divided by its share in the source. At level 1, the finest, a ratio of 0.5 or less against "
+        "every source is a significant loss, one below 1 reduced, else the detail is preserved (Pyka 2010)."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        polygon, table = QgsProcessing.SourceType.TypeVectorPolygon, QgsProcessing.SourceType.TypeVector
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(WINDOWS, tr("Windows"), [polygon]),
+            tr(
+                "Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is "
+                "measured is the rectangle around each, snapped to the mosaic's pixels."
+            ),
+        )
+        self.addDescribed(*common.mosaic())
+        self.addDescribed(*common.sources())
+        self.addDescribed(*common.source_index())
+        self.addDescribed(*common.wavelet())
+        self.addDescribed(*common.levels())
+        self.addDescribed(
+            common.choice(
+                REFERENCE,
+                tr("Verdict against"),
+                REFERENCES,
+                optional=True,  # else QGIS would refuse models that were drawn before there was this choice
+            ),
+            tr(
+                "sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the "
+                "sources, each pixel from the one that the mosaic follows; fairer across a seam."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(CELLS, tr("Seam cells"), [polygon], optional=True),
+            tr(
+                "Polygons that say in the field 'source' which orthoimage each part of the mosaic was cut from. Where "
+                "they are known they decide on the composite; elsewhere it is found from the detail itself."
+            ),
+            advanced=True,
+        )
+        self.addDescribed(
+            *common.max_ratio(tr("A window is significant when its ratio at level 1 is this or less.")), advanced=True
+        )
+        self.addDescribed(
+            QgsProcessingParameterString(SCHEDULER, tr("Dask scheduler"), optional=True),
+            tr(
+                "Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. "
+                "Empty: all cores of this machine."
+            ),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Inspected windows"), polygon),
+            tr("The rectangles as measured, with their verdict and ratios: the largest over the sources."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(CURVES, tr("Curves"), table, optional=True, createByDefault=True),
+            tr("Relative variance of every component, for each window, raster and band."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(PAIRS, tr("Pairs"), table, optional=True, createByDefault=True),
+            tr("The mosaic against each single source: ratios, similarity, sub-pixel offset."),
+        )
+        self.addNumbers({
+            WINDOW_COUNT: tr("Windows"),
+            SIGNIFICANT_COUNT: tr("Windows with a significant loss"),
+            NOT_COMPARABLE_COUNT: tr("Windows that can't be compared"),
+        })
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._settings(parameters, context).check()
+        self.describe_mosaic(parameters, context)
+        check_sources(parameters, context)
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._mosaic = self.describe_mosaic(parameters, context)
+        self._given = given_sources(self, parameters, context)
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ...toolkit import layers
+        from ...toolkit.executors import open_executor
+        from ..measure.verdicts import Verdict
+        from ..measure.window_runs import inspect_windows
+        from ..tables import result_tables
+
+        settings = self._settings(parameters, context)
+        settings.check()
+        windows = self.source(parameters, WINDOWS, context)
+        if windows.featureCount() == 0:
+            raise SettingsError(toolkit_messages.NO_WINDOWS())
+        warnings = Warnings(feedback)
+        cells = self._cells(parameters, context)
+        block = given_block(self, parameters, context, self._mosaic, self._given, warnings, cells)
+        grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
+        drawn = WindowFeatures(windows, crs, context)
+
+        verdicts: Counter[Verdict] = Counter()
+        with open_executor(self.parameterAsString(parameters, SCHEDULER, context)) as (executor, ahead):
+            # Only now, with nothing in the way of new results, are old ones overwritten.
+            output, output_id = self.sink(
+                parameters, OUTPUT, context, result_tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
+            )
+            curves, curves_id = self.optional_sink(parameters, CURVES, context, result_tables.curve_fields())
+            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, result_tables.pair_fields(settings.levels))
+            for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, feedback.isCanceled):
+                geometry, observer = drawn.taken(result.window_id)
+                if result.window is not None:
+                    geometry = layers.rectangle(grid.window_extent(result.window))
+                self.write(output, [result_tables.window_feature(result, geometry, observer)])
+                self.write(curves, result_tables.curve_features(result))
+                self.write(pairs, result_tables.pair_features(result))
+                warnings.say(result.notices)
+                if result.judgement.reason is not None:
+                    feedback.pushInfo(f"{result.window_id}: {sentence(result.judgement.reason)}")
+                verdicts[result.judgement.verdict] += 1
+                feedback.setProgress(100 * sum(verdicts.values()) / drawn.count)
+        if drawn.renumbered:
+            feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
+        feedback.pushInfo(", ".join(f"{verdict.value}: {verdicts[verdict]}" for verdict in Verdict))
+        self.style(output_id, style_path("windows"), context)
+        return {
+            OUTPUT: output_id,
+            CURVES: curves_id,
+            PAIRS: pairs_id,
+            WINDOW_COUNT: sum(verdicts.values()),
+            SIGNIFICANT_COUNT: verdicts[Verdict.SIGNIFICANT],
+            NOT_COMPARABLE_COUNT: verdicts[Verdict.NOT_COMPARABLE],
+        }
+
+    def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> InspectionSettings:
+        from ..measure.inspection import InspectionSettings
+
+        return InspectionSettings(
+            *self.decomposition(parameters, context),
+            self.parameterAsDouble(parameters, common.MAX_RATIO, context),
+            self.parameterAsString(parameters, REFERENCE, context),
+        )
+
+    def _cells(self, parameters: dict[str, Any], context: QgsProcessingContext) -> list[Cell]:
+        from ...toolkit import layers
+        from ..tables import seam_cell_layer
+
+        if not parameters.get(CELLS):
+            return []
+        cells = self.source(parameters, CELLS, context)
+        if "source" not in cells.fields().names():
+            raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
+        crs = layers.mosaic_crs(self._mosaic)
+        transform = common.transform(cells, crs, context)
+        return seam_cell_layer.seam_cells(layers.features(cells), transform)
+
+    @staticmethod
+    def _requests(drawn: WindowFeatures, block: Block, settings: InspectionSettings) -> Iterator[WindowRequest]:
+        from ..measure.inspection import WindowRequest, window_request
+
+        for window in drawn.windows():
+            if window.extent is None:
+                yield WindowRequest(window.window_id, block.mosaic, (), None, settings, window.reason)
+            else:
+                yield window_request(block, window.window_id, window.extent, settings)

@@ -1,0 +1,124 @@
+"""What the observer's verdicts say of the measures, as a chart: ROC curves, and every judged window."""
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ...imagery import limits as imagery_limits
+from ...toolkit.charts.curve_chart import PAPER, ChartStyle
+from ...toolkit.charts.figure_files import new_figure
+from ...toolkit.translation import sentence, tr
+from ..measure.threshold_calibration import ThresholdCalibration, Verdicts
+
+_CURVES_SIDE, _WORDS_WIDTH, _MEASURE_HEIGHT = 4.2, 3.0, 1.45  # inches; together as wide as A4 between its margins
+_WORDS_LETTERS = 40  # a line of words beside the curves
+_FARTHEST = 2.0  # measures above are drawn at the edge: no threshold lies there
+_SCATTER = 0.22  # rows: how far points that would hide each other are moved apart
+_WIDTHS = (4.0, 2.6, 1.4)  # of the curves, so that one on top of another does not hide it
+
+
+def calibration_figure(found: Sequence[ThresholdCalibration]) -> Figure:
+    """ROC curves with their areas above, the judged windows of each measure below."""
+    heights = [_CURVES_SIDE, *(_MEASURE_HEIGHT for _ in found)]
+    figure = new_figure(_CURVES_SIDE + _WORDS_WIDTH, sum(heights))
+    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights, width_ratios=(_CURVES_SIDE, _WORDS_WIDTH))
+    _draw_roc(figure.add_subplot(grid[0, 0]), figure.add_subplot(grid[0, 1]), found, PAPER)
+    for row, one in enumerate(found, 1):
+        _draw_verdicts(figure.add_subplot(grid[row, :]), one, PAPER)
+    return figure
+
+
+def _draw_roc(axes: Axes, words: Axes, found: Sequence[ThresholdCalibration], style: ChartStyle) -> None:
+    _frame(axes, style)
+    axes.set_aspect("equal")
+    axes.set_xlim(-0.02, 1.02)
+    axes.set_ylim(-0.02, 1.02)
+    axes.set_xlabel(tr("windows flagged in vain (1 - specificity)"))
+    axes.set_ylabel(tr("visible losses flagged (sensitivity)"))
+    axes.grid(True, color=style.grid, linewidth=0.8)
+    lines = axes.plot([0, 1], [0, 1], color=style.text, linewidth=0.8, linestyle=":", label=tr("a guess"))
+    for one, colour, width in zip(found, style.sources, _WIDTHS[-len(found) :]):
+        if one.area is None:
+            continue
+        x = [0.0, *(1 - step.specificity for step in one.steps)]
+        y = [0.0, *(step.sensitivity for step in one.steps)]
+        lines += axes.plot(x, y, color=colour, linewidth=width, label=_area_words(one))
+        if one.best is not None:
+            place = [1 - one.best.specificity], [one.best.sensitivity]
+            axes.plot(*place, "o", color=colour, markersize=5 + width, markeredgecolor=style.background)
+    words.set_axis_off()
+    words.legend(handles=lines, loc="lower left", frameon=False, fontsize=8, borderaxespad=0, labelspacing=0.9)
+    why = [sentence(notice) for one in found if one.area is None for notice in one.notices]
+    text = "\n\n".join(textwrap.fill(words, _WORDS_LETTERS) for words in why)
+    words.text(0.02, 1, text, va="top", fontsize=8, color=style.limit)
+
+
+def _area_words(found: ThresholdCalibration) -> str:
+    """A measure with its area and the verdicts wanted."""
+    assert found.area is not None
+    area = tr("AUC {area:.3f} (95 %: {low:.3f} to {high:.3f})").format(
+        area=found.area.value, low=found.area.low, high=found.area.high
+    )
+    if found.best is None:
+        return f"{found.verdicts.measure}\n{area}"
+    best = tr("threshold {value:g}: {hits} of {seen}, in vain {vain} of {unseen}").format(
+        value=found.best.threshold,
+        hits=found.best.flagged_visible,
+        seen=len(found.verdicts.visible),
+        vain=found.best.flagged_invisible,
+        unseen=len(found.verdicts.invisible),
+    )
+    return f"{found.verdicts.measure}\n{area}\n{best}"
+
+
+def _draw_verdicts(axes: Axes, found: ThresholdCalibration, style: ChartStyle) -> None:
+    """Each judged window a point, the threshold a line."""
+    verdicts = found.verdicts
+    _frame(axes, style)
+    titles = (
+        tr("visible ({count})").format(count=len(verdicts.visible)),
+        tr("invisible ({count})").format(count=len(verdicts.invisible)),
+    )
+    for row, (values, colour) in enumerate(zip((verdicts.visible, verdicts.invisible), (style.limit, "#0072b2"))):
+        x, y = np.array(values), 1 - row + _spread(len(values))
+        far = x > _FARTHEST
+        axes.plot(x[~far], y[~far], "o", color=colour, alpha=0.55, markersize=4, markeredgewidth=0)
+        axes.plot(np.full(far.sum(), _FARTHEST), y[far], ">", color=colour, markersize=5, markeredgewidth=0)
+    axes.set_yticks([1, 0], titles)
+    axes.set_ylim(-0.5, 1.5)
+    axes.set_xlim(*_reach(verdicts))
+    axes.set_xlabel(verdicts.measure, labelpad=1)
+    axes.grid(True, axis="x", color=style.grid, linewidth=0.8)
+    if verdicts.measure == "ratio_1":
+        _line(axes, imagery_limits.MAX_SIGNIFICANT_RATIO, tr("standard {value:g}"), style.text, "--")
+    if found.best is not None:
+        if found.best_range is not None:
+            axes.axvspan(*found.best_range, color=style.limit, alpha=0.12, linewidth=0)
+        _line(axes, found.best.threshold, tr("threshold {value:g}"), style.limit, "-")
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize=8, borderaxespad=0)
+
+
+def _line(axes: Axes, value: float, label: str, colour: str, line: str) -> None:
+    axes.axvline(value, color=colour, linewidth=1.2, linestyle=line, label=label.format(value=value))
+
+
+def _spread(count: int) -> np.ndarray:
+    """Offsets that keep neighbours apart, the same for the same number of points: the golden ratio's multiples."""
+    return _SCATTER * (2 * (np.arange(count) * 0.618034 % 1) - 1)
+
+
+def _reach(verdicts: Verdicts) -> tuple[float, float]:
+    values = (*verdicts.visible, *verdicts.invisible, 0.0, 1.0)
+    low, high = min(values), min(max(values), _FARTHEST)
+    return low - 0.03 * (high - low), high + 0.03 * (high - low)
+
+
+def _frame(axes: Axes, style: ChartStyle) -> None:
+    axes.set_axisbelow(True)
+    axes.tick_params(colors=style.text, labelsize=8)
+    axes.spines[["top", "right"]].set_visible(False)

@@ -1,0 +1,118 @@
+"""The button that saves and copies the curves."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable
+
+from qgis.core import Qgis, QgsApplication
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtGui import QImage
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QWidget
+
+from ....toolkit.charts.variance_curves import band_title
+from ....toolkit.translation import tr
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ...measure.inspection import WindowResult
+    from .curves_chart import Chart
+
+_Slot = Callable[..., None]
+
+
+class CurvesExport(QToolButton):
+    """Offers pictures of the chart and tables of its windows."""
+
+    said = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._results: list[WindowResult] = []
+        self._chart: Chart | None = None
+        self._title = self._band = ""
+        self._folder = Path.home()
+        self.setIcon(QgsApplication.getThemeIcon("/mActionSharingExport.svg"))
+        self.setToolTip(tr("Save or copy what is shown: as a picture, or as a table of all values"))
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setAutoRaise(True)
+        self.setMenu(self._make_menu())
+        self.setEnabled(False)
+
+    def offer(self, results: Sequence[WindowResult], chart: Chart | None, title: str, band: str) -> None:
+        """What there is to export from now on; without results nothing."""
+        self._results, self._chart, self._title, self._band = list(results), chart, title, band
+        self.setEnabled(bool(results))
+
+    def _make_menu(self) -> QMenu:
+        menu = QMenu(self)
+        menu.setToolTipsVisible(True)
+        entries: list[tuple[str, str, str, _Slot]] = [
+            ("mActionSaveMapAsImage", tr("Save as PNG..."), tr("The picture, for documents"), self.save_png),
+            ("mActionSaveAsSVG", tr("Save as SVG..."), tr("The picture, sharp at every size"), self.save_svg),
+            ("mActionOpenTable", tr("Save as CSV..."), tr("All rasters and bands of the windows"), self.save_csv),
+            ("mActionEditCopy", tr("Copy picture"), tr("To the clipboard"), self.copy_picture),
+            ("mActionEditCopy", tr("Copy values"), tr("To the clipboard, for a spreadsheet"), self.copy_values),
+        ]
+        for icon, text, tip, slot in entries:
+            action = menu.addAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text)
+            action.setToolTip(tip)
+            action.triggered.connect(slot)
+        return menu
+
+    def save_png(self) -> None:
+        """Ask where and save the picture."""
+        self._save("png", tr("PNG picture"))
+
+    def save_svg(self) -> None:
+        """Ask where and save the picture."""
+        self._save("svg", tr("SVG picture"))
+
+    def save_csv(self) -> None:
+        """Ask where and save the values."""
+        self._save("csv", tr("Table with commas"))
+
+    def copy_picture(self) -> None:
+        """The picture to the clipboard."""
+        from . import chart_export
+
+        if self._chart is not None:
+            png = chart_export.png_bytes(self._chart, self._full_title())
+            QApplication.clipboard().setImage(QImage.fromData(png))
+
+    def copy_values(self) -> None:
+        """The values to the clipboard."""
+        from . import chart_export
+
+        QApplication.clipboard().setText(chart_export.table_text(self._results))
+
+    def _save(self, ending: str, kind: str) -> None:
+        """Ask where, and write what was shown when the user asked: results may come while the dialog is open."""
+        from . import chart_export
+
+        results, chart, title = self._results, self._chart, self._full_title()
+        if chart is None:
+            return
+        which = f"window_{results[0].window_id}" if len(results) == 1 else f"{len(results)}_windows"
+        suggested = self._folder / f"{which}_{self._band}.{ending}"
+        chosen, _ = QFileDialog.getSaveFileName(self, tr("Save curves"), str(suggested), f"{kind} (*.{ending})")
+        if not chosen:
+            return
+        path = Path(chosen) if chosen.lower().endswith(f".{ending}") else Path(f"{chosen}.{ending}")
+        self._folder = path.parent
+        try:
+            if ending == "csv":
+                chart_export.write_csv(results, path)
+            else:
+                chart_export.save_picture(chart, title, path)
+        except OSError as error:
+            text = tr("The curves were not saved to {path}: {error}. Choose another folder.")
+            self._say(text.format(path=path, error=error.strerror or error), Qgis.MessageLevel.Warning)
+        else:
+            self._say(tr("The curves were saved to {path}.").format(path=path), Qgis.MessageLevel.Success)
+
+    def _full_title(self) -> str:
+        return f"{self._title} ({band_title(self._band)})"
+
+    def _say(self, text: str, level: Any) -> None:
+        self.said.emit(text, int(level))

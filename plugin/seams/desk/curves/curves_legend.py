@@ -1,0 +1,243 @@
+"""The legend beside the curves or below them: a list whose entries show and hide their curve."""
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from qgis.PyQt.QtCore import QEvent, QModelIndex, QPoint, QPointF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPainter, QPalette, QPen, QPixmap, QResizeEvent
+from qgis.PyQt.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QListView,
+    QListWidget,
+    QListWidgetItem,
+    QMenu,
+    QStyle,
+    QStyleOptionViewItem,
+    QWidget,
+)
+
+from ....toolkit.charts.curve_chart import ChartStyle, LineStyle, curve_look, numbered
+from ....toolkit.charts.variance_curves import ChartCurve
+from ....toolkit.desk.theme import ReadableItems, blended
+from ....toolkit.translation import tr
+
+_PENS = {
+    "-": Qt.PenStyle.SolidLine,
+    "--": Qt.PenStyle.DashLine,
+    ":": Qt.PenStyle.DotLine,
+    "-.": Qt.PenStyle.DashDotLine,
+}
+_KEY = Qt.ItemDataRole.UserRole
+_IS_HIDDEN = _KEY + 1
+_HIDDEN_SHARE = 0.55  # of the text's colour: fainter, and still to be read
+_SHOWN_ACROSS = 20  # of a name beside others, so that two of them fit into a narrow dock
+_MOST_ACROSS = 4  # names in a row; more are hard to scan
+_SHOWN_CHARACTERS = 26  # of a name; a longer one is elided in its middle
+
+
+class CurvesLegend(QListWidget):
+    """One entry per curve: a piece of its line and its name. Hidden ones are grey and stay in the list."""
+
+    toggled = pyqtSignal(object)  # key of a curve to show or hide
+    soloed = pyqtSignal(object)  # key of the only curve to show beside the mosaic; None: show all
+    entered = pyqtSignal(object)  # key of the curve under the mouse, or None
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setUniformItemSizes(True)
+        self.setMouseTracking(True)
+        self.setResizeMode(QListView.ResizeMode.Adjust)
+        self.setItemDelegate(_Entries(self))
+        self.setToolTip(tr("Click an entry to hide its curve or to show it again; right click for more"))
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.itemClicked.connect(self._toggle)
+        self.itemEntered.connect(self._enter)
+        self.customContextMenuRequested.connect(self._open_menu)
+        self._shown: object = None
+
+    @property
+    def is_across(self) -> bool:
+        """Whether the entries stand side by side."""
+        return bool(self.flow() == QListView.Flow.LeftToRight)
+
+    def set_across(self, across: bool) -> None:
+        """Entries side by side in columns, for a place below the chart, or one below the other."""
+        if across != self.is_across:
+            self.setFlow(QListView.Flow.LeftToRight if across else QListView.Flow.TopToBottom)
+            self.setWrapping(across)
+            self.scheduleDelayedItemsLayout()
+
+    def entry_size(self) -> QSize:
+        """Of each entry: a share of the width where they stand side by side."""
+        height = round(1.25 * self.fontMetrics().height())
+        room = self.maximumViewportSize().width() - self._kept_free()
+        return QSize(room // self._columns(room) if self.is_across else 0, height)
+
+    def height_within(self, width: int, most: int) -> int:
+        """Of the rows that the entries fill side by side in this width; only whole rows, and at least one."""
+        around, entry = self.height() - self.viewport().height(), self.entry_size().height()
+        rows = -(-self.count() // self._columns(width - around - self._kept_free()))
+        return max(1, min(rows, (most - around) // entry)) * entry + around + 2
+
+    def sizeHint(self) -> QSize:
+        """As wide as the names, within reason."""
+        return QSize(self._entry_width() + self.fontMetrics().height(), 6 * self.fontMetrics().height())
+
+    def minimumSizeHint(self) -> QSize:
+        """Room for a line's piece and the start of a name."""
+        line = self.fontMetrics().height()
+        return QSize(5 * line, (2 if self.is_across else 3) * line)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self.is_across:
+            self.scheduleDelayedItemsLayout()
+
+    def _kept_free(self) -> int:
+        """Of the width: Qt leaves room for a scroll bar where there is none, and breaks rows that reach into it."""
+        return int(self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent, None, self)) + 4
+
+    def _columns(self, width: int) -> int:
+        return max(1, min(width // max(self._entry_width(), 1), self.count(), _MOST_ACROSS))
+
+    def _entry_width(self) -> int:
+        """Piece and longest name, within reason."""
+        metrics = self.fontMetrics()
+        names = (self.item(row).text() for row in range(self.count()))
+        widest = max((metrics.horizontalAdvance(name) for name in names), default=0)
+        most = _SHOWN_ACROSS if self.is_across else _SHOWN_CHARACTERS
+        text = min(widest, most * metrics.averageCharWidth())
+        return text + self.iconSize().width() + metrics.height()
+
+    def show_curves(
+        self, curves: Sequence[ChartCurve], hidden: Collection[tuple[bool, str]], style: ChartStyle, has_limit: bool
+    ) -> None:
+        """Fill the list; ``hidden`` holds the keys of those to grey."""
+        shown = (tuple(curves), frozenset(hidden), style, has_limit, self.font().key())
+        if shown == self._shown:
+            return
+        self._shown = shown
+        line = self.fontMetrics().height()
+        self.setIconSize(QSize(int(1.6 * line), line))
+        keys: list[object] = [*(curve.key for curve in curves), *([None] if has_limit else [])]
+        if keys != [self.item(row).data(_KEY) for row in range(self.count())]:
+            self.clear()
+            for curve in curves:
+                item = QListWidgetItem(curve.label, self)
+                item.setData(_KEY, curve.key)
+            if has_limit:
+                item = QListWidgetItem(tr("limit"), self)
+                item.setToolTip(
+                    tr("On or below this line the mosaic has lost significantly against what the verdict is taken from")
+                )
+        for row, (number, curve) in enumerate(numbered(curves)):
+            self._look(self.item(row), curve, number, curve.key in hidden, style)
+        if has_limit:
+            self.item(len(curves)).setIcon(self._piece(QColor(style.limit), "-", 0.15, 0))
+        self.updateGeometry()
+
+    def mark(self, key: tuple[bool, str] | None) -> None:
+        """Underline the entry of the curve that the mouse points at in the chart."""
+        for row in range(self.count()):
+            item = self.item(row)
+            font = item.font()
+            if font.underline() != (key is not None and item.data(_KEY) == key):
+                font.setUnderline(not font.underline())
+                item.setFont(font)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentItem():
+            self._toggle(self.currentItem())
+        else:
+            super().keyPressEvent(event)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self.entered.emit(None)
+        super().leaveEvent(event)
+
+    def _look(self, item: QListWidgetItem, curve: ChartCurve, number: int, is_hidden: bool, style: ChartStyle) -> None:
+        colour, line = curve_look(curve, number, style)
+        font = item.font()
+        font.setBold(curve.is_mosaic)
+        item.setFont(font)
+        item.setData(_IS_HIDDEN, is_hidden)
+        width, radius = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
+        piece = blended(QColor(style.text), QColor(style.background), 0.3) if is_hidden else QColor(colour)
+        item.setIcon(self._piece(piece, line, width, radius))
+        click = tr("Click to show this curve") if is_hidden else tr("Click to hide this curve")
+        label = curve.label
+        if curve.is_composite:
+            label = tr("What a hard cut of the sources along the seam, levelled to the mosaic's tone, would have")
+        item.setToolTip(f"{label}\n{click}")
+
+    def _piece(self, colour: QColor, line: LineStyle, width: float, radius: float) -> QIcon:
+        """A piece of a line with one of its points, sizes in heights of the icon."""
+        size, ratio = self.iconSize(), self.devicePixelRatioF()
+        pixmap = QPixmap(size * ratio)
+        pixmap.setDevicePixelRatio(ratio)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        height, middle = size.height(), size.height() / 2
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        pen = QPen(colour, width * height, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
+        if isinstance(line, str):
+            pen.setStyle(_PENS[line])
+        else:
+            pen.setDashOffset(line[0])
+            pen.setDashPattern(line[1])
+        painter.setPen(pen)
+        painter.drawLine(QPointF(0, middle), QPointF(size.width(), middle))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        painter.drawEllipse(QPointF(size.width() / 2, middle), radius * height, radius * height)
+        painter.end()
+        icon = QIcon()
+        for mode in (QIcon.Mode.Normal, QIcon.Mode.Selected, QIcon.Mode.Active):
+            icon.addPixmap(pixmap, mode)
+        return icon
+
+    def _toggle(self, item: QListWidgetItem) -> None:
+        if item.data(_KEY) is not None:
+            self.toggled.emit(item.data(_KEY))
+
+    def _enter(self, item: QListWidgetItem) -> None:
+        self.entered.emit(item.data(_KEY))
+
+    def _open_menu(self, position: QPoint) -> None:
+        item = self.itemAt(position)
+        menu = QMenu(self)
+        is_source = item is not None and item.data(_KEY) is not None and not item.data(_KEY)[0]
+        alone = menu.addAction(tr("Show only this curve")) if is_source else None
+        everything = menu.addAction(tr("Show all curves"))
+        chosen = menu.exec(self.mapToGlobal(position))
+        menu.deleteLater()
+        if chosen is not None and chosen in (alone, everything):
+            self.soloed.emit(item.data(_KEY) if chosen == alone else None)
+
+
+class _Entries(ReadableItems):
+    """Names of hidden curves are faint."""
+
+    def __init__(self, legend: CurvesLegend) -> None:
+        super().__init__(legend)
+        self._legend = legend
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
+        return self._legend.entry_size()
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        super().initStyleOption(option, index)
+        if index.data(_IS_HIDDEN):
+            palette = option.palette
+            back = palette.color(QPalette.ColorRole.Base)
+            palette.setColor(
+                QPalette.ColorRole.Text, blended(palette.color(QPalette.ColorRole.Text), back, _HIDDEN_SHARE)
+            )
+            option.palette = palette

@@ -1,0 +1,244 @@
+"""The tab with the curves of the selected windows."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSplitter, QToolButton, QWidget
+
+from ....toolkit.charts.chart_loader import chart_missing
+from ....toolkit.charts.variance_curves import BAND_ORDER, ChartCurve, band_title, significance_limit
+from ....toolkit.desk.chart_panel import ChartPanel
+from ....toolkit.translation import tr
+from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
+from .curves_export import CurvesExport
+from .curves_selection import selected_results, title
+
+if TYPE_CHECKING:
+    from ...measure.inspection import WindowResult
+    from ..session import Session
+    from .curves_chart import CurvesChart
+    from .curves_legend import CurvesLegend
+
+    Key = tuple[bool, str]
+
+_TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
+_WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the chart
+_MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
+
+
+class CurvesPanel(ChartPanel):
+    """Curves of one window, or mean and range of several; words where there is nothing to draw."""
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._hidden: set[Key] = set()
+        self._colours: dict[str, int] = {}
+        self._band = ""  # the user's choice, kept while other windows lack it
+        self._idle_text = ""
+        self._chart: CurvesChart | None = None
+        self._legend: CurvesLegend | None = None
+        self._legend_width = 0
+        self._border_moved = False
+        self._build()
+        session.selectionChanged.connect(self._refresh_now)
+        session.inputsChanged.connect(self._refresh_now)
+        session.windowsChanged.connect(self._refresh_soon)
+        session.progressChanged.connect(self._on_progress)
+        session.resultArrived.connect(self._on_result)
+
+    # widgets
+
+    def _build(self) -> None:
+        self._bands = QComboBox()
+        self._bands.setToolTip(tr("Band whose curves are drawn; the verdict is that of luminance, or of the only band"))
+        self._bands.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self._fill_bands([BAND_ORDER[0]])
+        self._bands.activated.connect(self._on_band_chosen)
+        self._logarithmic = QToolButton()
+        self._logarithmic.setText(tr("log"))
+        self._logarithmic.setToolTip(tr("Logarithmic axis, which shows the fine levels; off: linear axis"))
+        self._logarithmic.setCheckable(True)
+        self._logarithmic.setChecked(True)
+        self._logarithmic.setAutoRaise(True)
+        self._logarithmic.toggled.connect(self._refresh_now)
+        self._export = CurvesExport()
+        self._export.said.connect(self._session.messageRaised)
+        self._splitter = QSplitter(Qt.Orientation.Horizontal)
+        self._splitter.setChildrenCollapsible(False)
+        self._splitter.splitterMoved.connect(self._on_border_moved)
+        self._pages.addWidget(self._splitter)
+        self._status = QLabel()
+        self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._status.setTextFormat(Qt.TextFormat.PlainText)
+        self._status.setMargin(self.fontMetrics().height() // 6)
+        tools = QHBoxLayout()
+        tools.addWidget(self._bands)
+        tools.addWidget(self._logarithmic)
+        tools.addStretch()
+        tools.addWidget(self._export)
+        self._lay_out(tools, self._status)
+
+    def _build_chart(self) -> None:
+        """Put the chart in its place."""
+        from .curves_chart import CurvesChart
+        from .curves_legend import CurvesLegend
+
+        self._chart = CurvesChart(self._splitter)
+        self._legend = CurvesLegend(self._splitter)
+        self._splitter.addWidget(self._chart)
+        self._splitter.addWidget(self._legend)
+        self._splitter.setStretchFactor(0, 1)
+        self._splitter.setStretchFactor(1, 0)
+        self.setTabOrder(self._export, self._legend)
+        self._chart.pointed.connect(self._on_pointed)
+        self._legend.toggled.connect(self._on_toggled)
+        self._legend.soloed.connect(self._on_soloed)
+        self._legend.entered.connect(self._chart.mark)
+
+    # when to draw
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_legend()
+        self._show_point()
+
+    def _refresh_soon(self) -> None:
+        if not self._timer.isActive():
+            self._timer.start(_TOGETHER_MS)
+
+    def _on_result(self, fid: int) -> None:
+        selected = self._session.selected()
+        if selected == [fid]:
+            self._refresh_now()
+        elif fid in selected:
+            self._refresh_soon()
+
+    def _on_progress(self, _done: int, _asked: int) -> None:
+        if self._pages.currentWidget() is self._text:
+            self._refresh_soon()
+
+    def _refresh(self) -> None:
+        """Only changes are drawn."""
+        if not self.isVisible():
+            return
+        results, missing = selected_results(self._session)
+        if not results:
+            self._show_text(missing)
+            return
+        if self._chart is None and self._loader.is_alive():
+            self._refresh_soon()
+            return
+        self._fill_bands(bands_of(results))
+        try:
+            if self._chart is None:
+                self._build_chart()
+        except ImportError:
+            self._show_text(chart_missing())
+            return
+        self._idle_text = title(self._session, results)
+        self._draw(results, self._curves(results))
+
+    def _fill_bands(self, names: list[str]) -> None:
+        if names != [self._bands.itemData(row) for row in range(self._bands.count())]:
+            self._bands.clear()
+            for name in names:
+                self._bands.addItem(band_title(name), name)
+        self._bands.setCurrentIndex(max(self._bands.findData(self._band), 0))
+
+    def _curves(self, results: list[WindowResult]) -> tuple[ChartCurve, ...]:
+        band = self._bands.currentData()
+        if len(results) > 1:
+            return tuple(mean_curves(results, band))
+        for clip in results[0].clips[1:]:
+            self._colours.setdefault(clip.raster, len(self._colours))
+        return tuple(window_curves(results[0], band, self._colours, self._session.inputs.reference))
+
+    def _draw(self, results: list[WindowResult], curves: tuple[ChartCurve, ...]) -> None:
+        from .curves_chart import Chart, chart_style
+
+        assert self._chart is not None
+        assert self._legend is not None
+        hidden = frozenset(self._hidden & {curve.key for curve in curves})
+        chart = Chart(curves, self._session.inputs.max_ratio, self._logarithmic.isChecked(), hidden)
+        style = chart_style(self._legend)  # one sheet with it
+        has_limit = significance_limit(curves, chart.max_ratio) is not None
+        self._legend.show_curves(curves, hidden, style, has_limit)
+        self._fit_legend()
+        self._pages.setCurrentWidget(self._splitter)
+        self._chart.show_chart(chart, style)
+        self._export.offer(results, chart, self._idle_text, self._bands.currentData())
+        self._show_point()
+
+    def _show_text(self, text: str) -> None:
+        self._text.setText(text)
+        self._pages.setCurrentWidget(self._text)
+        self._idle_text = ""
+        self._export.offer([], None, "", "")
+        self._show_point()
+
+    def _fit_legend(self) -> None:
+        """Beside the chart where there is room, else below it.
+
+        As wide as the longest name so far, so that the axes seldom move from window to window.
+        """
+        if self._legend is None:
+            return
+        is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
+        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
+        if orientation != self._splitter.orientation():
+            self._splitter.setOrientation(orientation)
+            self._border_moved = False
+        self._legend.set_across(not is_wide)
+        if self._border_moved:
+            return
+        width, height = self._pages.width(), self._pages.height()
+        if is_wide:
+            self._legend_width = max(self._legend_width, self._legend.sizeHint().width())
+            whole, size = width, min(self._legend_width, int(width * _MAX_LEGEND_SHARE))
+        else:
+            whole, size = height, self._legend.height_within(width, int(height * _MAX_LEGEND_SHARE))
+        self._splitter.setSizes([whole - size - self._splitter.handleWidth(), size])
+
+    # what the user does
+
+    def _on_band_chosen(self, index: int) -> None:
+        self._band = self._bands.itemData(index)
+        self._refresh_now()
+
+    def _on_border_moved(self, _position: int, _index: int) -> None:
+        self._border_moved = True
+
+    def _on_toggled(self, key: Key) -> None:
+        self._hidden ^= {key}
+        self._refresh_now()
+
+    def _on_soloed(self, key: Key | None) -> None:
+        chart = self._chart.chart if self._chart else None
+        self._hidden.clear()
+        if key is not None and chart is not None:
+            self._hidden |= {curve.key for curve in chart.curves if not curve.is_mosaic and curve.key != key}
+        self._refresh_now()
+
+    def _on_pointed(self, point: tuple[int, int] | None) -> None:
+        chart = self._chart.chart if self._chart else None
+        if self._legend is not None and chart is not None:
+            self._legend.mark(chart.curves[point[0]].key if point else None)
+        self._show_point()
+
+    def _show_point(self) -> None:
+        """The values under the mouse, the name elided where there is no room for it, but never the values."""
+        chart = self._chart.chart if self._chart else None
+        point = self._chart.point if self._chart else None
+        if chart is None or point is None or self._pages.currentWidget() is not self._splitter:
+            self._status.setText(self._idle_text)
+            self._status.setToolTip(self._idle_text)
+            return
+        name, words = point_words(chart.curves, *point)
+        metrics = self._status.fontMetrics()
+        width = self._status.width() - 2 * self._status.margin()
+        room = max(width - metrics.horizontalAdvance(words + " "), metrics.horizontalAdvance("0" * 7))
+        self._status.setText(metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room) + words)
+        self._status.setToolTip(name + words)

@@ -1,0 +1,54 @@
+"""What of the selected windows can be drawn, and words for it."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ....toolkit.translation import sentence, tr
+
+if TYPE_CHECKING:
+    from ...measure.inspection import WindowResult
+    from ..session import Session
+
+_NOT_COMPARABLE = "not_comparable"
+
+
+def selected_results(session: Session) -> tuple[list[WindowResult], str]:
+    """The selected windows' results that can be compared; without any, why not."""
+    selected = session.selected()
+    found = [result for result in map(session.result, selected) if result is not None]
+    usable = [result for result in found if result.judgement.verdict.value != _NOT_COMPARABLE and result.clips]
+    return usable, "" if usable else _why_nothing(session, selected, found)
+
+
+def title(session: Session, results: Sequence[WindowResult]) -> str:
+    """Which windows are drawn."""
+    selected = session.selected()
+    if len(results) > 1 and len(results) < len(selected):
+        template = tr("{count} of the {selected} selected windows: mean and range")
+        return template.format(count=len(results), selected=len(selected))
+    if len(results) > 1:
+        return tr("{count} windows: mean and range").format(count=len(results))
+    text = tr("Window {number}").format(number=results[0].window_id)
+    row = session.row(selected[0]) if len(selected) == 1 else None
+    if row is not None and row.stale:
+        text += tr(", out of date: inspect it again")
+    return text
+
+
+def _why_nothing(session: Session, selected: Sequence[int], found: Sequence[WindowResult]) -> str:
+    if not selected:
+        return tr("Select a window in the table or on the map, or draw one.")
+    if found and len(selected) > 1:
+        return tr("None of the selected windows can be compared.")
+    if found:
+        reason = found[0].judgement.reason
+        return sentence(reason) if reason else tr("This window can't be compared.")
+    if any(map(session.is_pending, selected)):
+        return tr("Measuring ...")
+    rows = [row for row in map(session.row, selected) if row is not None]
+    if len(rows) == 1 and rows[0].verdict == _NOT_COMPARABLE and rows[0].reason and not rows[0].stale:
+        return rows[0].reason
+    if any(row.verdict for row in rows):
+        return tr("The curves are not kept with the project. Inspect again to see them.")
+    return tr("Not inspected yet")

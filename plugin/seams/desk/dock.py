@@ -1,0 +1,229 @@
+"""The inspection desk: a dock beside or below the map that puts the panels together."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Callable
+
+from qgis.core import QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
+from qgis.gui import QgisInterface
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QIcon, QKeySequence, QResizeEvent
+from qgis.PyQt.QtWidgets import (
+    QAction,
+    QProgressBar,
+    QSplitter,
+    QTabWidget,
+    QToolBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...toolkit.desk.scroll_body import ScrollBody
+from ...toolkit.desk.tabs import DeskTab
+from ...toolkit.desk.tool_dock import ToolDock
+from ...toolkit.translation import tr
+from .inputs.inputs_panel import InputsPanel
+from .map.window_tool import WindowTool
+from .report_writer import ReportWriter
+from .session import Session
+from .windows.judge_bar import JudgeBar
+from .windows.windows_panel import WindowsPanel
+
+_SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
+
+
+class InspectionDock(ToolDock):
+    """Owns the session, the map tool and the panels."""
+
+    def __init__(self, iface: QgisInterface, tabs: Iterable[DeskTab]) -> None:
+        super().__init__(iface, tr("Seam Inspector"), "SeamInspectorDock")
+        self.session = Session(self)
+        self._offer_tool(
+            WindowTool(self._canvas, self.session),
+            "draw_window",
+            tr("Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square."),
+        )
+        self.inputs = InputsPanel(self.session)
+        self.windows = WindowsPanel(self.session)
+        self.judge = JudgeBar(self.session, order=self.windows.ordered_fids)
+        self._tabs = tuple(tabs)
+        self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
+        self.reports = ReportWriter(self.session, self)
+        self.reports.said.connect(self._show_message)
+        self._make_actions()
+        self._lay_out()
+        self.session.progressChanged.connect(self._show_progress)
+        self.session.messageRaised.connect(self._show_message)
+        self.session.inputsChanged.connect(self._enable_actions)
+        self.session.windowsChanged.connect(self._enable_actions)
+        self.session.windowsChanged.connect(self._repaint_windows)
+        self.windows.orderChanged.connect(self.judge.refresh)
+        self.windows.zoomRequested.connect(self.zoom_to)
+        self._enable_actions()
+
+    def close_desk(self) -> None:
+        super().close_desk()
+        self.reports.close()
+        self.session.close()
+        for panel in (self.inputs, self.windows, self.judge, *self.panels.values()):
+            panel.close()
+
+    def zoom_to(self, fid: int) -> None:
+        """Show a window so that one image pixel covers 2 x 2 screen pixels."""
+        row, grid, layer = self.session.row(fid), self.session.mosaic_grid(), self.session.window_layer()
+        if row is None or grid is None or layer is None:
+            return
+        self.session.select([fid])
+        xmin, ymin, xmax, ymax = row.extent
+        centre_x, centre_y = (xmin + xmax) / 2, (ymin + ymax) / 2
+        half_width = self._canvas.width() / _SCREEN_PIXELS / 2 * grid.pixel_width
+        half_height = self._canvas.height() / _SCREEN_PIXELS / 2 * grid.pixel_height
+        view = QgsRectangle(
+            centre_x - half_width, centre_y - half_height, centre_x + half_width, centre_y + half_height
+        )
+        map_crs = self._canvas.mapSettings().destinationCrs()
+        transform = QgsCoordinateTransform(layer.crs(), map_crs, QgsProject.instance().transformContext())
+        try:
+            self._canvas.setExtent(transform.transformBoundingBox(view))
+        except QgsCsException:
+            return
+        self._canvas.refresh()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Side by side when the dock is wide, one above the other when it is narrow."""
+        super().resizeEvent(event)
+        orientation = Qt.Orientation.Horizontal if self.is_wide else Qt.Orientation.Vertical
+        if orientation != self._splitter.orientation():
+            self._splitter.setOrientation(orientation)
+            self._splitter.setSizes([2000, 3000])  # shares; Qt fits them to the room there is
+
+    def _make_actions(self) -> None:
+        self.place = self._action(
+            QgsApplication.getThemeIcon("/mActionMultiEdit.svg"),
+            tr("Place"),
+            tr("Place windows along the seamlines"),
+            self._place,
+        )
+        self.inspect = self._action(
+            QgsApplication.getThemeIcon("/mActionStart.svg"),
+            tr("Inspect"),
+            tr("Inspect all windows that are not inspected yet or have changed"),
+            self._inspect_pending,
+        )
+        self.inspect_selected = self._action(
+            QgsApplication.getThemeIcon("/mActionRefresh.svg"),
+            tr("Again"),
+            tr("Inspect the selected windows again"),
+            self._inspect_selected,
+        )
+        self.stop = self._action(
+            QgsApplication.getThemeIcon("/mActionStop.svg"), tr("Stop"), tr("Stop; what is done stays"), self._stop
+        )
+        self.report = self._action(
+            QgsApplication.getThemeIcon("/mActionNewReport.svg"),
+            tr("Report"),
+            tr("Write a report of the inspected windows, one HTML page that opens anywhere"),
+            self._report,
+        )
+        self.undo = self._action(
+            QgsApplication.getThemeIcon("/mActionUndo.svg"),
+            tr("Undo"),
+            tr("Undo the last change of the windows (Ctrl+Z)"),
+            self._undo,
+        )
+        self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
+        self.undo.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+
+    def _action(self, icon: QIcon, text: str, tip: str, slot: Callable[..., None]) -> QAction:
+        action = QAction(icon, text, self)
+        action.setToolTip(tip)
+        action.triggered.connect(slot)
+        return action
+
+    def _lay_out(self) -> None:
+        toolbar = QToolBar()
+        size = self.fontMetrics().height() + 6
+        toolbar.setIconSize(QSize(size, size))
+        toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        known_by_icon = (self.inspect_selected, self.stop, self.undo, self.report)  # to save width
+        toolbar.addActions([self.draw, self.place, self.inspect, *known_by_icon])
+        for action in toolbar.actions():
+            toolbar.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
+        for action in known_by_icon:
+            toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        self.progress = QProgressBar()
+        self.progress.setVisible(False)
+        self.progress.setTextVisible(True)
+        tabs = QTabWidget()
+        for tab in self._tabs:
+            tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))
+        tabs.setDocumentMode(True)
+        list_side, list_layout = QWidget(), QVBoxLayout()
+        list_layout.setContentsMargins(0, 0, 0, 0)
+        list_layout.addWidget(self.windows, 1)
+        list_side.setLayout(list_layout)
+        chart_side, chart_layout = QWidget(), QVBoxLayout()
+        chart_layout.setContentsMargins(0, 0, 0, 0)
+        chart_layout.addWidget(tabs, 1)
+        chart_layout.addWidget(self.judge)
+        chart_side.setLayout(chart_layout)
+        self._splitter = QSplitter(Qt.Orientation.Vertical)
+        self._splitter.addWidget(list_side)
+        self._splitter.addWidget(chart_side)
+        self._splitter.setStretchFactor(0, 2)
+        self._splitter.setStretchFactor(1, 3)
+        self._splitter.setChildrenCollapsible(False)
+        body, layout = QWidget(), QVBoxLayout()
+        layout.setContentsMargins(4, 2, 4, 4)
+        layout.setSpacing(3)
+        layout.addWidget(self.inputs)
+        layout.addWidget(toolbar)
+        layout.addWidget(self._splitter, 1)
+        layout.addWidget(self.progress)
+        body.setLayout(layout)
+        body.addActions([*self.judge.actions_for_dock(), self.undo])
+        self.setWidget(ScrollBody(body))
+
+    def _place(self) -> None:
+        self.session.place_windows()
+
+    def _inspect_pending(self) -> None:
+        self.session.inspect_pending()
+
+    def _stop(self) -> None:
+        self.session.stop()
+
+    def _inspect_selected(self) -> None:
+        self.session.inspect(self.session.selected())
+
+    def _report(self) -> None:
+        self.reports.ask()
+
+    def _undo(self) -> None:
+        layer = self.session.window_layer()
+        if layer is not None and layer.isEditable():
+            layer.undoStack().undo()
+
+    def _enable_actions(self) -> None:
+        ready = self.session.mosaic_grid() is not None
+        self.draw.setEnabled(ready)
+        self.place.setEnabled(ready and bool(self.session.inputs.seamlines))
+        self.inspect.setEnabled(ready and bool(self.session.windows()))
+        self.inspect_selected.setEnabled(ready and bool(self.session.windows()))
+        self.stop.setEnabled(self.session.is_busy)
+        self.report.setEnabled(any(row.verdict for row in self.session.windows()))
+        layer = self.session.window_layer()
+        self.undo.setEnabled(layer is not None and layer.isEditable() and layer.undoStack().canUndo())
+
+    def _repaint_windows(self) -> None:
+        """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""
+        layer = self.session.window_layer()
+        if layer is not None:
+            layer.triggerRepaint()
+
+    def _show_progress(self, done: int, asked: int) -> None:
+        self.progress.setVisible(asked > 0)
+        self.progress.setRange(0, max(asked, 1))
+        self.progress.setValue(done)
+        self.progress.setFormat(tr("{done} of {asked} windows").format(done=done, asked=asked))
+        self.stop.setEnabled(asked > 0)

@@ -1,0 +1,287 @@
+"""One raster's picture with its name above it. All views share a viewport, so they move as one."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import (
+    QColor,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPen,
+    QResizeEvent,
+    QWheelEvent,
+)
+from qgis.PyQt.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from ....toolkit.desk.theme import readable_palette
+from ....toolkit.translation import tr
+from ...clip_pictures import ClipPicture
+from .picture_images import PictureImages
+from .picture_title import paint_title
+from .viewport import Viewport
+
+_WHEEL_STEP = 120  # eighths of a degree: one notch
+_KEY_PAN = 0.25  # of a view
+_READING_OPACITY = 0.25
+_ARROWS = {
+    Qt.Key.Key_Left: (1, 0),
+    Qt.Key.Key_Right: (-1, 0),
+    Qt.Key.Key_Up: (0, 1),
+    Qt.Key.Key_Down: (0, -1),
+}
+
+
+class PictureView(QWidget):
+    """Shows its picture, or the mosaic's while it is flipped."""
+
+    hovered = pyqtSignal(object, bool)
+    """The view, and whether the mouse came or went."""
+    focused = pyqtSignal(object, bool)
+    """The view, and whether the keyboard's focus came or went."""
+
+    def __init__(self, viewport: Viewport, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._viewport = viewport
+        self._own: PictureImages | None = None
+        self._mosaic: PictureImages | None = None
+        self._is_flipped = False
+        self._is_reading = False
+        self._dragged_from: QPoint | None = None
+        self._wheel = 0
+        self._marker = QRect()
+        self.setMouseTracking(True)
+        self.setCursor(Qt.CursorShape.CrossCursor)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        viewport.changed.connect(self.update)
+        viewport.cursorMoved.connect(self._move_marker)
+
+    # What is shown
+
+    def set_pictures(self, picture: ClipPicture, mosaic: ClipPicture | None) -> None:
+        self._own = PictureImages(picture)
+        self._mosaic = PictureImages(mosaic) if mosaic is not None and mosaic is not picture else None
+        self._is_reading = False
+        self.setAccessibleName(self._title())
+        self.update()
+
+    def set_reading(self) -> None:
+        """Dim the picture: it belongs to another window."""
+        self._is_reading = True
+        self.update()
+
+    def set_flipped(self, is_flipped: bool) -> None:
+        if is_flipped != self._is_flipped:
+            self._is_flipped = is_flipped
+            self.update()
+
+    @property
+    def picture(self) -> ClipPicture | None:
+        """The view's own picture."""
+        return self._own.picture if self._own is not None else None
+
+    @property
+    def shown(self) -> ClipPicture | None:
+        """The picture on the screen: the mosaic's while the view is flipped."""
+        images = self._shown()
+        return images.picture if images is not None else None
+
+    def _is_flipped_now(self) -> bool:
+        return self._is_flipped and self._mosaic is not None
+
+    def _shown(self) -> PictureImages | None:
+        return self._mosaic if self._is_flipped_now() else self._own
+
+    def _title(self) -> str:
+        shown = self.shown
+        if shown is None:
+            return ""
+        return tr("{name} (resampled)").format(name=shown.raster) if shown.resampled else shown.raster
+
+    # Sizes
+
+    def sizeHint(self) -> QSize:
+        side = 16 * self.fontMetrics().height()
+        return QSize(side, side + self._title_height())
+
+    def minimumSizeHint(self) -> QSize:
+        height = self.fontMetrics().height()
+        return QSize(round(8.5 * height), 7 * height + self._title_height())
+
+    def image_rect(self) -> QRect:
+        """Where the picture is."""
+        return self.rect().adjusted(0, self._title_height(), 0, 0)
+
+    def _title_height(self) -> int:
+        return round(1.35 * self.fontMetrics().height())
+
+    def _measure_screen(self) -> None:
+        ratio, rect = self.devicePixelRatioF(), self.image_rect()
+        self._viewport.screen = (max(1, round(rect.width() * ratio)), max(1, round(rect.height() * ratio)))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._measure_screen()
+
+    # Painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        self._measure_screen()  # the desktop's scaling may have changed
+        painter = QPainter(self)
+        rect = self.image_rect()
+        palette = readable_palette(self)
+        painter.fillRect(self.rect(), palette.color(QPalette.ColorRole.Window))
+        painter.fillRect(rect, palette.color(QPalette.ColorRole.Dark))
+        images = self._shown()
+        if images is None:
+            return
+        if self._is_reading:
+            painter.setOpacity(_READING_OPACITY)
+        strip = QRect(0, 0, self.width(), self._title_height())
+        paint_title(painter, strip, palette, images.picture.is_mosaic, self._title(), self._is_flipped_now())
+        painter.setClipRect(rect)
+        self._paint_picture(painter, images)
+        if not self._is_reading:
+            self._paint_marker(painter)
+        if self._is_flipped_now():
+            self._frame(painter, rect, palette.color(QPalette.ColorRole.Highlight))
+        elif self.hasFocus():
+            self._frame(painter, rect, palette.color(QPalette.ColorRole.WindowText))
+
+    def _paint_picture(self, painter: QPainter, images: PictureImages) -> None:
+        """The part that is seen, in the screen's own pixels, so that an image pixel is the same square everywhere."""
+        scale, ratio = self._viewport.scale, self.devicePixelRatioF()
+        image, step = images.at(scale)
+        left, top = self._viewport.origin()
+        left, top = round(left - images.picture.offset_x * scale), round(top - images.picture.offset_y * scale)
+        pixel = scale * step
+        width, height = self._viewport.screen
+        first_x, first_y = max(0, int(-left / pixel)), max(0, int(-top / pixel))
+        last_x = min(image.width(), int((width - left) / pixel) + 1)
+        last_y = min(image.height(), int((height - top) / pixel) + 1)
+        if last_x <= first_x or last_y <= first_y:
+            return
+        source = QRectF(first_x, first_y, last_x - first_x, last_y - first_y)
+        target = QRectF(
+            left + first_x * pixel, top + first_y * pixel, source.width() * pixel, source.height() * pixel
+        )
+        painter.save()
+        painter.translate(self.image_rect().topLeft())
+        painter.scale(1 / ratio, 1 / ratio)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, scale < 1)
+        painter.drawImage(target, image, source)
+        painter.restore()
+
+    def _frame(self, painter: QPainter, rect: QRect, colour: QColor) -> None:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(colour, 3))
+        painter.drawRect(rect.adjusted(1, 1, -2, -2))
+
+    # The linked cursor
+
+    def _marker_rect(self) -> QRect:
+        cursor = self._viewport.cursor
+        if cursor is None:
+            return QRect()
+        scale, ratio, (left, top) = self._viewport.scale, self.devicePixelRatioF(), self._viewport.origin()
+        corner = self.image_rect().topLeft()
+        x, y = corner.x() + (left + cursor[0] * scale) / ratio, corner.y() + (top + cursor[1] * scale) / ratio
+        arm = self.fontMetrics().height()
+        return QRect(round(x) - arm, round(y) - arm, 2 * arm + 1, 2 * arm + 1)
+
+    def _move_marker(self) -> None:
+        old, self._marker = self._marker, self._marker_rect()
+        for rect in (old, self._marker):
+            self.update(rect.adjusted(-2, -2, 2, 2))
+
+    def _paint_marker(self, painter: QPainter) -> None:
+        """An open cross, dark under light, that leaves the pixels around the place free."""
+        self._marker = self._marker_rect()
+        if self._marker.isNull():
+            return
+        middle, arm = self._marker.center(), self._marker.width() // 2
+        gap = arm // 3
+        for colour, width in ((QColor(0, 0, 0, 150), 3), (QColor(255, 255, 255, 230), 1)):
+            pen = QPen(colour, width)
+            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+            painter.setPen(pen)
+            for dx, dy in _ARROWS.values():
+                painter.drawLine(middle + QPoint(dx, dy) * gap, middle + QPoint(dx, dy) * arm)
+
+    # Mouse and keyboard
+
+    def _place(self, position: QPointF) -> tuple[float, float]:
+        """Screen pixels from the picture's upper left corner."""
+        ratio, corner = self.devicePixelRatioF(), self.image_rect().topLeft()
+        return (position.x() - corner.x()) * ratio, (position.y() - corner.y()) * ratio
+
+    def enterEvent(self, event: QEvent) -> None:
+        self.hovered.emit(self, True)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._viewport.set_cursor(None)
+        self.hovered.emit(self, False)
+
+    def focusInEvent(self, event: QEvent) -> None:
+        super().focusInEvent(event)
+        self.focused.emit(self, True)
+
+    def focusOutEvent(self, event: QEvent) -> None:
+        super().focusOutEvent(event)
+        self.focused.emit(self, False)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
+            self._dragged_from = event.pos()
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._dragged_from is not None:
+            moved, ratio = event.pos() - self._dragged_from, self.devicePixelRatioF()
+            self._dragged_from = event.pos()
+            self._viewport.pan(moved.x() * ratio, moved.y() * ratio)
+        self._point_at(event.pos())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._dragged_from = None
+        self.setCursor(Qt.CursorShape.CrossCursor)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._wheel += event.angleDelta().y()
+        steps = int(self._wheel / _WHEEL_STEP)  # touchpads send parts of a notch
+        self._wheel -= steps * _WHEEL_STEP
+        if steps:
+            self._viewport.zoom_by(steps, *self._place(event.position()))
+            self._point_at(event.position().toPoint())
+        event.accept()
+
+    def _point_at(self, position: QPoint) -> None:
+        inside = self.image_rect().contains(position)
+        self._viewport.set_cursor(self._viewport.window_point(*self._place(QPointF(position))) if inside else None)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in _ARROWS:
+            dx, dy = _ARROWS[event.key()]
+            width, height = self._viewport.screen
+            self._viewport.pan(_KEY_PAN * dx * width, _KEY_PAN * dy * height)
+        elif event.key() in (Qt.Key.Key_Plus, Qt.Key.Key_Equal):
+            self._viewport.zoom_by(1)
+        elif event.key() == Qt.Key.Key_Minus:
+            self._viewport.zoom_by(-1)
+        else:
+            super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            # over the title only: a tooltip must not cover what is being looked at
+            if event.pos().y() < self._title_height() and self.shown is not None:
+                text = tr("Drag to move, turn the wheel to zoom, hold Space to see the mosaic here.")
+                QToolTip.showText(event.globalPos(), f"{self._title()}\n{text}", self)
+            else:
+                QToolTip.hideText()
+            return True
+        return super().event(event)

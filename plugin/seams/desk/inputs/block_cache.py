@@ -1,0 +1,228 @@
+"""The block under inspection, made from the project's layers, and windows on its pixels."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+    QgsVectorLayerFeatureSource,
+)
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ....imagery import messages as imagery_messages
+from ....imagery.errors import SeamInspectorError, SettingsError, WindowError
+from ....imagery.grids import PixelWindow
+from ....imagery.message import Message
+from ....toolkit import layers
+from ....toolkit.background_task import Outcome
+from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.translation import tr
+from ...measure import messages
+from ...measure.inspection import Block, InspectionSettings, Source, WindowRequest, make_block, window_request
+from ...measure.seam_cells import Cell
+from ...tables import window_layer
+from ...tables.window_layer import WindowRow
+from .block_files import BlockFiles, OpenedFiles, block_files, layer_sources, opening_job
+from .project_inputs import Inputs
+
+
+class BlockCache(QObject):
+    """Knows the inputs. The mosaic's header and the source index are opened in the background, each once."""
+
+    opened = pyqtSignal()
+    """The mosaic was opened, or could not be."""
+
+    def __init__(self, project: QgsProject, background: BackgroundTasks, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._project = project
+        self._background = background
+        self._background.ended.connect(self._ended)
+        self.inputs = Inputs()
+        self._turn = 0  # counts what was opened, so that only the last one is taken
+        self._seen: dict[str, tuple[str, str]] = {}
+        self._indexed: dict[str, tuple[Source, ...]] = {}  # of source indexes, which may vanish
+        self._cells: dict[str, tuple[Cell, ...]] = {}  # likewise
+        self._states: dict[object, int] = {}
+        self.forget()
+
+    def forget(self) -> None:
+        """Another project."""
+        self._files: BlockFiles | None = None
+        self._opened: OpenedFiles | None = None
+        self._unopened: Message = messages.NO_MOSAIC()  # why nothing is opened
+        self._block: Block | None = None
+        self._failure: Message | None = None  # why what is opened makes no block
+
+    def refresh(self, anew: bool = False) -> None:
+        """The inputs or the project's layers have changed; ``anew``: there may be something else in the files."""
+        self._block = self._failure = None
+        try:
+            files = block_files(self._project, self.inputs)
+        except SeamInspectorError as error:
+            self.forget()
+            self._unopened = error.message
+            self._background.cancel_others(set())
+            return
+        if files == self._files and not anew:
+            return
+        if files != self._files:
+            self._opened = None
+        self._files = files
+        self._unopened = messages.MOSAIC_OPENING()
+        self._turn += 1
+        self._background.cancel_others({self._turn})
+        job = opening_job(self._project, self.inputs, files)
+        ids = self.inputs.source_index if files.index else "", self.inputs.cells if files.cells else ""
+        take = partial(self._take, self._turn, ids)
+        self._background.start(tr("Open the mosaic"), job, take, self._turn)
+
+    def mosaic_layer(self) -> QgsRasterLayer | None:
+        """The mosaic, while it is there."""
+        layer = self._project.mapLayer(self.inputs.mosaic)
+        return layer if isinstance(layer, QgsRasterLayer) else None
+
+    def settings(self) -> InspectionSettings:
+        """How windows are measured."""
+        inputs = self.inputs
+        return InspectionSettings(inputs.wavelet, inputs.levels, inputs.max_ratio, inputs.reference)
+
+    def problem(self) -> Message | None:
+        """Why there is no block; None when there is one."""
+        if self._opened is None:
+            return self._unopened
+        if self._block is None and self._failure is None:
+            mosaic = self._opened.mosaic
+            try:
+                sources = layer_sources(self._project, self.inputs, mosaic)
+                self._block = make_block(mosaic, [], [*sources, *self._opened.indexed], self._opened.cells)[0]
+            except SeamInspectorError as error:
+                self._failure = error.message
+        return self._failure
+
+    def required(self) -> Block:
+        """The block. Raises SettingsError when there is none, or not yet."""
+        problem = self.problem()
+        if problem is not None:
+            raise SettingsError(problem)
+        assert self._block is not None
+        return self._block
+
+    def silent(self) -> Block | None:
+        """The block; None when there is none, or not yet."""
+        return self._block if self.problem() is None else None
+
+    def state(self) -> int | None:
+        """The number of the present state of all that a result depends on; None while that is not known.
+
+        Equal states have equal numbers, so results are up to date again when a change is taken back. A layer that
+        vanished counts as it was.
+        """
+        inputs = self.inputs
+        indexed = self._of_layer(self._indexed, inputs.source_index)
+        cells = self._of_layer(self._cells, inputs.cells)
+        if not inputs.mosaic or indexed is None or cells is None:
+            return None
+        sources = tuple(map(self.seen, inputs.sources))
+        _, windows_crs = self.seen(inputs.windows)
+        state = self.seen(inputs.mosaic), sources, indexed, cells, self.settings(), windows_crs
+        return self._states.setdefault(state, len(self._states))
+
+    def _of_layer(self, found: Mapping[str, tuple[Any, ...]], layer_id: str) -> tuple[Any, ...] | None:
+        """What was read from a layer, nothing where there is none; None while it is not read yet."""
+        if layer_id not in found and self._project.mapLayer(layer_id) is None:
+            return ()
+        return found.get(layer_id)
+
+    def seen(self, layer_id: str) -> tuple[str, str]:
+        """Data source and reference system of a layer, as they were last seen; its id when it never was."""
+        layer = self._project.mapLayer(layer_id)
+        if layer is not None:
+            crs = layer.crs()
+            self._seen[layer_id] = layer.source(), crs.authid() or layers.system_wkt(crs)
+        return self._seen.get(layer_id, (layer_id, ""))
+
+    def _take(self, turn: int, ids: tuple[str, str], found: object) -> None:
+        if turn != self._turn:
+            return
+        if isinstance(found, OpenedFiles):
+            self._opened = found
+            self._indexed[ids[0]], self._cells[ids[1]] = found.indexed, found.cells
+        else:
+            self._opened = None
+            self._unopened = found if isinstance(found, Message) else messages.MOSAIC_NOT_OPENED()
+        self._block = self._failure = None
+        self.opened.emit()
+
+    def _ended(self, key: object, outcome: Outcome) -> None:
+        """A task that was cancelled in QGIS, or failed, must not leave us waiting."""
+        if key == self._turn and self._unopened == messages.MOSAIC_OPENING() and self._opened is None:
+            self._take(self._turn, ("", ""), outcome.message)
+
+    def seamlines(self, block: Block) -> Iterator[bytes | None] | None:
+        """The seamlines' geometries in the mosaic's reference system, to be read in any thread."""
+        layer = self._project.mapLayer(self.inputs.seamlines)
+        if not isinstance(layer, QgsVectorLayer):
+            return None
+        crs = layers.mosaic_crs(block.mosaic)
+        transform = QgsCoordinateTransform(layer.crs(), crs, self._project.transformContext())
+        return _geometries(QgsVectorLayerFeatureSource(layer), transform)
+
+    def outlines(self, block: Block, layer: QgsVectorLayer, windows: Sequence[PixelWindow]) -> list[QgsGeometry]:
+        """Windows as polygons in a layer's reference system, where they need not be upright.
+
+        Raises WindowError when they can't be transformed.
+        """
+        crs = layers.mosaic_crs(block.mosaic)
+        transform = QgsCoordinateTransform(crs, layer.crs(), self._project.transformContext())
+        found = [layers.rectangle(block.mosaic.grid.window_extent(window)) for window in windows]
+        if not all(_is_transformed(geometry, transform) for geometry in found):
+            raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
+        return found
+
+    def requests(self, block: Block, layer: QgsVectorLayer, rows: Sequence[WindowRow]) -> Iterator[WindowRequest]:
+        """The requests for windows, to be made in any thread, as there may be thousands."""
+        crs = layers.mosaic_crs(block.mosaic)
+        transform = QgsCoordinateTransform(layer.crs(), crs, self._project.transformContext())
+        shapes = {}
+        if layer.crs() != crs:  # the box of a polygon that is not upright there is too large
+            shapes = window_layer.read_shapes(layer, [row.fid for row in rows])
+        return _requests(block, list(rows), shapes, transform, self.settings())
+
+
+def _requests(
+    block: Block,
+    rows: list[WindowRow],
+    shapes: dict[int, QgsGeometry],
+    transform: QgsCoordinateTransform,
+    settings: InspectionSettings,
+) -> Iterator[WindowRequest]:
+    """A generator, so that nothing is done before it is asked."""
+    for row in rows:
+        geometry = shapes.get(row.fid, layers.rectangle(row.extent))
+        if _is_transformed(geometry, transform):
+            yield window_request(block, row.window_id, layers.extent(geometry), settings)
+        else:
+            why = imagery_messages.EXTENT_NOT_TRANSFORMED()
+            yield WindowRequest(row.window_id, block.mosaic, (), None, settings, why)
+
+
+def _geometries(source: QgsVectorLayerFeatureSource, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:
+    """A generator, so that features are fetched where it runs, and the source lives as long as it does."""
+    for feature in source.getFeatures(QgsFeatureRequest()):
+        yield layers.line_wkb(feature, transform)
+
+
+def _is_transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> bool:
+    try:
+        geometry.transform(transform)
+    except QgsCsException:
+        return False
+    return True

@@ -1,0 +1,150 @@
+"""The inputs that are seldom changed: spacing, wavelet, levels, limit, what the verdict is against, seam cells."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from qgis.core import QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
+from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import QComboBox, QGridLayout, QLabel, QWidget
+
+from ....imagery import limits as imagery_limits
+from ....toolkit.desk.layer_box import LayerBox
+from ....toolkit.translation import tr
+from ...measure import limits
+from ...measure.inspection import REFERENCES
+from ...tables.seam_cell_layer import CELL_FIELD
+
+if TYPE_CHECKING:
+    from .project_inputs import Inputs
+
+
+class MoreBox(QgsCollapsibleGroupBoxBasic):
+    """Folded until it is asked for."""
+
+    changed = pyqtSignal(str, object)
+    """The name of a field of ``Inputs`` and its new value."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(tr("More"), parent)
+        self.setToolTip(
+            tr("Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken "
+               "against, seam cells")
+        )
+        self.spacing = metres_box(limits.STANDARD_SPACING_M, 50, self)
+        self.spacing.setToolTip(tr("Metres along the seam from one placed window to the next"))
+        self.wavelet = QComboBox(self)
+        self.wavelet.addItems(imagery_limits.WAVELETS)
+        self.wavelet.setToolTip(
+            tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers.")
+        )
+        self.levels = QgsSpinBox(self)
+        self.levels.setRange(imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS)
+        self.levels.setClearValue(imagery_limits.DEFAULT_LEVELS)
+        self.levels.setKeyboardTracking(False)
+        self.levels.setToolTip(
+            tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.")
+        )
+        self.max_ratio = QgsDoubleSpinBox(self)
+        self.max_ratio.setRange(0.01, 1)
+        self.max_ratio.setSingleStep(0.05)
+        self.max_ratio.setClearValue(imagery_limits.MAX_SIGNIFICANT_RATIO)
+        self.max_ratio.setKeyboardTracking(False)
+        self.max_ratio.setToolTip(
+            tr("A loss is significant when the mosaic keeps at most this share of the sources' detail at level 1")
+        )
+        self.reference = QComboBox(self)
+        for reference, text in zip(REFERENCES, (tr("the sources"), tr("their composite"))):
+            self.reference.addItem(text, reference)
+        self.reference.setToolTip(
+            tr("What the verdict is taken against: each source's whole clip, as in Pyka's papers, or the hard cut of "
+               "the sources that the mosaic follows, which tells loss from content")
+        )
+        self.cells = LayerBox(QgsMapLayerProxyModel.Filter.PolygonLayer, tr("none"), self)
+        self.cells.setToolTip(
+            tr("Polygons that say in a field 'source' which orthoimage the mosaic was cut from; without them that is "
+               "found from the pixels")
+        )
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        layout.setVerticalSpacing(3)
+        layout.setColumnStretch(1, 1)
+        add_field(layout, 0, tr("S&pacing"), self.spacing)
+        add_field(layout, 1, tr("Wa&velet"), self.wavelet)
+        add_field(layout, 2, tr("L&evels"), self.levels)
+        add_field(layout, 3, tr("Significant up to &ratio"), self.max_ratio)
+        add_field(layout, 4, tr("Verdict &against"), self.reference)
+        add_field(layout, 5, tr("Seam &cells"), self.cells)
+        self.setCollapsed(True)
+        self.spacing.valueChanged.connect(self._change_spacing)
+        self.wavelet.activated.connect(self._choose_wavelet)
+        self.levels.valueChanged.connect(self._change_levels)
+        self.max_ratio.valueChanged.connect(self._change_max_ratio)
+        self.reference.activated.connect(self._choose_reference)
+        self.cells.chosen.connect(self._choose_cells)
+
+    def fields(self) -> tuple[QWidget, ...]:
+        """In tab order."""
+        return self.spacing, self.wavelet, self.levels, self.max_ratio, self.reference, self.cells
+
+    def show_inputs(self, inputs: Inputs) -> None:
+        """Show the values of the inputs; ``changed`` is emitted for those that differ."""
+        show_value(self.spacing, inputs.spacing_m)
+        show_value(self.levels, inputs.levels)
+        show_value(self.max_ratio, inputs.max_ratio)
+        self.wavelet.setCurrentIndex(self.wavelet.findText(inputs.wavelet))
+        self.reference.setCurrentIndex(self.reference.findData(inputs.reference))
+        self.cells.leave_out(vectors_without(CELL_FIELD))
+        self.cells.show_layer(inputs.cells)
+
+    def _change_spacing(self, metres: float) -> None:
+        self.changed.emit("spacing_m", metres)
+
+    def _choose_wavelet(self, _index: int) -> None:
+        self.changed.emit("wavelet", self.wavelet.currentText())
+
+    def _change_levels(self, levels: int) -> None:
+        self.changed.emit("levels", levels)
+
+    def _change_max_ratio(self, ratio: float) -> None:
+        self.changed.emit("max_ratio", ratio)
+
+    def _choose_reference(self, _index: int) -> None:
+        self.changed.emit("reference", self.reference.currentData())
+
+    def _choose_cells(self, layer_id: str) -> None:
+        self.changed.emit("cells", layer_id)
+
+
+def vectors_without(field: str) -> list[QgsVectorLayer]:
+    """The project's vector layers that lack a field."""
+    found = QgsProject.instance().mapLayers().values()
+    return [layer for layer in found if isinstance(layer, QgsVectorLayer) and field not in layer.fields().names()]
+
+
+def metres_box(usual: float, step: float, parent: QWidget) -> QgsDoubleSpinBox:
+    """A box for a length that is taken when it is complete, not digit by digit."""
+    box = QgsDoubleSpinBox(parent)
+    box.setRange(0.1, 99_999)
+    box.setDecimals(1)
+    box.setSingleStep(step)
+    box.setSuffix(" m")
+    box.setClearValue(usual)
+    box.setKeyboardTracking(False)
+    return box
+
+
+def show_value(box: QgsDoubleSpinBox | QgsSpinBox, value: float) -> None:
+    """Set a number; where it is there already the box is left alone, for another may be being typed."""
+    if box.value() != value:
+        box.setValue(value)
+
+
+def add_field(grid: QGridLayout, row: int, text: str, *fields: QWidget) -> None:
+    """A row of a form: the label with its shortcut, and what it names."""
+    label = QLabel(text)
+    label.setBuddy(fields[0])
+    label.setToolTip(fields[0].toolTip())
+    grid.addWidget(label, row, 0)
+    for column, field in enumerate(fields, start=1):
+        grid.addWidget(field, row, column, 1, 1 if len(fields) > 1 else 2)

@@ -1,0 +1,88 @@
+"""What the inspection desk works on, remembered in the project."""
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from typing import Any, Callable
+
+from qgis.core import QgsProject
+
+from ....imagery import limits as imagery_limits
+from ...measure import limits
+from ...measure.inspection import REFERENCES
+
+_SCOPE, _KEY = "SeamInspector", "inputs"
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """What is inspected and how. Layers are named by their ids, so that one that vanished does no harm."""
+
+    mosaic: str = ""
+    """Raster layer."""
+    sources: tuple[str, ...] = ()
+    """Raster layers."""
+    source_index: str = ""
+    """Polygon layer with a field ``location``."""
+    seamlines: str = ""
+    """Line or polygon layer."""
+    windows: str = ""
+    """The window layer; empty while there is none."""
+    side_m: float = imagery_limits.STANDARD_SIDE_M
+    """Metres that a standard window spans at least."""
+    spacing_m: float = limits.STANDARD_SPACING_M
+    """Metres along the seam between placed windows."""
+    wavelet: str = imagery_limits.DEFAULT_WAVELET
+    levels: int = imagery_limits.DEFAULT_LEVELS
+    max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
+    reference: str = REFERENCES[0]
+    """What the verdict is taken against, one of ``REFERENCES``."""
+    cells: str = ""
+    """Polygon layer with a field ``source``: which source the mosaic was cut from, where that is known."""
+
+
+def load_inputs(project: QgsProject) -> Inputs:
+    """The project's inputs; the defaults where it has none or they can't be understood."""
+    text, known = project.readEntry(_SCOPE, _KEY)
+    try:
+        stored = json.loads(text) if known and text else {}
+    except ValueError:
+        stored = {}
+    if not isinstance(stored, dict):
+        return Inputs()
+    return Inputs(**{name: value for name, read in _READERS.items() if (value := read(stored.get(name))) is not None})
+
+
+def save_inputs(project: QgsProject, inputs: Inputs) -> None:
+    """Write the inputs into the project, which is saved by its user."""
+    project.writeEntry(_SCOPE, _KEY, json.dumps(asdict(inputs)))
+
+
+def _text(value: object) -> str | None:
+    return value if isinstance(value, str) else None
+
+
+def _texts(value: object) -> tuple[str, ...] | None:
+    return tuple(text for text in value if isinstance(text, str)) if isinstance(value, list) else None
+
+
+def _number(value: object) -> float | None:
+    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
+
+
+def _whole(value: object) -> int | None:
+    return value if isinstance(value, int) and not isinstance(value, bool) else None
+
+
+def _reference(value: object) -> str | None:
+    return value if isinstance(value, str) and value in REFERENCES else None
+
+
+_READERS: dict[str, Callable[[object], Any]] = {
+    **dict.fromkeys(("mosaic", "source_index", "seamlines", "windows", "wavelet", "cells"), _text),
+    **dict.fromkeys(("side_m", "spacing_m", "max_ratio"), _number),
+    "sources": _texts,
+    "levels": _whole,
+    "reference": _reference,
+}
+"""How each value is understood; what is another kind of thing is left out."""

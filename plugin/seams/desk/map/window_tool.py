@@ -1,0 +1,245 @@
+"""The map tool that places windows: click for a standard one, drag for a rectangle."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from qgis.core import QgsCoordinateTransform, QgsCsException, QgsPointXY, QgsProject, QgsRectangle
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent
+from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt
+from qgis.PyQt.QtGui import QKeyEvent
+
+from ....imagery import limits as imagery_limits
+from ....imagery import messages as imagery_messages
+from ....imagery.errors import SeamInspectorError, WindowError
+from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
+from ....toolkit.desk.drawing_tool import DrawingTool, is_drag
+from ....toolkit.translation import sentence, tr
+from ...measure import messages
+from ...measure.window_placing import window_side_px
+from .window_outline import OutlineTone, WindowOutline
+
+if TYPE_CHECKING:
+    from ..inputs.project_inputs import Inputs
+    from ..session import Session
+
+_SEAM_REACH_PX = 12  # screen pixels at 96 dpi
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class _Draft:
+    """What a click or the end of a drag would make here, in the mosaic's reference system."""
+
+    extent: Extent
+    """The window's pixels, or what was drawn when it can't be a window."""
+    window: PixelWindow | None
+    text: str
+    tone: OutlineTone
+    seam_point: Point | None = None
+
+
+class WindowTool(DrawingTool):
+    """Click: the standard window, on the seam when one is near. Drag: a rectangle, with Shift a square.
+
+    Esc cancels a drag, the right button ends. Middle button, wheel and Space move the map as ever: the canvas
+    keeps these to itself, and no flag of this tool (zooming by Shift and drag, context menu) takes the others.
+    """
+
+    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
+        super().__init__(canvas)
+        self._session = session
+        self._overlay = WindowOutline(canvas)
+        self._pressed_at: QPoint | None = None
+        self._anchor: Point | None = None  # where the drag began, on the mosaic
+        self._is_drag = False
+        self._is_square = False
+        self._cursor: QgsPointXY | None = None  # on the map; None while it is elsewhere
+
+    def _listen(self) -> None:
+        super()._listen()
+        self.canvas().keyReleased.connect(self._key_released)
+        self.canvas().viewport().installEventFilter(self)
+        self._session.inputsChanged.connect(self._show_draft)
+
+    def _listen_no_more(self) -> None:
+        super()._listen_no_more()
+        self.canvas().keyReleased.disconnect(self._key_released)
+        self.canvas().viewport().removeEventFilter(self)
+        self._session.inputsChanged.disconnect(self._show_draft)
+
+    def _clear(self) -> None:
+        self._forget()
+        self._overlay.close()
+
+    def canvasPressEvent(self, event: QgsMapMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._pressed_at = event.pixelPoint()
+            self._anchor = self._on_mosaic(event.mapPoint())
+            self._is_drag = False
+
+    def canvasMoveEvent(self, event: QgsMapMouseEvent) -> None:
+        self._follow(event)
+        self._show_draft()
+
+    def canvasReleaseEvent(self, event: QgsMapMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.RightButton:
+            if self._pressed_at is not None:  # to end here would give the other button's release to the next tool
+                self._forget()
+            else:
+                self.finished.emit()
+        elif event.button() == Qt.MouseButton.LeftButton and self._pressed_at is not None:
+            self._follow(event)
+            draft = self._draft()
+            if draft is not None and draft.window is not None:
+                self._forget()
+                self._session.add_window(draft.window)
+            else:
+                self._show_draft()
+                self._end_drag()
+
+    def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
+        """Clear the map when the cursor leaves it: an outline left behind looks like a window."""
+        if event is not None and event.type() == QEvent.Type.Leave and self._pressed_at is None:
+            self._forget()
+        return False
+
+    def _key_pressed(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self._pressed_at is not None:
+            event.accept()
+            self._forget()
+        elif event.key() == Qt.Key.Key_Shift:
+            self._is_square = True
+            self._show_draft()
+
+    def _key_released(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Shift:
+            self._is_square = False
+            self._show_draft()
+
+    def _follow(self, event: QgsMapMouseEvent) -> None:
+        self._cursor = event.mapPoint()
+        self._is_square = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        if self._pressed_at is not None:
+            self._is_drag = self._is_drag or is_drag(self._pressed_at, event.pixelPoint())
+
+    def _end_drag(self) -> None:
+        self._pressed_at = self._anchor = None
+        self._is_drag = False
+
+    def _forget(self) -> None:
+        self._end_drag()
+        self._cursor = None
+        self._overlay.hide()
+
+    def _show_draft(self) -> None:
+        """Draw what a click, or the end of the drag, would make at the cursor."""
+        draft, layer = self._draft(), self._session.mosaic_layer()
+        if draft is not None and layer is not None:
+            mark = QgsPointXY(*draft.seam_point) if draft.seam_point is not None else None
+            self._overlay.show(QgsRectangle(*draft.extent), draft.text, layer.crs(), draft.tone, mark)
+        elif self._cursor is not None:  # beside the cursor
+            text = sentence(self._session.problem() or imagery_messages.WINDOW_OUTSIDE())
+            self._overlay.show(QgsRectangle(self._cursor, self._cursor), text, tone=OutlineTone.REFUSED)
+
+    def _draft(self) -> _Draft | None:
+        """None without mosaic, or where the map has no place on it."""
+        grid = self._session.mosaic_grid()
+        point = self._on_mosaic(self._cursor) if self._cursor is not None else None
+        if grid is None or point is None:
+            return None
+        if self._is_drag and self._anchor is not None:
+            extent = drawn_extent(grid, self._anchor, point, self._is_square)
+            try:
+                return self._accepted(grid, snap_window(grid, extent, self._session.inputs.levels))
+            except WindowError as error:
+                return _Draft(extent, None, sentence(error.message), OutlineTone.REFUSED)
+        seam_point = self._session.seam_point_near(*point, self._seam_reach())
+        centre = seam_point or point
+        try:
+            return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point)
+        except SeamInspectorError as error:
+            return _Draft((*centre, *centre), None, sentence(error.message), OutlineTone.REFUSED)
+
+    def _accepted(self, grid: Grid, window: PixelWindow, seam_point: Point | None = None) -> _Draft:
+        sources = self._session.source_count_over(window)
+        tone = OutlineTone.GOOD if sources else OutlineTone.DOUBTFUL
+        return _Draft(grid.window_extent(window), window, described(grid, window, sources), tone, seam_point)
+
+    def _on_mosaic(self, point: QgsPointXY) -> Point | None:
+        """A point of the map in the mosaic's reference system; None when it has no place there."""
+        layer = self._session.mosaic_layer()
+        if layer is None:
+            return None
+        map_crs = self.canvas().mapSettings().destinationCrs()
+        try:
+            found = QgsCoordinateTransform(map_crs, layer.crs(), QgsProject.instance()).transform(point)
+        except QgsCsException:
+            return None
+        return found.x(), found.y()
+
+    def _seam_reach(self) -> float:
+        """How near a seam counts as near, in the mosaic's units."""
+        assert self._cursor is not None
+        reach = _SEAM_REACH_PX * self.canvas().logicalDpiX() / 96 * self.canvas().mapUnitsPerPixel()
+        beside = QgsPointXY(self._cursor.x() + reach, self._cursor.y())
+        here, there = self._on_mosaic(self._cursor), self._on_mosaic(beside)
+        if here is None or there is None:
+            return 0.0
+        return float(((here[0] - there[0]) ** 2 + (here[1] - there[1]) ** 2) ** 0.5)
+
+
+def clicked_window(grid: Grid, centre: Point, inputs: Inputs) -> PixelWindow:
+    """The standard window around a point, moved into the grid where it would stick out.
+
+    Raises SettingsError when the side is too short for the levels, WindowError when the point lies outside the
+    grid or the grid is too small for the side.
+    """
+    side_px = window_side_px(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
+    xmin, ymin, xmax, ymax = grid.extent
+    if not (xmin <= centre[0] <= xmax and ymin <= centre[1] <= ymax):
+        raise WindowError(imagery_messages.WINDOW_OUTSIDE())
+    if side_px > min(grid.columns, grid.rows):
+        metres_x, metres_y = grid.pixel_width * grid.metres_x, grid.pixel_height * grid.metres_y
+        width, height, side = grid.columns * metres_x, grid.rows * metres_y, side_px * max(metres_x, metres_y)
+        raise WindowError(messages.MOSAIC_TOO_SMALL(width=width, height=height, side=side))
+    if side_px * side_px > imagery_limits.MAX_WINDOW_PIXELS:
+        most = imagery_limits.MAX_WINDOW_PIXELS // 1_000_000
+        raise WindowError(imagery_messages.WINDOW_TOO_LARGE(width=side_px, height=side_px, most=most))
+    centred = standard_window(grid, *centre, side_px)
+    column = min(max(centred.column, 0), grid.columns - side_px)
+    row = min(max(centred.row, 0), grid.rows - side_px)
+    return PixelWindow(column, row, side_px, side_px)
+
+
+def drawn_extent(grid: Grid, anchor: Point, end: Point, is_square: bool) -> Extent:
+    """The rectangle of a drag, or the square on whole pixels that grows from its anchor as far as the grid goes.
+
+    A square's sides are counted in pixels here: to round and cut its edges one by one could leave one side
+    longer than the other.
+    """
+    if not is_square:
+        (x1, x2), (y1, y2) = sorted((anchor[0], end[0])), sorted((anchor[1], end[1]))
+        return x1, y1, x2, y2
+    metres_x, metres_y = grid.pixel_width * grid.metres_x, grid.pixel_height * grid.metres_y
+    column = min(max(round((anchor[0] - grid.left) / grid.pixel_width), 0), grid.columns)
+    row = min(max(round((grid.top - anchor[1]) / grid.pixel_height), 0), grid.rows)
+    across = (end[0] - grid.left) / grid.pixel_width - column
+    down = (grid.top - end[1]) / grid.pixel_height - row
+    room_x = grid.columns - column if across > 0 else column
+    room_y = grid.rows - row if down > 0 else row
+    side_m = min(max(abs(across) * metres_x, abs(down) * metres_y), room_x * metres_x, room_y * metres_y)
+    columns, rows = round(side_m / metres_x), round(side_m / metres_y)
+    first_column = column if across > 0 else column - columns
+    first_row = row if down > 0 else row - rows
+    return grid.window_extent(PixelWindow(first_column, first_row, columns, rows))
+
+
+def described(grid: Grid, window: PixelWindow, sources: int) -> str:
+    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``."""
+    width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
+    few = {0: tr("no source covers it"), 1: tr("1 source")}
+    counted = few.get(sources) or tr("{count} sources").format(count=sources)
+    size = tr("{width:.1f} x {height:.1f} m, {columns} x {rows} px")
+    return f"{size.format(width=width, height=height, columns=window.width, rows=window.height)}, {counted}"

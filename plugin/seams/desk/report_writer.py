@@ -1,0 +1,94 @@
+"""Asks where the report of the inspected windows goes, and writes it in the background."""
+from __future__ import annotations
+
+from functools import partial
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import Qgis, QgsProject
+from qgis.PyQt.QtCore import QObject, QUrl, pyqtSignal
+from qgis.PyQt.QtWidgets import QFileDialog, QWidget
+
+from ...imagery.errors import SeamInspectorError
+from ...imagery.message import Message
+from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.translation import sentence, tr
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_KEY = "report"
+
+
+class ReportWriter(QObject):
+    """One report at a time."""
+
+    said = pyqtSignal(str, int)
+    """A sentence, which may hold a link, and its Qgis.MessageLevel as int."""
+
+    def __init__(self, session: Session, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._window = parent
+        self._folder = Path()
+        self._background = BackgroundTasks(self)
+        self._background.failed.connect(self._failed)
+
+    @property
+    def can_start(self) -> bool:
+        """Whether a window is inspected, and no report under way."""
+        return any(row.verdict for row in self._session.windows()) and not self._background.is_under_way(_KEY)
+
+    def ask(self) -> None:
+        """Ask for the file, then write it."""
+        home = self._folder if self._folder.parts else Path(QgsProject.instance().homePath() or Path.home())
+        kind = tr("HTML files (*.html)")
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, tr("Save report"), str(home / tr("seam_inspection.html")), kind
+        )
+        if chosen:
+            path = Path(chosen)
+            self.write(path if path.suffix.lower() in (".html", ".htm") else path.with_name(path.name + ".html"))
+
+    def write(self, path: Path) -> None:
+        """Write the report of the windows as they are now."""
+        from ..report.desk_request import report_job, report_request
+
+        session, layer = self._session, self._session.window_layer()
+        if layer is None or not self.can_start:
+            return
+        self._folder = path.parent
+        try:
+            request = report_request(
+                session.windows(),
+                session.result,
+                layer.crs(),
+                session.block(),
+                session.inputs.max_ratio,
+                QgsProject.instance(),
+            )
+        except SeamInspectorError as error:
+            self._failed(error.message)
+            return
+        take = partial(self._take, path, len(request.findings), len(request.curves))
+        self._background.start(tr("Write the report"), report_job(path, request), take, _KEY)
+
+    def close(self) -> None:
+        """Cancel what is under way."""
+        self._background.close()
+
+    def _take(self, path: Path, windows: int, measured: int, notices: Any) -> None:
+        link = f'<a href="{escape(QUrl.fromLocalFile(str(path)).toString())}">{escape(path.name)}</a>'
+        words = [tr("Report of {count} windows: {link}.").format(count=windows, link=link)]
+        if measured < windows:
+            words.append(
+                tr("{count} of them have no curves in it, as these are not kept with the project; inspect them again "
+                   "to have them.").format(count=windows - measured)
+            )
+        words += [escape(sentence(notice), quote=False) for notice in notices]
+        level = Qgis.MessageLevel.Warning if len(words) > 1 else Qgis.MessageLevel.Success
+        self.said.emit(" ".join(words), int(level))
+
+    def _failed(self, message: Message) -> None:
+        self.said.emit(escape(sentence(message), quote=False), int(Qgis.MessageLevel.Warning))

@@ -1,0 +1,306 @@
+"""The one model behind the dock, the map tool and all panels: inputs, windows, results, and work in the background."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ...imagery.errors import SeamInspectorError
+from ...imagery.grids import Grid, PixelWindow
+from ...imagery.message import Message
+from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.translation import sentence
+from ..clip_pictures import ClipPicture
+from ..measure import messages
+from ..measure.inspection import Block, WindowRequest, WindowResult
+from ..tables import window_layer
+from ..tables.window_layer import WindowRow
+from .images.window_pictures import WindowPictures
+from .inputs.block_cache import BlockCache
+from .inputs.inputs_watch import InputsWatch
+from .inputs.project_inputs import Inputs, load_inputs, save_inputs
+from .map.seam_finder import SeamFinder
+from .windows.new_windows import NewWindows
+from .windows.window_results import WindowResults
+from .windows.window_watch import WindowWatch
+
+
+class Session(QObject):
+    """Inputs, windows, results. Everything that reads pixels runs in tasks; results come back by signals."""
+
+    inputsChanged = pyqtSignal()
+    windowsChanged = pyqtSignal()
+    selectionChanged = pyqtSignal()
+    resultArrived = pyqtSignal(int)
+    picturesArrived = pyqtSignal(int)
+    progressChanged = pyqtSignal(int, int)
+    messageRaised = pyqtSignal(str, int)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._project = QgsProject.instance()
+        self._inputs_background = BackgroundTasks(self)  # apart, since another window layer does not matter to it
+        self._inputs_background.failed.connect(self._failed)
+        self._block = BlockCache(self._project, self._inputs_background, self)
+        self._block.opened.connect(self._opened)
+        self._seams = SeamFinder(self._block, self._inputs_background)
+        self._layers = InputsWatch(self._project, self)
+        self._layers.layersChanged.connect(self._files_changed)
+        self._layers.indexEdited.connect(self._files_changed)
+        self._layers.seamlinesEdited.connect(self._seamlines_edited)
+        self._watch = WindowWatch(self)
+        self._watch.windowsChanged.connect(self.windowsChanged)
+        self._watch.selectionChanged.connect(self.selectionChanged)
+        self._watch.replaced.connect(self._windows_replaced)
+        self._background = BackgroundTasks(self)
+        self._background.failed.connect(self._failed)
+        self._results = WindowResults(self._block, self._watch, self._background, self)
+        self._results.arrived.connect(self.resultArrived)
+        self._results.failed.connect(self._failed)
+        self._new = NewWindows(self._project, self._block, self._watch, self._background, self)
+        self._new.layerMade.connect(self._take_layer)
+        self._new.drawn.connect(self._take_drawn)
+        self._new.said.connect(self._say)
+        self._pictures = WindowPictures(self._block, self._watch, self._background, self)
+        self._pictures.arrived.connect(self.picturesArrived)
+        self._background.progressChanged.connect(self.progressChanged)  # after the results, which write the last ones
+        self._connections = self._project_signals()
+        for signal, slot in self._connections:
+            signal.connect(slot)
+        self._load()
+
+    def close(self) -> None:
+        """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
+        while self._connections:
+            signal, slot = self._connections.pop()
+            signal.disconnect(slot)
+        self._new.abandon()
+        self._layers.close()
+        self._inputs_background.close()
+        self._background.close()
+        self._results.close()
+        self._watch.close()
+
+    # Inputs
+
+    @property
+    def inputs(self) -> Inputs:
+        """What is inspected and how."""
+        return self._block.inputs
+
+    def set_inputs(self, inputs: Inputs) -> None:
+        """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
+        before = self.inputs
+        if before == inputs:
+            return
+        if before.windows != inputs.windows:
+            self._results.write()  # into the layer they are of
+        self._block.inputs = inputs
+        save_inputs(self._project, inputs)
+        self._layers_changed()
+
+    def mosaic_layer(self) -> QgsRasterLayer | None:
+        """The mosaic, while it is there."""
+        return self._block.mosaic_layer()
+
+    def mosaic_grid(self) -> Grid | None:
+        """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
+        block = self._block.silent()
+        return block.mosaic.grid if block is not None else None
+
+    def block(self) -> Block | None:
+        """Mosaic and sources under inspection; None while there are none, or they are being opened."""
+        return self._block.silent()
+
+    def problem(self) -> Message | None:
+        """Why nothing can be inspected now: an input is missing or can't be used, or the mosaic is being opened."""
+        return self._block.problem()
+
+    def source_count_over(self, window: PixelWindow) -> int:
+        """How many sources' footprints cover a window."""
+        block = self._block.silent()
+        return len(block.sources_over(window)) if block is not None else 0
+
+    def request(self, fid: int) -> WindowRequest | None:
+        """A window as it is measured, and the sources over it; None while there is no block."""
+        row, block, layer = self.row(fid), self.block(), self.window_layer()
+        if row is None or block is None or layer is None:
+            return None
+        return next(self._block.requests(block, layer, [row]))
+
+    def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
+        """The nearest point of a seam within ``reach``, all in the mosaic's reference system."""
+        return self._seams.nearest(x, y, reach)
+
+    # Windows
+
+    def window_layer(self) -> QgsVectorLayer | None:
+        """The layer that holds the windows, while it is there."""
+        return self._watch.layer
+
+    def windows(self) -> list[WindowRow]:
+        """All windows by their number."""
+        return self._watch.rows()
+
+    def row(self, fid: int) -> WindowRow | None:
+        """One window."""
+        return self._watch.row(fid)
+
+    def selected(self) -> list[int]:
+        """Feature ids of the selected windows."""
+        return self._watch.selected()
+
+    def select(self, fids: Sequence[int]) -> None:
+        """Select windows, on the map and in the table alike."""
+        self._watch.select(fids)
+
+    def add_window(self, window: PixelWindow) -> None:
+        """A new window, selected and inspected at once in the background; the first one waits for its layer."""
+        self._new.draw(window)
+
+    def remove(self, fids: Sequence[int]) -> None:
+        """Remove windows; undo brings them back."""
+        with self._raised():
+            if self._watch.layer is not None and fids:
+                window_layer.remove_windows(self._watch.layer, fids)
+
+    def judge(self, fids: Sequence[int], observer: str) -> None:
+        """Write what the operator saw: ``visible``, ``invisible`` or nothing."""
+        with self._raised():
+            if self._watch.layer is not None and fids:
+                fids = self._watch.prepare(fids, self.inputs.levels)
+                window_layer.write_observer(self._watch.layer, fids, observer)
+
+    # Work in the background
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether windows are being made, placed or inspected."""
+        return self._background.is_busy or self._new.is_busy
+
+    def is_pending(self, fid: int) -> bool:
+        """Whether a window is being inspected, or its result not written yet."""
+        row = self.row(fid)
+        return row is not None and self._results.is_pending(row.window_id)
+
+    def place_windows(self) -> None:
+        """Place windows along the seamlines; they are added when all are found, and not inspected yet."""
+        with self._raised():
+            self._new.place()
+
+    def inspect(self, fids: Sequence[int]) -> None:
+        """Inspect windows, those left out that are being inspected already."""
+        with self._raised():
+            self._results.inspect(fids)
+
+    def inspect_pending(self) -> None:
+        """Inspect all windows that are not inspected yet or have changed since."""
+        self.inspect([row.fid for row in self.windows() if not row.verdict or row.stale])
+
+    def stop(self) -> None:
+        """Cancel placing and inspection; what is done stays."""
+        self._results.forget_asked()
+        self._background.stop()
+
+    def result(self, fid: int) -> WindowResult | None:
+        """The curves of a window, as far as they were measured in this session."""
+        row = self.row(fid)
+        return self._results.result(row.window_id) if row is not None else None
+
+    def pictures(self, fid: int) -> list[ClipPicture] | None:
+        """The clips of a window as pictures; when they are not there yet they are read in the background."""
+        return self._pictures.pictures(fid)
+
+    def _take_layer(self, layer_id: str) -> None:
+        """A window layer was made for new windows."""
+        self.set_inputs(replace(self.inputs, windows=layer_id))
+
+    def _take_drawn(self, fids: list[int]) -> None:
+        self.select(fids)
+        self.inspect(fids)
+
+    # The project
+
+    def _project_signals(self) -> list[tuple[Any, Callable[..., None]]]:
+        return [
+            (self._project.readProject, self._load),
+            (self._project.cleared, self._load),
+            (self._project.writeProject, self._save),
+            (self._project.layersAdded, self._layers_changed),
+            (self._project.layersWillBeRemoved, self._forget_layers),
+            (self._project.layersRemoved, self._layers_changed),
+        ]
+
+    def _load(self, *_: object) -> None:
+        self._inputs_background.abandon()
+        self._block.forget()
+        self._seams.forget()
+        self._forget_windows()
+        self._block.inputs = load_inputs(self._project)
+        self._layers_changed()
+
+    def _save(self, *_: object) -> None:
+        """Save the windows with the project, as its user expects."""
+        self._results.write()
+        self._watch.save_stale()
+        layer = self._watch.layer
+        if layer is not None and layer.isModified() and not layer.commitChanges(False):
+            error = next((text.rstrip(". ") for text in layer.commitErrors() if text.startswith("ERROR")), "")
+            self._say(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error), Qgis.MessageLevel.Critical)
+
+    def _layers_changed(self, *_: object) -> None:
+        self._block.refresh()
+        self._layers.follow(self.inputs)
+        layer = self._project.mapLayer(self.inputs.windows)
+        if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
+            self._forget_windows()
+            self._watch.watch(layer)
+        self._opened()
+
+    def _opened(self) -> None:
+        """There may be another block, or none any more."""
+        self._seams.refresh()
+        self._watch.set_state(self._block.state())
+        self.inputsChanged.emit()
+
+    def _files_changed(self) -> None:
+        self._block.refresh(anew=True)
+        self._opened()
+
+    def _seamlines_edited(self) -> None:
+        self._seams.refresh(anew=True)
+
+    def _windows_replaced(self) -> None:
+        self._forget_windows()
+        self._layers_changed()
+
+    def _forget_layers(self, ids: list[str]) -> None:
+        self._layers.leave(ids)
+        if (layer := self._watch.layer) is not None and layer.id() in ids:
+            self._forget_windows()
+
+    def _forget_windows(self) -> None:
+        """What is of the window layer so far; nothing of it may reach another one."""
+        self._new.abandon()
+        self._background.abandon()
+        self._watch.watch(None)
+        self._pictures.forget()
+        self._results.forget()
+
+    def _failed(self, message: Message) -> None:
+        self._say(message, Qgis.MessageLevel.Warning)
+
+    def _say(self, message: Message, level: Qgis.MessageLevel) -> None:
+        self.messageRaised.emit(sentence(message), int(level))
+
+    @contextmanager
+    def _raised(self) -> Iterator[None]:
+        """Errors the user can mend become a message, not a traceback."""
+        try:
+            yield
+        except SeamInspectorError as error:
+            self._failed(error.message)

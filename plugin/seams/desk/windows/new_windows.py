@@ -1,0 +1,160 @@
+"""Windows come into being: drawn one by one or placed along the seams, and the layer that holds them.
+
+All of that belongs to the interface's thread, and QGIS takes some 20 ms to write a GeoPackage, to open it, and to start
+its editing; so it is done in steps, between which the interface has its turn.
+"""
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from qgis.core import Qgis, QgsApplication, QgsProject
+from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
+
+from ....imagery.errors import SeamInspectorError
+from ....imagery.grids import PixelWindow
+from ....toolkit import layer_editing, layers
+from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.log_messages import write_log
+from ....toolkit.translation import tr
+from ... import jobs
+from ...measure import messages
+from ...measure.inspection import Block
+from ...measure.window_placing import Placement
+from ...tables import window_layer
+from ..inputs.block_cache import BlockCache
+from .window_watch import WindowWatch
+
+_PLACING = "placing"
+_AT_ONCE = 25  # windows added in one step, some 10 ms with all that follows them
+
+
+class NewWindows(QObject):
+    """Does one thing after the other, step by step."""
+
+    layerMade = pyqtSignal(str)
+    """Id of a new window layer in the project, to be followed from now on."""
+    drawn = pyqtSignal(list)
+    """Feature ids of windows that are to be inspected at once."""
+    said = pyqtSignal(object, object)
+    """A Message and its Qgis.MessageLevel."""
+
+    def __init__(
+        self, project: QgsProject, block: BlockCache, watch: WindowWatch, background: BackgroundTasks, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._project = project
+        self._block = block
+        self._watch = watch
+        self._background = background
+        self._waiting: deque[Iterator[None]] = deque()
+        self._is_at_work = False
+        self._clock = QTimer(self)
+        self._clock.setSingleShot(True)
+        self._clock.timeout.connect(self._go_on)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether there are steps left."""
+        return bool(self._waiting)
+
+    def draw(self, window: PixelWindow) -> None:
+        """Add one window; where there is a layer for it, at once."""
+        self._start(self._drawing(window))
+
+    def place(self) -> None:
+        """Place windows along the seamlines; they are added when all are found.
+
+        Raises SeamInspectorError when the inputs do not allow it.
+        """
+        block = self._block.required()
+        lines = self._block.seamlines(block)
+        if lines is None:
+            raise SeamInspectorError(messages.NO_SEAMLINES())
+        if self._background.is_under_way(_PLACING):
+            return
+        inputs, settings = self._block.inputs, self._block.settings()
+        job = jobs.placing_job(lines, block.mosaic, inputs.side_m, inputs.spacing_m, settings)
+        self._background.start(tr("Place windows"), job, partial(self._take, inputs.mosaic), _PLACING, steps=1)
+
+    def abandon(self) -> None:
+        """What is under way is of a layer that is followed no more; a layer that is just being taken over is ours."""
+        if self._is_at_work:
+            return
+        self._clock.stop()
+        while self._waiting:
+            self._waiting.popleft().close()  # type: ignore[attr-defined]
+
+    # What there is to do, in steps
+
+    def _drawing(self, window: PixelWindow) -> Iterator[None]:
+        yield from self._with_layer(block := self._block.required())
+        self.drawn.emit([fid for fids in self._added(block, [window], 0) for fid in fids])
+
+    def _placing(self, mosaic: str, placement: Placement) -> Iterator[None]:
+        if mosaic != self._block.inputs.mosaic:
+            return
+        windows = [placed.window for placed in placement.windows]
+        if windows:
+            yield from self._with_layer(block := self._block.required())
+            for _ in self._added(block, windows, _AT_ONCE):
+                yield
+        write_log(placement.dropped)
+        if windows:
+            placed = messages.WINDOWS_PLACED_IN_PART if placement.dropped else messages.WINDOWS_PLACED
+            self.said.emit(placed(count=len(windows), notes=len(placement.dropped)), Qgis.MessageLevel.Success)
+        else:
+            why = placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED()
+            self.said.emit(why, Qgis.MessageLevel.Warning)
+
+    def _with_layer(self, block: Block) -> Iterator[None]:
+        """Make the window layer when there is none."""
+        if self._watch.layer is not None:
+            return
+        folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
+        path = window_layer.write_window_file(layers.mosaic_crs(block.mosaic), self._block.inputs.levels, folder)
+        yield
+        made = window_layer.open_window_layer(path)
+        yield
+        self._project.addMapLayer(made)
+        yield
+        self.layerMade.emit(made.id())
+        yield
+        layer_editing.start_editing(made)
+        yield
+
+    def _added(self, block: Block, windows: Sequence[PixelWindow], at_once: int) -> Iterator[list[int]]:
+        layer = self._watch.layer
+        assert layer is not None
+        outlines = self._block.outlines(block, layer, windows)
+        self._watch.prepare([], self._block.inputs.levels)
+        yield from window_layer.add_windows(layer, outlines, self._watch.next_number, at_once)
+
+    def _take(self, mosaic: str, placement: Any) -> None:
+        self._start(self._placing(mosaic, placement))
+
+    def _start(self, steps: Iterator[None]) -> None:
+        self._waiting.append(steps)
+        if len(self._waiting) == 1:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """One step."""
+        self._is_at_work = True
+        try:
+            next(self._waiting[0])
+        except StopIteration:
+            self._waiting.popleft()
+        except SeamInspectorError as error:
+            self._waiting.popleft()
+            self.said.emit(error.message, Qgis.MessageLevel.Warning)
+        except BaseException:
+            self._waiting.popleft()
+            raise
+        finally:
+            self._is_at_work = False
+            if self._waiting:
+                self._clock.start()

@@ -1,0 +1,90 @@
+"""Verdicts for the eye: chips and tooltips. The colours are those on the map (resources/styles/windows.qml)."""
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
+from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
+
+from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.translation import tr
+from ...verdict_words import VERDICT_COLOURS, verdict_colour, verdict_word
+from ...window_summary import cause_numbers, explanation_of, window_sentence
+
+if TYPE_CHECKING:
+    from ...measure.inspection import WindowResult
+    from ...tables.window_layer import WindowRow
+
+
+VERDICTS = tuple(VERDICT_COLOURS)
+"""Worst first; the empty one is that of a window not inspected."""
+_CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one and scales it down
+
+
+def verdict_chip(verdict: str, stale: bool = False) -> QIcon:
+    """A square in the verdict's colour; only half of it is filled when the verdict is out of date.
+
+    It looks the same in selected rows.
+    """
+    icon = QIcon()
+    for side in _CHIP_SIDES:
+        pixmap = _chip(verdict, stale, side)
+        for mode in (QIcon.Mode.Normal, QIcon.Mode.Selected, QIcon.Mode.Active):
+            icon.addPixmap(pixmap, mode)
+    return icon
+
+
+def windows_sentence(rows: Sequence[WindowRow]) -> str:
+    """What was found in several windows, in plain words."""
+    counts = Counter(row.verdict for row in rows)
+    parts = [f"{counts[verdict]} {verdict_word(verdict)}" for verdict in (*VERDICTS, *_unknown(counts))
+             if counts[verdict]]
+    changed = sum(row.stale for row in rows)
+    if changed:
+        parts.append(tr("{count} changed since").format(count=changed))
+    return tr("{count} windows selected: {verdicts}.").format(count=len(rows), verdicts=", ".join(parts))
+
+
+def window_tip(row: WindowRow, result: WindowResult | None = None) -> str:
+    """The sentence about a window, and the numbers behind it, as rich text that wraps, for a tooltip."""
+    found = explanation_of(row, result)
+    return rich_tip(window_sentence(row, result), *(cause_numbers(found) if found is not None else ()))
+
+
+def _unknown(counts: Counter[str]) -> list[str]:
+    return [verdict for verdict in counts if verdict not in VERDICTS]
+
+
+def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
+    colour = QColor(verdict_colour(verdict))
+    pixmap = QPixmap(side, side)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    margin, width = side / 12, max(side / 10, 1.0)
+    square = QRectF(margin, margin, side - 2 * margin, side - 2 * margin)
+    edge = colour.darker(130)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    if stale:
+        painter.drawPolygon(QPolygonF([square.topLeft(), square.topRight(), square.bottomLeft()]))
+        edge = colour
+    elif verdict:
+        painter.drawRoundedRect(square, side / 6, side / 6)
+    else:  # nothing known: an empty box, to be seen on light and on dark rows
+        edge = QColor(verdict_colour("not_comparable"))
+        painter.setBrush(QColor(232, 232, 232, 90))
+        painter.drawRect(square)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    pen = QPen(edge, width)
+    if not verdict:
+        pen.setStyle(Qt.PenStyle.DotLine)
+    painter.setPen(pen)
+    inner = square.adjusted(width / 2, width / 2, -width / 2, -width / 2)
+    painter.drawRoundedRect(inner, side / 6, side / 6)
+    if stale:
+        painter.drawLine(QPointF(inner.left(), inner.bottom()), QPointF(inner.right(), inner.top()))
+    painter.end()
+    return pixmap

@@ -1,0 +1,125 @@
+"""Inspection in the background: what was asked for, what has come, and when it is written into the window layer."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
+
+from ....imagery.errors import SeamInspectorError
+from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.translation import tr
+from ... import jobs
+from ...measure.inspection import WindowResult
+from ...tables import window_layer
+from ..inputs.block_cache import BlockCache
+from .window_watch import Place, WindowWatch
+
+_WRITE_MS = 1000  # results of a long run are written together, so that undo does not take them back one by one
+
+
+class WindowResults(QObject):
+    """By window number, since feature ids change when the layer is saved."""
+
+    arrived = pyqtSignal(int)
+    """Feature id of a window that has its result now."""
+    failed = pyqtSignal(object)
+    """The Message why results could not be written."""
+
+    def __init__(self, block: BlockCache, watch: WindowWatch, background: BackgroundTasks, parent: QObject) -> None:
+        super().__init__(parent)
+        self._block = block
+        self._watch = watch
+        self._background = background
+        self._results: dict[int, WindowResult] = {}
+        self._unwritten: dict[int, tuple[WindowResult, Place]] = {}
+        self._waiting: dict[int, Place] = {}
+        self._writer = QTimer(self)
+        self._writer.setSingleShot(True)
+        self._writer.setInterval(_WRITE_MS)
+        self._writer.timeout.connect(self.write)
+        background.progressChanged.connect(self._progress)
+
+    def result(self, window_id: int) -> WindowResult | None:
+        """What was measured in this session."""
+        return self._results.get(window_id)
+
+    def is_pending(self, window_id: int) -> bool:
+        """Whether a window is being inspected, or its result not written yet."""
+        return window_id in self._waiting or window_id in self._unwritten
+
+    def inspect(self, fids: Sequence[int]) -> None:
+        """Inspect windows, those left out that are being inspected already.
+
+        Raises SeamInspectorError when the inputs or the layer do not allow it.
+        """
+        layer = self._watch.layer
+        if layer is None or not fids:
+            return
+        block = self._block.required()
+        self._block.settings().check()
+        state = self._block.state()
+        fids = self._watch.prepare(fids, self._block.inputs.levels)
+        rows = [row for row in map(self._watch.row, fids) if row is not None]
+        rows = [row for row in rows if self._waiting.get(row.window_id) != (row.extent, state)]
+        if rows:
+            asked = {row.window_id: (row.extent, state) for row in rows}
+            self._waiting.update(asked)
+            for number in asked:
+                self._results.pop(number, None)
+            job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows))
+            self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
+
+    def write(self) -> None:
+        """Write what has come as one step of undo. What is outdated by now is written too, and stale."""
+        layer, unwritten = self._watch.layer, self._unwritten
+        if layer is None or not unwritten:
+            return
+        if layer.isEditCommandActive():  # the operator is in the middle of a change
+            self._writer.start()
+            return
+        self._unwritten = {}
+        try:
+            self._watch.prepare([], max(len(result.judgement.ratios.detail) for result, _ in unwritten.values()))
+            fids = {number: self._watch.fid(number) for number in unwritten}
+            found = {fid: unwritten[number][0] for number, fid in fids.items() if fid is not None}
+            if found:
+                window_layer.write_results(layer, found)
+        except SeamInspectorError as error:
+            self._background.stop()
+            self.failed.emit(error.message)
+            return
+        self._watch.note_measured({number: place for number, (_, place) in unwritten.items()})
+
+    def forget(self) -> None:
+        """They are of a layer that is followed no more."""
+        for kept in (self._results, self._unwritten, self._waiting):
+            kept.clear()
+
+    def forget_asked(self) -> None:
+        """What was asked for has been cancelled."""
+        self._waiting.clear()
+
+    def close(self) -> None:
+        """Write what has come, and nothing more."""
+        self.write()
+        self._writer.stop()
+        self.forget()
+
+    def _take(self, asked: dict[int, Place], result: Any) -> None:
+        number = result.window_id
+        self._results[number] = result
+        self._unwritten[number] = result, asked[number]
+        if self._waiting.get(number) == asked[number]:
+            del self._waiting[number]
+        if not self._writer.isActive():
+            self._writer.start()
+        fid = self._watch.fid(number)
+        if fid is not None:
+            self.arrived.emit(fid)
+
+    def _progress(self, _done: int, asked: int) -> None:
+        if not asked:
+            self._waiting.clear()
+            self.write()

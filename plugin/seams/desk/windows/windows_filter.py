@@ -1,0 +1,84 @@
+"""Which windows the table shows."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
+
+from ...verdict_words import cause_word, observer_word, verdict_word
+from .windows_model import WindowsModel
+
+if TYPE_CHECKING:
+    from ...tables.window_layer import WindowRow
+
+
+class WindowsFilter(QSortFilterProxyModel):
+    """The windows that the operator wants to see. Sorting is the model's own: it is faster there."""
+
+    def __init__(self, model: WindowsModel, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._model = model
+        self._words: list[str] = []
+        self._accepts: Callable[[WindowRow], bool] | None = None
+        self._told: dict[tuple[str, str, str], list[str]] = {}
+        self._fids: list[int] | None = None
+        self._shown: list[WindowRow] = []
+        self._rows: dict[int, int] = {}
+        for signal in (
+            model.dataChanged, model.rowsInserted, model.rowsRemoved, model.layoutChanged, model.modelReset
+        ):
+            signal.connect(self._forget)
+        self.setSourceModel(model)
+
+    @property
+    def is_on(self) -> bool:
+        """Whether some windows may be left out."""
+        return bool(self._words) or self._accepts is not None
+
+    def fids(self) -> list[int]:
+        """The windows shown, from top to bottom; not to be changed. Row by row through Qt takes ten times as long."""
+        if self._fids is None:
+            self._shown = [row for row in self._model.windows() if self._shows(row)]
+            self._fids = [row.fid for row in self._shown]
+            self._rows = {fid: row for row, fid in enumerate(self._fids)}
+        return self._fids
+
+    def numbers(self) -> list[int]:
+        """The numbers of the windows shown, which stay the same when saving gives them other feature ids."""
+        self.fids()
+        return [row.window_id for row in self._shown]
+
+    def row_of(self, fid: int) -> int:
+        """The row a window is shown in; -1 when it is not."""
+        self.fids()
+        return self._rows.get(fid, -1)
+
+    def set_filter(self, text: str, accepts: Callable[[WindowRow], bool] | None) -> None:
+        """Show the windows that match all words of a text, and only those a test accepts."""
+        self._words, self._accepts = text.casefold().split(), accepts
+        self._forget()
+        self.invalidateFilter()
+
+    def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
+        self._model.sort(column, order)
+
+    def filterAcceptsRow(self, place: int, parent: QModelIndex) -> bool:
+        return not self.is_on or self._shows(self._model.windows()[place])
+
+    def _shows(self, row: WindowRow) -> bool:
+        return (self._accepts is None or self._accepts(row)) and all(self._matches(row, word) for word in self._words)
+
+    def _matches(self, row: WindowRow, word: str) -> bool:
+        """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
+        anywhere in the reason, which names files. A number is a window's."""
+        if word.isdigit():
+            return str(row.window_id).startswith(word)
+        key = row.verdict, row.cause, row.observer
+        if key not in self._told:
+            words = verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer)
+            self._told[key] = " ".join(words).casefold().split()
+        return any(told.startswith(word) for told in self._told[key]) or word in row.reason.casefold()
+
+    def _forget(self, *_: object) -> None:
+        self._fids = None

@@ -1,0 +1,235 @@
+"""The view of the windows' table: widths from the font and the room there is, keys, a hint when it is empty."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPalette, QResizeEvent
+from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
+
+from ....toolkit.desk.theme import ReadableItems, readable_palette
+from ....toolkit.translation import tr
+from ...measure.causes import Cause
+from ...verdict_words import cause_word, observer_word, verdict_word
+from .verdict_chips import VERDICTS
+from .windows_filter import WindowsFilter
+from .windows_model import Column, ColumnKind, WindowsModel
+
+Widths = tuple[int, int, int]
+"""Of a column, px: with words cut short, with all of them, with air."""
+_LEAST, _NATURAL, _AIRY = range(3)
+
+
+class WindowsTable(QTableView):
+    """Whole rows are selected. Delete and Enter are the table's own while it has the focus."""
+
+    removeRequested = pyqtSignal()
+    zoomRequested = pyqtSignal()
+
+    def __init__(self, windows: WindowsModel, shown: WindowsFilter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.hint = ""
+        """What is said in the middle of an empty table."""
+        self._windows = windows
+        self._shown = shown
+        self.setModel(shown)
+        self.setItemDelegate(ReadableItems(self))
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.setAlternatingRowColors(True)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setSortingEnabled(True)
+        self.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+        self.verticalHeader().hide()
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        header = self.horizontalHeader()
+        header.setStretchLastSection(True)
+        header.setHighlightSections(False)
+        header.setTextElideMode(Qt.TextElideMode.ElideRight)
+        header.setMinimumSectionSize(1)
+        header.sortIndicatorChanged.connect(self._sorted)
+        shown.modelReset.connect(self._show_sorting)
+        self.fit()
+
+    def selected_rows(self) -> list[int]:
+        """In ascending order."""
+        ranges = self.selectionModel().selection()
+        return sorted({row for each in ranges for row in range(each.top(), each.bottom() + 1)})
+
+    def selected_fids(self) -> list[int]:
+        """From top to bottom."""
+        fids = self._shown.fids()
+        return [fids[row] for row in self.selected_rows()]
+
+    def rows_selection(self, rows: list[int]) -> QItemSelection:
+        """Rows, in ascending order, as a selection."""
+        selection = QItemSelection()
+        first = 0
+        for place, row in enumerate(rows):
+            if place + 1 == len(rows) or rows[place + 1] != row + 1:
+                selection.select(self._shown.index(rows[first], 0), self._shown.index(row, 0))
+                first = place + 1
+        return selection
+
+    def is_in_sight(self, row: int) -> bool:
+        """Whether the row is in the visible part of the table."""
+        rect = self.visualRect(self._shown.index(row, 0))
+        return rect.top() >= 0 and rect.bottom() < max(self.viewport().height(), rect.height())
+
+    def fit(self) -> None:
+        """Widths and heights for this font, these columns and this much room."""
+        metrics = QFontMetrics(self.font())
+        side = metrics.ascent()
+        self.setIconSize(QSize(side, side))
+        self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
+        room = self.viewport().width()
+        hidden, short, widths = self._choose(metrics, room)
+        self._windows.set_short_titles(short)
+        for section in range(len(widths)):
+            self.setColumnHidden(section, section in hidden)
+        shown = [section for section in range(len(widths)) if section not in hidden]
+        if shown[-1] == len(widths) - 1:  # the reasons take what is left
+            shown.pop()
+        cause = self._windows.columns.index(Column(ColumnKind.CAUSE))
+        least, natural, airy = (sum(sizes) for sizes in zip(*(widths[section] for section in shown)))
+        for section in shown:
+            smallest, normal, largest = widths[section]
+            if room < natural and cause in shown:  # that alone gives way
+                size = normal if section != cause else room - natural + normal
+            elif room < least:  # the verdict's word ends in an ellipsis; its chip is still seen
+                size = smallest - (least - room) * (self._windows.columns[section].kind is ColumnKind.VERDICT)
+            elif room < natural:
+                size = smallest + (room - least) / (natural - least) * (normal - smallest)
+            else:
+                share = min(1.0, (room - natural) / max(airy - natural, 1))
+                size = normal + share * (largest - normal)
+            self.setColumnWidth(section, int(size))
+
+    def _choose(self, metrics: QFontMetrics, room: int) -> tuple[set[int], bool, list[Widths]]:
+        """Which columns are hidden, whether headings are short, and the columns' widths.
+
+        Reasons and then causes are shown only where nothing else has to give way to them.
+        """
+        columns = self._windows.columns
+        reason = len(columns) - 1
+        cause = columns.index(Column(ColumnKind.CAUSE))
+        long, brief = (self._all_widths(metrics, short) for short in (False, True))
+
+        def needed(widths: list[Widths], size: int, without: set[int]) -> int:
+            return sum(sizes[size] for section, sizes in enumerate(widths) if section not in without)
+
+        if room >= needed(long, _AIRY, set()):
+            return set(), False, long
+        for widths, short, size in ((long, False, _NATURAL), (brief, True, _NATURAL), (brief, True, _LEAST)):
+            if room >= needed(widths, _NATURAL, {reason, cause}) + widths[cause][size]:
+                return {reason}, short, widths
+        short = room < needed(long, _NATURAL, {reason, cause})
+        return {reason, cause}, short, brief if short else long
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.oldSize().width() != event.size().width():
+            self.fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self.fit()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and _is_own(event):
+            event.accept()  # else QGIS's own action on this key would compete for it
+            return True
+        return bool(super().event(event))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not _is_own(event):
+            super().keyPressEvent(event)
+        elif event.matches(QKeySequence.StandardKey.Delete):
+            self.removeRequested.emit()
+        else:
+            self.zoomRequested.emit()
+
+    def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
+        """Paint the rows that changed, and no others as Qt 5 does."""
+        top = self.rowViewportPosition(first.row())
+        bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
+        self.viewport().update(0, top, self.viewport().width(), bottom - top)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hint and self._shown.rowCount() == 0:
+            painter = QPainter(self.viewport())
+            painter.setPen(readable_palette(self).color(QPalette.ColorRole.PlaceholderText))
+            margin = self.fontMetrics().height()
+            room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
+            painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
+            painter.end()
+
+    def _all_widths(self, metrics: QFontMetrics, short: bool) -> list[Widths]:
+        return [self._widths(column, metrics, short) for column in self._windows.columns]
+
+    def _widths(self, column: Column, metrics: QFontMetrics, short: bool) -> Widths:
+        style, em = self.style(), metrics.horizontalAdvance("m")
+        margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self) + 1) + em // 2
+        title = self._heading_width(column.title(short), column == self._windows.sorted_by)
+        chip = self.iconSize().width() + em // 2
+
+        def width(*texts: str) -> int:
+            return max(map(metrics.horizontalAdvance, texts)) + margins
+
+        if column.kind is ColumnKind.REASON:
+            return 20 * em, 20 * em, 20 * em
+        if column.kind is ColumnKind.VERDICT:
+            words = [verdict_word(verdict) for verdict in VERDICTS]
+            changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
+            least, natural, airy = chip + width(words[0]), chip + width(*words), chip + width(*changed)
+        elif column.kind is ColumnKind.CAUSE:
+            natural = width(*(cause_word(cause.value) for cause in Cause))
+            least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
+        elif column.kind is ColumnKind.OBSERVER:
+            natural = width(observer_word("visible"), observer_word("invisible"))
+            least, airy = natural, natural + em
+        else:
+            natural = width({ColumnKind.ID: "000", ColumnKind.SOURCES: "00"}.get(column.kind, "0.00"))
+            least, airy = natural, natural + em
+        return max(least, title), max(natural, title), max(airy, title) + em
+
+    def _heading_width(self, title: str, is_sorted: bool) -> int:
+        """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
+        header = self.horizontalHeader()
+        option = QStyleOptionHeader()
+        option.initFrom(header)
+        option.orientation = Qt.Orientation.Horizontal
+        option.text = title
+        if is_sorted:
+            option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
+        style, metrics = header.style(), header.fontMetrics()
+        least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
+        needed = metrics.horizontalAdvance(title + "n") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        if is_sorted:
+            needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
+        return max(int(least), int(needed))  # the style's own word is too little in Fusion
+
+    def _sorted(self, *_: object) -> None:
+        """The arrow needs room in its column."""
+        self.fit()
+
+    def _show_sorting(self) -> None:
+        """After the columns changed the arrow may stand on another one."""
+        header = self.horizontalHeader()
+        blocked = header.blockSignals(True)
+        header.setSortIndicator(self._windows.columns.index(self._windows.sorted_by), self._windows.sort_order)
+        header.blockSignals(blocked)
+        self.fit()
+
+
+def _is_own(event: QKeyEvent) -> bool:
+    enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+    return bool(event.matches(QKeySequence.StandardKey.Delete)) or (
+        enter and event.modifiers() in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
+    )

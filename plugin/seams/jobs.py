@@ -1,0 +1,65 @@
+"""The jobs of the seam inspection, as generators of plain data: windows, seams, placing, pictures."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+
+from ..imagery.pixels import validity_check
+from ..imagery.rasters import Mosaic
+from ..imagery.seamlines import find_seams
+from ..toolkit.background_task import Cancelled, Job
+from .clip_pictures import make_pictures
+from .measure.inspection import InspectionSettings, WindowRequest
+from .measure.nearest_seam import SeamIndex
+from .measure.window_placing import place_windows
+from .measure.window_runs import inspect_windows
+
+
+def inspection_job(requests: Iterable[WindowRequest], count: int) -> Job:
+    """Inspects ``count`` windows; yields a WindowResult each, in their order."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        # One core is left to the interface.
+        workers = max(1, (os.cpu_count() or 1) - 1)
+        with ThreadPoolExecutor(workers, thread_name_prefix="seam-inspector") as executor:
+            results = inspect_windows(requests, executor, 2 * workers, cancelled)
+            for done, result in enumerate(results, 1):
+                yield done / count, result
+
+    return job
+
+
+def seams_job(lines: Iterable[bytes | None], pixel_size: float) -> Job:
+    """Finds the seams of a layer of lines or polygons; yields the SeamIndex of them."""
+
+    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        yield 1.0, SeamIndex(find_seams(lines, pixel_size))
+
+    return job
+
+
+def placing_job(
+    lines: Iterable[bytes | None], mosaic: Mosaic, side_m: float, spacing_m: float, settings: InspectionSettings
+) -> Job:
+    """Places windows along the seams of a layer; yields the Placement."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        valid = validity_check(mosaic)
+        seams = find_seams(lines, mosaic.grid.pixel_width)
+        placement = place_windows(
+            seams, mosaic.grid, side_m, spacing_m, settings.levels, lambda window: not cancelled() and valid(window)
+        )
+        if not cancelled():
+            yield 1.0, placement
+
+    return job
+
+
+def pictures_job(request: WindowRequest) -> Job:
+    """Reads the clips of one window as pictures; yields the list of them."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        yield 1.0, make_pictures(request, cancelled)
+
+    return job

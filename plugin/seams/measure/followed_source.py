@@ -1,0 +1,256 @@
+"""Which source a mosaic follows, pixel by pixel, and where it mixes two of them.
+
+The fingerprint is the fine detail: a mosaic carries the very noise of the source that its pixels were taken from, so
+the local correlation of the high-passed mosaic with that source's is near 1, whatever gain, bias or gamma was
+applied. Where images were feathered no single source explains the mosaic, and a mixture of two does.
+
+Sums of products are taken over cells of 4 x 4 px, and everything else is computed on those.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Callable
+
+import numpy as np
+from scipy.ndimage import uniform_filter
+
+MIN_WINNER_LEAD = 0.1  # of the correlation over the next source's: below it a wider neighbourhood decides
+MIN_MIXTURE_FIT = 0.9  # share of the mosaic's fine detail that a mixture of two explains; a hard cut stays below
+MIN_MIXTURE_GAIN = 0.05  # by which the mixture has to explain more than the better source alone
+MIN_MIXTURE_WEIGHT = 0.1  # of each of the two sources
+MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do not count
+MIN_EXPLAINED = 0.5  # of the mosaic's fine detail within 36 px; a source 2 px off explains 0.1, a blur of 1.2 px 0.6
+MIN_UNMIXED_SHARE = 0.05  # of the pixels: fine contrast of less is not taken for that of the window
+
+
+Planes = Callable[[int, int], Sequence[np.ndarray]]
+
+CELL_PX = 4
+_NEAR, _WIDE = 3, 9  # cells a side that are correlated: 12 px, and 36 px where those do not decide
+_MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
+_STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
+_PIECE_PX = 128  # rows filtered or multiplied at a time, so that what lies between two passes stays in the cache
+_EQUAL_SHARE = 0.02  # of the standard deviation: rounding to whole values stays below it
+_LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedSource:
+    """What the mosaic was made from in one window."""
+
+    labels: np.ndarray
+    """(rows, columns) uint8: index of the source that the mosaic follows, everywhere."""
+    clear: np.ndarray
+    """(rows, columns) bool: where one source wins clearly."""
+    mixed_share: float
+    """Share of the pixels where the mosaic is a mixture of two sources."""
+    shares: tuple[float, ...]
+    """Share of the pixels that follow each source."""
+    fit: float
+    """Share of the mosaic's fine detail that its sources explain, 0 to 1, the mean over the window."""
+    kept: float | None
+    """Fine contrast of the mosaic as a multiple of its sources', outside the mixtures; None if that is hardly any."""
+    unexplained: np.ndarray
+    """(rows, columns) bool: where the sources explain less than half of the mosaic's fine detail."""
+
+    @property
+    def unclear_share(self) -> float:
+        """Share of the pixels where no source wins clearly."""
+        return 1 - float(self.clear.mean())
+
+    @property
+    def followed(self) -> tuple[int, ...]:
+        """Indices of the sources that the mosaic was made from, those with most pixels first."""
+        order = np.argsort(self.shares)[::-1]
+        return tuple(int(i) for i in order if self.shares[i] >= MIN_FOLLOWED_SHARE)
+
+
+def high_pass(band: np.ndarray) -> np.ndarray:
+    """A band (rows, columns) less its smoothed self, in float32: what is finer than a Gaussian of about 2 px."""
+    fine = np.empty(band.shape, np.float32)
+    for own, around, inner in _strips(len(band), _PIECE_PX, 3):
+        smooth = part = band[around].astype(np.float32, copy=False)
+        for spacing in (1, 2):  # binomials with holes: variance 1/2 and 2 px squared along each axis
+            for axis in (0, 1):
+                smooth = _binomial(smooth, spacing, axis)
+        np.subtract(part[inner], smooth[inner], out=fine[own])
+    return fine
+
+
+def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
+    """Which of ``count`` sources the mosaic follows in a window of ``shape`` (rows, columns).
+
+    ``fine`` gives some rows, from start to stop, of the mosaic's and of every source's fine detail (``high_pass``),
+    each (stop - start, columns), on one grid: the window is worked on in strips, so that memory does not grow with it.
+    """
+    rows, columns = shape
+    strips = []
+    for _, around, inner in _strips(rows, _STRIP, _MARGIN):
+        mosaic, *sources = fine(around.start, around.stop)
+        cells = slice(inner.start // CELL_PX, -(-inner.stop // CELL_PX))
+        strips.append([part[cells] for part in _follow_cells(mosaic, sources)])
+    winner, clear, mixed, fit, own, of_winner = (np.concatenate(parts) for parts in zip(*strips))
+    textured = own > _LEAST_ENERGY * CELL_PX**2
+    outside = ~mixed & textured
+    total = of_winner[outside].sum() if outside.mean() >= MIN_UNMIXED_SHARE else 0.0
+    return FollowedSource(
+        _to_pixels(winner, rows, columns),
+        _to_pixels(clear, rows, columns),
+        float(mixed.mean()),
+        tuple((np.bincount(winner.ravel(), minlength=count) / winner.size).tolist()),
+        float(fit[textured].mean()) if textured.any() else 0.0,
+        float(np.sqrt(own[outside].sum() / total)) if total > 0 else None,
+        _to_pixels(uniform_filter(np.where(textured, fit, 1), _WIDE) < MIN_EXPLAINED, rows, columns),
+    )
+
+
+def refined(following: FollowedSource, mosaic: np.ndarray, levelled: Mapping[int, np.ndarray]) -> FollowedSource:
+    """The same, with the pixels of cells that a cut runs through given to the source that they equal.
+
+    ``levelled``: planes (rows, columns) of the followed sources, brought to the mosaic's grey values. A pixel changes
+    only where another source equals the mosaic around it and its own does not, so feathers and blur stay as they are.
+    """
+    limit = _EQUAL_SHARE * float(mosaic.std())
+    labels = following.labels.copy()
+    for rows, around, inner in _strips(len(mosaic), _PIECE_PX, 1):
+        far = {
+            i: _binomial(_binomial(np.abs(mosaic[around] - plane[around]), 1, 0), 1, 1)[inner]
+            for i, plane in levelled.items()
+        }
+        own = np.full(labels[rows].shape, np.inf, np.float32)
+        for i, distance in far.items():
+            np.copyto(own, distance, where=following.labels[rows] == i)
+        for i, distance in far.items():
+            better = (distance < limit) & (own > 2 * limit) & (distance < own)
+            labels[rows][better] = i
+            own[better] = distance[better]
+    return replace(following, labels=labels)
+
+
+def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
+    """By cells: winner, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
+    own = _products(mosaic, mosaic)
+    energies = [_products(source, source) for source in sources]
+    shared = [_products(mosaic, source) for source in sources]
+    near = _correlations(own, energies, shared, _NEAR)
+    winner, lead = _winner(near)
+    if len(sources) > 1:
+        wide = _correlations(own, energies, shared, _WIDE)
+        winner = np.where(lead < MIN_WINNER_LEAD, wide.argmax(axis=0), winner)
+        winner = _without_specks(winner, len(sources))
+    mixed, explained = _mixtures(sources, own, energies, shared, winner)
+    best = np.take_along_axis(near, winner[np.newaxis], axis=0)[0]
+    textured = own > _LEAST_ENERGY * CELL_PX**2
+    clear = ~mixed & ((lead >= MIN_WINNER_LEAD) | ~textured)
+    fit = np.maximum(explained, np.maximum(best, 0) ** 2)
+    of_winner = np.take_along_axis(np.stack(energies), winner[np.newaxis], axis=0)[0]
+    return winner.astype(np.uint8), clear, mixed, fit, own, of_winner
+
+
+def _strips(rows: int, most: int, margin: int) -> Iterator[tuple[slice, slice, slice]]:
+    """Strips of up to ``most`` rows: their own rows, those with the neighbours that matter, and the own among these."""
+    for start in range(0, rows, most):
+        stop = min(start + most, rows)
+        first = max(start - margin, 0)
+        yield slice(start, stop), slice(first, min(stop + margin, rows)), slice(start - first, stop - first)
+
+
+def _binomial(band: np.ndarray, spacing: int, axis: int) -> np.ndarray:
+    """A quarter, half, quarter of the samples ``spacing`` apart; the edge continues as it is."""
+    start, end = (band[:, :1], band[:, -1:]) if axis else (band[:1], band[-1:])
+    padded = np.concatenate([*[start] * spacing, band, *[end] * spacing], axis=axis)
+    length = band.shape[axis]
+    first, middle, last = (
+        padded[:, at : at + length] if axis else padded[at : at + length]
+        for at in (0, spacing, 2 * spacing)
+    )
+    smooth = first + last
+    smooth *= 0.25
+    smooth += 0.5 * middle
+    return smooth
+
+
+def _products(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Sums of a x b over cells, (rows / 4, columns / 4), without what sticks out of whole cells."""
+    rows, columns = (length // CELL_PX for length in a.shape)
+    whole = slice(columns * CELL_PX)
+    sums = np.empty((rows, columns), np.float32)
+    for cells, _, _ in _strips(rows, _PIECE_PX // CELL_PX, 0):
+        own = slice(cells.start * CELL_PX, cells.stop * CELL_PX)
+        products = a[own, whole] * b[own, whole]
+        # Added up by hand: numpy takes three times as long over runs of four.
+        across = (products[:, 0::4] + products[:, 1::4]) + (products[:, 2::4] + products[:, 3::4])
+        sums[cells] = ((across[0::4] + across[1::4]) + across[2::4]) + across[3::4]
+    return sums
+
+
+def _correlations(
+    own: np.ndarray, energies: Sequence[np.ndarray], shared: Sequence[np.ndarray], cells: int
+) -> np.ndarray:
+    """Local correlation of the mosaic with each source, (sources, cell rows, cell columns)."""
+    least = _LEAST_ENERGY * CELL_PX**2
+    mosaic = uniform_filter(own, cells) + least
+    return np.stack(
+        [
+            uniform_filter(product, cells) / np.sqrt(mosaic * (uniform_filter(energy, cells) + least))
+            for product, energy in zip(shared, energies)
+        ]
+    )
+
+
+def _winner(correlations: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Index of the highest correlation, and its lead over the next."""
+    winner = correlations.argmax(axis=0)
+    if len(correlations) == 1:
+        return winner, correlations[0]
+    ordered = np.partition(correlations, -2, axis=0)
+    return winner, ordered[-1] - ordered[-2]
+
+
+def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:
+    """Each cell follows the majority of its 3 x 3 neighbours."""
+    votes = np.stack([uniform_filter((winner == i).astype(np.float32), 3) for i in range(count)])
+    return votes.argmax(axis=0)
+
+
+def _mixtures(
+    sources: Sequence[np.ndarray],
+    own: np.ndarray,
+    energies: Sequence[np.ndarray],
+    shared: Sequence[np.ndarray],
+    winner: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Cells in which two sources together explain the mosaic and neither does alone, and how much they explain.
+
+    Least squares for the weights a and b of two sources, cell by cell; only sources that win somewhere are mixed.
+    """
+    mosaic = _together(own) + _LEAST_ENERGY
+    wins = np.bincount(winner.ravel(), minlength=len(sources))
+    followed = [i for i, count in enumerate(wins) if count >= MIN_FOLLOWED_SHARE * winner.size]
+    sums = {i: (_together(energies[i]) + _LEAST_ENERGY, _together(shared[i])) for i in followed}
+    alone = np.zeros_like(mosaic)
+    for energy, product in sums.values():
+        np.maximum(alone, np.maximum(product, 0) ** 2 / (mosaic * energy), out=alone)
+    explained = np.zeros_like(mosaic)
+    for i, j in combinations(followed, 2):
+        (energy_i, product_i), (energy_j, product_j) = sums[i], sums[j]
+        common = _together(_products(sources[i], sources[j]))
+        determinant = 1.001 * energy_i * energy_j - common**2
+        a = (product_i * energy_j - product_j * common) / determinant
+        b = (product_j * energy_i - product_i * common) / determinant
+        both = np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)
+        both &= a + b > 0
+        np.maximum(explained, np.where(both, (a * product_i + b * product_j) / mosaic, 0), out=explained)
+    mixed = (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN)
+    return mixed, explained
+
+
+def _together(products: np.ndarray) -> np.ndarray:
+    return uniform_filter(products, _MIXED) * CELL_PX**-2
+
+
+def _to_pixels(cells: np.ndarray, rows: int, columns: int) -> np.ndarray:
+    pixels = cells.repeat(CELL_PX, axis=1).repeat(CELL_PX, axis=0)  # whole rows last: a third of the time
+    return np.pad(pixels, ((0, rows - pixels.shape[0]), (0, columns - pixels.shape[1])), mode="edge")

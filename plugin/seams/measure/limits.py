@@ -1,0 +1,5 @@
+"""Limits and defaults that several files here share, each with its source."""
+from __future__ import annotations
+
+STANDARD_SPACING_M = 200.0  # along the seam: every second window length
+MIN_MISREGISTRATION_PX = 0.4  # half a pixel less what a shift measured in a small part is off by

@@ -1,0 +1,239 @@
+"""One window of a mosaic that does not exist yet: request -> what feathering its sources would leave of their detail.
+
+There is no mosaic whose pixels a window could lie on. It lies on those of the first source that covers it, north-up
+and among the finest; the others are clipped to it as they would be to a mosaic.
+"""
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ...imagery import limits as imagery_limits
+from ...imagery import messages as imagery_messages
+from ...imagery.band_curves import judged_plane
+from ...imagery.errors import NotCoveredError, RasterError, WindowError
+from ...imagery.grids import Extent, PixelWindow, snap_window
+from ...imagery.message import Message
+from ...imagery.rasters import Clip, Mosaic, Raster, describe, read_clip
+from ...imagery.reference_systems import extent_on
+from ...imagery.shifts import Shift, Spectra, find_shift
+from . import messages
+from .feather_prediction import Feather, expected_ratios, feathers
+from .source_images import Source, covers, sources_over
+
+
+@dataclass(frozen=True)
+class ForecastRequest:
+    """All that is needed to foretell one window, in plain data that can cross threads."""
+
+    window_id: int
+    sources: tuple[Source, ...]
+    """Those whose footprint covers the window, in the order they were named."""
+    extent: Extent | None
+    """The window; None when what was drawn can't be measured."""
+    wkt: str
+    """Reference system of the window and the footprints."""
+    wavelet: str
+    levels: int
+    reason: Message | None = None
+    """Why there is no window."""
+
+
+@dataclass(frozen=True)
+class ForecastPair:
+    """Two sources of one window."""
+
+    source: str
+    """File name without its folder."""
+    other: str
+    """File name without its folder."""
+    feather: Feather
+    """How their details agree, and what half of each would leave."""
+    shift: Shift | None
+    """How ``other`` lies on ``source`` on the ground, px; None where they show nothing in common."""
+    resampled: bool
+    """Whether one of them was warped to the window's grid."""
+
+
+@dataclass(frozen=True)
+class Forecast:
+    """What is to be expected in one window."""
+
+    window_id: int
+    extent: Extent | None
+    """The pixels that were measured, in the request's reference system; None where nothing was."""
+    sources: int
+    """How many sources took part."""
+    band: str | None
+    """The band that was looked at; None where nothing was."""
+    pairs: tuple[ForecastPair, ...]
+    expected: tuple[float | None, ...]
+    """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs."""
+    reason: Message | None = None
+    """Why nothing can be foretold."""
+    notices: tuple[Message, ...] = field(default=(), compare=False)
+    """Why a source that could not be read or compared did not take part."""
+
+
+def forecast_request(
+    sources: Sequence[Source], window_id: int, extent: Extent, wkt: str, wavelet: str, levels: int
+) -> ForecastRequest:
+    """The request for a rectangle in the reference system of the sources' footprints."""
+    return ForecastRequest(window_id, sources_over(sources, extent), extent, wkt, wavelet, levels)
+
+
+def forecast_window(request: ForecastRequest) -> Forecast:
+    """Clip the sources of one window and foretell each pair of them.
+
+    A raster that can't be read or compared is left out with a notice; a window of which nothing can be foretold
+    says why. Neither raises.
+    """
+    if request.extent is None:
+        return not_foretold(request, request.reason)
+    rasters, unreadable = _described(request.sources)
+    band = _most_common_band(rasters)
+    try:
+        place, unfit = _place(request, [raster for raster in rasters if raster.judged_band == band])
+    except WindowError as error:
+        return replace(not_foretold(request, error.message), notices=tuple(unreadable))
+    if place is None:
+        why = tuple([*unreadable, *unfit][: imagery_limits.MAX_REASONS])
+        reason = messages.NO_SOURCE_COMPARABLE(why=why) if why else messages.NO_SOURCES()
+        return replace(not_foretold(request, reason), notices=tuple(unreadable))
+    clips, refused = _comparable_clips(place, rasters, band)
+    notices = (*unreadable, *refused)
+    planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
+    found = feathers(planes, request.wavelet, request.levels)
+    spectra = [Spectra(plane) for plane in planes]
+    expected = expected_ratios(found, request.levels)
+    return Forecast(
+        request.window_id,
+        extent_on(place.extent, place.mosaic.wkt, request.wkt or place.mosaic.wkt),
+        len(clips),
+        band,
+        tuple(_pair(clips, spectra, feather) for feather in found),
+        expected,
+        _reason(len(clips), expected, notices),
+        notices,
+    )
+
+
+def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:
+    """The result of a window of which nothing can be foretold."""
+    return Forecast(request.window_id, None, 0, None, (), (None,) * request.levels, reason)
+
+
+@dataclass(frozen=True, eq=False)
+class _ForecastPlace:
+    """Where the window lies: on the pixels of one source."""
+
+    mosaic: Mosaic
+    """That source, which stands in for the mosaic."""
+    window: PixelWindow
+    clip: Clip
+    """Its pixels."""
+
+    @property
+    def extent(self) -> Extent:
+        return self.mosaic.grid.window_extent(self.window)
+
+
+def _described(sources: Sequence[Source]) -> tuple[list[Raster], list[Message]]:
+    rasters: list[Raster] = []
+    notices: list[Message] = []
+    for source in sources:
+        try:
+            rasters.append(describe(source.ref))
+        except RasterError as error:
+            notices.append(error.message)
+    return rasters, notices
+
+
+def _most_common_band(rasters: Sequence[Raster]) -> str | None:
+    """The band that most sources are judged by, so that one of other bands does not cost all the others."""
+    counts = Counter(raster.judged_band for raster in rasters)
+    return counts.most_common(1)[0][0] if counts else None
+
+
+def _place(request: ForecastRequest, rasters: Sequence[Raster]) -> tuple[_ForecastPlace | None, list[Message]]:
+    """The window on the first of the finest sources that covers it north-up, and why those before it did not do.
+
+    Raises WindowError when the window can't be measured on that grid.
+    """
+    unfit: list[Message] = []
+    finest = min((raster.ground_sample_distance for raster in rasters), default=0.0)
+    alike = (1 + imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE) * finest
+    for raster in sorted(rasters, key=lambda one: max(one.ground_sample_distance, alike)):
+        try:
+            place = _place_on(raster, request)
+        except RasterError as error:
+            unfit.append(error.message)
+        else:
+            return place, unfit
+    return None, unfit
+
+
+def _place_on(raster: Raster, request: ForecastRequest) -> _ForecastPlace:
+    assert request.extent is not None
+    name = raster.ref.name
+    if not raster.wkt:
+        raise RasterError(imagery_messages.NO_REFERENCE_SYSTEM(name=name))
+    if raster.grid is None:
+        raise RasterError(imagery_messages.NOT_NORTH_UP(name=name))
+    extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
+    if not covers(raster.extent, extent, raster.grid.pixel_width, raster.grid.pixel_height):
+        raise NotCoveredError(imagery_messages.NOT_COVERED(name=name))
+    mosaic = Mosaic(**vars(raster))
+    window = snap_window(mosaic.grid, extent, request.levels)
+    return _ForecastPlace(mosaic, window, read_clip(raster.ref, mosaic, window))
+
+
+def _comparable_clips(
+    place: _ForecastPlace, rasters: Sequence[Raster], band: str | None
+) -> tuple[list[Clip], list[Message]]:
+    """The clips of the sources that cover the window, and why others that do can't be compared."""
+    clips: list[Clip] = []
+    notices: list[Message] = []
+    for raster in rasters:
+        own = raster.ref == place.mosaic.ref
+        try:
+            clip = place.clip if own else read_clip(raster.ref, place.mosaic, place.window)
+            _check_comparable(clip, band)
+        except NotCoveredError:
+            continue
+        except RasterError as error:
+            notices.append(error.message)
+        else:
+            clips.append(clip)
+    return clips, notices
+
+
+def _check_comparable(clip: Clip, band: str | None) -> None:
+    name, bands = clip.raster.ref.name, clip.raster.band_names
+    if clip.raster.judged_band != band:
+        raise RasterError(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)))
+    if not np.ptp(judged_plane(clip.bands, bands)) > 0:
+        raise RasterError(messages.SOURCE_CONSTANT(name=name))
+
+
+def _pair(clips: Sequence[Clip], spectra: Sequence[Spectra], feather: Feather) -> ForecastPair:
+    source, other = clips[feather.first], clips[feather.second]
+    shift = find_shift(spectra[feather.second], spectra[feather.first])
+    if shift is not None:  # their pixel grids may lie beside each other
+        x, y = source.offset_x - other.offset_x, source.offset_y - other.offset_y
+        shift = replace(shift, x=shift.x + x, y=shift.y + y)
+    return ForecastPair(
+        source.raster.ref.name, other.raster.ref.name, feather, shift, source.resampled or other.resampled
+    )
+
+
+def _reason(count: int, expected: Sequence[float | None], notices: Sequence[Message]) -> Message | None:
+    why = tuple(notices[: imagery_limits.MAX_REASONS])
+    if count == 0:
+        return messages.NO_SOURCE_COMPARABLE(why=why)
+    if count == 1:
+        return messages.ONE_SOURCE_COMPARABLE(why=why) if why else messages.ONE_SOURCE()
+    return messages.SOURCES_WITHOUT_DETAIL() if expected[0] is None else None

@@ -1,0 +1,63 @@
+"""Seam cells: polygons that say which source a mosaic was cut from, where a producer hands them over."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+
+import numpy as np
+from osgeo import gdal, ogr
+
+from ...imagery.gdal_messages import gdal_silenced
+from ...imagery.grids import Extent, Grid, PixelWindow
+
+UNKNOWN = 255
+"""The label of pixels that no cell covers, or one of a source that does not take part."""
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One polygon of the mosaic."""
+
+    source: str
+    """The source's file name, with or without folder and ending."""
+    wkb: bytes
+    """Polygon in the mosaic's reference system."""
+    extent: Extent
+    """Its bounding box."""
+
+
+def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
+    """Those whose bounding box meets a rectangle."""
+    xmin, ymin, xmax, ymax = extent
+    return tuple(
+        cell
+        for cell in cells
+        if cell.extent[0] < xmax and cell.extent[2] > xmin and cell.extent[1] < ymax and cell.extent[3] > ymin
+    )
+
+
+def cell_labels(cells: Sequence[Cell], names: Sequence[str], grid: Grid, window: PixelWindow) -> np.ndarray:
+    """Index of each pixel's source in ``names``, (rows, columns) uint8, ``UNKNOWN`` where no cell says."""
+    places = {_stem(name): place for place, name in enumerate(names)}
+    xmin, _, _, ymax = grid.window_extent(window)
+    with gdal_silenced():
+        target = gdal.GetDriverByName("MEM").Create("", window.width, window.height, 1, gdal.GDT_Byte)
+        target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
+        target.GetRasterBand(1).Fill(UNKNOWN)
+        for cell in cells:
+            place = places.get(_stem(cell.source))
+            if place is None:
+                continue
+            vector = ogr.GetDriverByName("Memory").CreateDataSource("")
+            layer = vector.CreateLayer("cell")
+            feature = ogr.Feature(layer.GetLayerDefn())
+            feature.SetGeometry(ogr.CreateGeometryFromWkb(cell.wkb))
+            layer.CreateFeature(feature)
+            gdal.RasterizeLayer(target, [1], layer, burn_values=[place])
+        labels: np.ndarray = target.ReadAsArray()
+    return labels
+
+
+def _stem(name: str) -> str:
+    return PurePath(name.replace("\\", "/")).stem.lower()

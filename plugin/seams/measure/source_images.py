@@ -1,0 +1,86 @@
+"""The orthoimages that a mosaic was made from, or will be: each once, with its footprint."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ...imagery import limits as imagery_limits
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import RasterError, SettingsError
+from ...imagery.grids import Extent
+from ...imagery.message import Message
+from ...imagery.rasters import RasterRef, describe
+from ...imagery.reference_systems import extent_on
+from . import messages
+
+
+@dataclass(frozen=True)
+class Source:
+    """An orthoimage that may take part, with its footprint; the file itself is opened when a window needs it."""
+
+    ref: RasterRef
+    extent: Extent
+    """Bounding box in the reference system of the windows, the mosaic's where there is one."""
+
+
+def gather_sources(
+    sources: Iterable[RasterRef], indexed: Iterable[Source], wkt: str, mosaic: RasterRef | None = None
+) -> tuple[list[Source], list[Message]]:
+    """Every source once, its footprint in a reference system, and notices about those left out.
+
+    ``sources`` are opened for their footprints; ``indexed`` ones come with theirs and are not. The mosaic
+    itself among the sources is dropped.
+
+    Raises SettingsError when no source is named at all.
+    """
+    candidates: list[RasterRef | Source] = [*sources, *indexed]
+    if not candidates:
+        raise SettingsError(messages.NO_SOURCES_GIVEN())
+    kept: list[Source] = []
+    notices: list[Message] = []
+    taken: set[str] = set()
+    for candidate in candidates:
+        ref = candidate.ref if isinstance(candidate, Source) else candidate
+        key = _key(ref)
+        if mosaic is not None and key == _key(mosaic):
+            notices.append(messages.MOSAIC_AMONG_SOURCES(name=ref.name))
+        elif key not in taken:
+            taken.add(key)
+            try:
+                kept.append(candidate if isinstance(candidate, Source) else _footprint(ref, wkt))
+            except RasterError as error:
+                notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
+    return kept, notices
+
+
+def sources_over(
+    sources: Iterable[Source], extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0
+) -> tuple[Source, ...]:
+    """Those whose footprint covers a rectangle, give or take the share that may be invalid and a slack, map units."""
+    return tuple(source for source in sources if covers(source.extent, extent, slack_x, slack_y))
+
+
+def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0) -> bool:
+    """Whether a footprint covers a rectangle that closely."""
+    xmin, ymin, xmax, ymax = extent
+    slack_x += imagery_limits.MAX_INVALID_SHARE * (xmax - xmin)
+    slack_y += imagery_limits.MAX_INVALID_SHARE * (ymax - ymin)
+    return (
+        footprint[0] <= xmin + slack_x
+        and footprint[1] <= ymin + slack_y
+        and footprint[2] >= xmax - slack_x
+        and footprint[3] >= ymax - slack_y
+    )
+
+
+def _footprint(ref: RasterRef, wkt: str) -> Source:
+    raster = describe(ref)
+    if not raster.wkt:
+        raise RasterError(imagery_messages.NO_REFERENCE_SYSTEM(name=ref.name))
+    return Source(ref, extent_on(raster.extent, raster.wkt, wkt))
+
+
+def _key(ref: RasterRef) -> str:
+    """The same for the same file, however its path is written."""
+    return os.path.realpath(ref.path) if os.path.exists(ref.path) else ref.path

@@ -1,0 +1,207 @@
+"""What tonal correction did to grey values: gain, bias, gamma, clipping (Pyka 2010, section 3).
+
+Fitted to the means of squares of 2^R px, the coarse component of the simplest wavelet: neither blur nor sub-pixel
+shifts touch those, and they stand in grey values.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+MIN_TONE_RESIDUAL = 0.05  # grey values: a line that fits the coarse means this well is one
+MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
+MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
+
+
+_ROUNDS = 6  # of reweighting; it settles in four or five
+_MOST_POINTS = 1024
+_GAMMA_POINTS = 384
+_GAMMA_STEPS = (13, 7, 7)  # exponents that are tried, then between the neighbours of the best: to 1 %
+_FEWEST_POINTS = 16
+_TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
+_LEAST_SCALE = 1e-9
+_FOUR_FIFTHS = 1.2816  # standard deviations within which 80 % of a normal distribution lie
+_LEAST_PILE = 1e-4  # of the pixels: fewer are not worth a second look
+
+
+@dataclass(frozen=True)
+class Tone:
+    """Grey values of the mosaic as a function of a source's: gain x g + bias."""
+
+    gain: float
+    """A; below 1 the histogram was narrowed."""
+    bias: float
+    """B, grey values."""
+    gamma: float = 1.0
+    """Exponent of a x g^gamma + b where that fits clearly better, else 1."""
+
+
+def coarse_means(band: np.ndarray, levels: int) -> np.ndarray:
+    """Means of the squares of 2^R px of a band (rows, columns), both multiples of 2^R; float32."""
+    side = 2**levels
+    rows, columns = band.shape
+    across = band.astype(np.float32).reshape(rows, columns // side, side) @ np.full(side, 1 / side, np.float32)
+    means: np.ndarray = across.reshape(rows // side, side, columns // side).mean(axis=1)
+    return means
+
+
+def fit_tones(
+    mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, pixels: Sequence[tuple[np.ndarray, Sequence[float]]]
+) -> list[Tone | None]:
+    """Robust fits of the mosaic's coarse means to the source's, both (bands, rows, columns), band by band.
+
+    ``where``, (rows, columns) bool, says which means count. ``pixels`` has for each band what its means are averaged
+    from: bands (n, rows, columns) of the source and their weights, since a power function acts on the pixels of each
+    band before they are averaged. Iteratively reweighted least squares with Tukey's weights, started from medians.
+    None where there is nothing to fit: too few means, or all alike.
+    """
+    rows, columns = np.nonzero(where)
+    step = max(1, len(rows) // _MOST_POINTS)
+    rows, columns = rows[::step], columns[::step]
+    if len(rows) < _FEWEST_POINTS:
+        return [None] * len(mosaic)
+    y, x = mosaic[:, rows, columns].astype(np.float64), source[:, rows, columns].astype(np.float64)
+    varied = (x.std(axis=1) > _LEAST_SCALE) & (y.std(axis=1) > _LEAST_SCALE)
+    tones: list[Tone | None] = [None] * len(mosaic)
+    if not varied.any():
+        return tones
+    numbers = np.flatnonzero(varied)
+    gains, biases, spreads = _linear(x[varied], y[varied])
+    bends = (gains > 0) & (spreads > MIN_TONE_RESIDUAL)
+    bends[bends] = _bends(x[varied][bends], y[varied][bends], spreads[bends])
+    for number, gain, bias, bent in zip(numbers.tolist(), gains.tolist(), biases.tolist(), bends.tolist()):
+        bands, weights = pixels[number]
+        gamma = _gamma(bands, weights, source.shape[1:], (rows, columns), y[number]) if bent else 1.0
+        tones[number] = Tone(gain, bias, gamma)
+    return tones
+
+
+def colour_shift(gains: Iterable[float]) -> float | None:
+    """Largest over smallest gain of the bands; None where there are fewer than two, or one of them is no gain."""
+    known = [abs(gain) for gain in gains]
+    return max(known) / min(known) if len(known) > 1 and min(known) > 0 else None
+
+
+def clipped_share(mosaic: np.ndarray, source: np.ndarray) -> float:
+    """Share of pixels at the lowest or highest value of the mosaic's clip that were not at the source's (band each).
+
+    Values that whole numbers merged by a smaller gain are no clipping: what the tone merely moved to the end of the
+    scale stood close together in the source.
+    """
+    return sum(_piled(mosaic, source, end) for end in (np.min, np.max))
+
+
+def _piled(mosaic: np.ndarray, source: np.ndarray, end: np.ufunc) -> float:
+    values = source[mosaic == end(mosaic)]
+    piled = np.count_nonzero(values != end(source)) / mosaic.size
+    if piled >= _LEAST_PILE and values.max() - values.min() <= _merged(mosaic, source):
+        return 0.0
+    return float(piled)
+
+
+def _merged(mosaic: np.ndarray, source: np.ndarray) -> float:
+    """How many source values become one in the mosaic when the scale is merely compressed, with one to spare."""
+    if mosaic.dtype.kind == "f":
+        return 0.0
+    widths = [float(np.subtract(*np.percentile(band[::4, ::4], (95, 5)))) for band in (source, mosaic)]
+    return widths[0] / max(widths[1], 1.0) + 1
+
+
+def _linear(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Gain, bias and the residuals' scale of each row of x and y, (rows, points)."""
+    x_middle, y_middle = _median(x), _median(y)
+    x_off, y_off = x - x_middle[:, np.newaxis], y - y_middle[:, np.newaxis]
+    x_spread, y_spread = _median(np.abs(x_off)), _median(np.abs(y_off))
+    sign = np.where(_median(x_off * y_off) < 0, -1.0, 1.0)
+    least = (x_off * y_off).sum(axis=1) / np.maximum((x_off**2).sum(axis=1), _LEAST_SCALE)
+    gain = np.where(x_spread > 0, sign * y_spread / np.where(x_spread > 0, x_spread, 1), least)
+    bias = y_middle - gain * x_middle
+    for _ in range(_ROUNDS):
+        weights = _weights(y - gain[:, np.newaxis] * x - bias[:, np.newaxis])
+        total = weights.sum(axis=1)
+        x_mean, y_mean = (weights * x).sum(axis=1) / total, (weights * y).sum(axis=1) / total
+        off = x - x_mean[:, np.newaxis]
+        spread = (weights * off**2).sum(axis=1)
+        fitted = (weights * off * (y - y_mean[:, np.newaxis])).sum(axis=1) / np.maximum(spread, _LEAST_SCALE)
+        gain = np.where(spread > _LEAST_SCALE, fitted, gain)
+        bias = np.where(spread > _LEAST_SCALE, y_mean - gain * x_mean, bias)
+    return gain, bias, _reach_of(y - gain[:, np.newaxis] * x - bias[:, np.newaxis])
+
+
+def _gamma(
+    bands: np.ndarray,
+    weights: Sequence[float],
+    shape: tuple[int, ...],
+    places: tuple[np.ndarray, np.ndarray],
+    y: np.ndarray,
+) -> float:
+    """The exponent where a power function leaves clearly less than the linear one, else 1.
+
+    ``shape`` (rows, columns) of the coarse means, ``places`` of those that count, ``y`` the mosaic's at these places.
+    """
+    step = max(1, len(y) // _GAMMA_POINTS)
+    rows, columns = (index[::step] for index in places)
+    side = bands.shape[1] // shape[0]
+    split = bands.reshape(len(bands), shape[0], side, shape[1], side)[:, rows, :, columns]  # points come first
+    pixels = split.reshape(*split.shape[:2], side * side)
+    top = float(pixels.max())
+    if pixels.min() < 0 or top <= 0:
+        return 1.0
+    means = y[np.newaxis, ::step]
+    with np.errstate(divide="ignore"):  # the power of 0 is 0
+        logarithms = np.log((pixels / top).astype(np.float32))
+
+    def spreads(gammas: np.ndarray) -> np.ndarray:
+        powers = [np.exp(np.float32(gamma) * logarithms).mean(axis=2, dtype=np.float64) @ weighted for gamma in gammas]
+        return _linear(np.stack(powers), np.broadcast_to(means, (len(gammas), means.shape[1])))[2]
+
+    weighted = np.asarray(weights)
+    low, high = MIN_GAMMA, MAX_GAMMA
+    for count in _GAMMA_STEPS:
+        grid = np.geomspace(low, high, count)
+        found = spreads(grid)
+        best = int(found.argmin())
+        low, high = grid[max(best - 1, 0)], grid[min(best + 1, count - 1)]
+    line = spreads(np.ones(1))[0]
+    return float(grid[best]) if found[best] <= (1 - MIN_GAMMA_GAIN) * line else 1.0
+
+
+def _bends(x: np.ndarray, y: np.ndarray, linear_spreads: np.ndarray) -> np.ndarray:
+    """For each row whether a parabola does better than a line: where it does not, no power function will."""
+    scaled = (x - x.mean(axis=1, keepdims=True)) / x.std(axis=1, keepdims=True)
+    terms = np.stack([np.ones_like(x), scaled, scaled**2], axis=2)
+    weights = np.ones_like(y)
+    for _ in range(_ROUNDS // 2):
+        weighted = terms * weights[..., np.newaxis]
+        normal = np.einsum("bpi,bpj->bij", weighted, terms)
+        right = np.einsum("bpi,bp->bi", weighted, y)
+        residuals = y - np.einsum("bpi,bi->bp", terms, (np.linalg.pinv(normal) @ right[..., np.newaxis])[..., 0])
+        weights = _weights(residuals)
+    better: np.ndarray = _reach_of(residuals) <= (1 - MIN_GAMMA_GAIN / 2) * linear_spreads
+    return better
+
+
+def _weights(residuals: np.ndarray) -> np.ndarray:
+    scale = np.maximum(_scale_of(residuals), _LEAST_SCALE)[:, np.newaxis]
+    weights: np.ndarray = np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2 + 1e-12
+    return weights
+
+
+def _scale_of(residuals: np.ndarray) -> np.ndarray:
+    return 1.4826 * _median(np.abs(residuals))
+
+
+def _reach_of(residuals: np.ndarray) -> np.ndarray:
+    """Standard deviation by what four fifths stay within: a bend shows in dark and bright parts, which are few."""
+    last = int(0.8 * residuals.shape[1])
+    reach: np.ndarray = np.partition(np.abs(residuals), last, axis=1)[:, last] / _FOUR_FIFTHS
+    return reach
+
+
+def _median(values: np.ndarray) -> np.ndarray:
+    """The upper median of each row: a third of the time of numpy's for a few hundred values."""
+    middle = values.shape[1] // 2
+    median: np.ndarray = np.partition(values, middle, axis=1)[:, middle]
+    return median

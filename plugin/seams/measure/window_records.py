@@ -1,0 +1,78 @@
+"""What was found in a window, as an inspection's tables hold it: plain data to count, to draw and to report.
+
+Tables of earlier versions lack some of it; what is not there is None or empty.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ...imagery.band_names import judged_band
+from ...imagery.grids import Extent
+
+COMPOSITE = "composite"
+"""The hard-cut composite of the sources, where a source's name or a clip's role would stand."""
+REFERENCES = ("sources", COMPOSITE)
+"""What a verdict can be taken against: whole sources, as in the paper, or their hard-cut composite."""
+
+
+@dataclass(frozen=True)
+class WindowRecord:
+    """One inspected window."""
+
+    window_id: int
+    verdict: str = ""
+    """A verdict's word, or empty while it is not inspected."""
+    reason: str = ""
+    """Why it is not comparable."""
+    cause: str = ""
+    """The cause's word."""
+    observer: str = ""
+    """``visible``, ``invisible`` or empty."""
+    ratios: tuple[float | None, ...] = ()
+    """ratio_1..ratio_R."""
+    composite_ratios: tuple[float | None, ...] = ()
+    """composite_ratio_1..composite_ratio_R."""
+    expected_ratios: tuple[float | None, ...] = ()
+    """expected_ratio_1..expected_ratio_R."""
+    background_ratio: float | None = None
+    unclear_share: float | None = None
+    """Share of the pixels where no source wins clearly."""
+    extent: Extent | None = None
+    """In the reference system that the reader asked for; None without an outline."""
+
+
+@dataclass(frozen=True)
+class PairRecord:
+    """The mosaic against one source, or against the composite, in one window and band."""
+
+    source: str
+    """File name without its folder, or ``composite``."""
+    band: str
+    ratio: float | None
+    """At level 1."""
+    contrast: float | None
+    """At level 1, absolute."""
+
+
+@dataclass(frozen=True)
+class CurveRecord:
+    """The curve of one raster in one window and band."""
+
+    raster: str
+    """File name without its folder."""
+    role: str
+    """``mosaic``, ``source`` or ``composite``."""
+    detail: tuple[float, ...]
+    """Relative variance at levels 1..R; NaN for a constant clip."""
+    background: float
+
+
+def contrast_of(pairs: Iterable[PairRecord]) -> float | None:
+    """Absolute contrast at level 1 in the judged band: against the composite, else the largest over the sources."""
+    rows = list(pairs)
+    if not rows:
+        return None
+    band = judged_band(row.band for row in rows)
+    known = {row.source: row.contrast for row in rows if row.band == band and row.contrast is not None}
+    return known.get(COMPOSITE, max(known.values(), default=None))

@@ -1,0 +1,152 @@
+"""The clips of windows for a report: the part of each that lost most detail, as JPEG. Reads pixels, knows no Qt."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery.errors import RasterError, SeamInspectorError
+from ...imagery.grids import Extent, PixelWindow, snap_window
+from ...imagery.message import Message
+from ...imagery.rasters import Clip, read_clip
+from ...toolkit.pages.html_page import encoded
+from ..clip_pictures import stretched
+from ..measure.greatest_loss import greatest_loss
+from ..measure.inspection import Block, Source
+
+REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4
+MIN_REPORT_CLIP_PX = 64  # smaller ones show too little
+MAX_REPORT_SOURCES = 2  # shown of a window, the least sharp ones; with chart and mosaic they fill a page
+MAX_SEARCHED_SIDE_PX = 512  # of a window, around its centre (on the seam), where the part that lost most is looked for
+
+_AHEAD = 4  # windows that are read or wait to be taken
+_WORKERS = 2
+
+
+@dataclass(frozen=True)
+class ClipJob:
+    """The clips wanted of one window."""
+
+    extent: Extent | None
+    """In the mosaic's reference system; None: no clips."""
+    names: tuple[str, ...]
+    """File names of the sources, those to be shown first in front; empty: as they come."""
+
+
+@dataclass(frozen=True)
+class PartPicture:
+    """A part of one raster's clip."""
+
+    raster: str
+    """File name without its folder."""
+    is_mosaic: bool
+    jpeg: bytes
+    columns: int
+    """Its width, px."""
+
+
+@dataclass(frozen=True)
+class WindowParts:
+    """The same part of all clips of a window."""
+
+    pictures: tuple[PartPicture, ...] = ()
+    """The mosaic first."""
+    extent: Extent | None = None
+    """Where the part lies, in the mosaic's reference system."""
+    left_out: int = 0
+    """How many more sources cover the window."""
+    problem: Message | None = None
+    """Why there are no pictures."""
+
+
+def window_parts(block: Block, jobs: Iterable[ClipJob], bytes_each: float) -> Iterator[WindowParts]:
+    """The parts in the order of the jobs, read by two threads a few windows ahead.
+
+    ``bytes_each``: what the pictures of one window may weigh together; parts become smaller to keep to it.
+    """
+    with ThreadPoolExecutor(_WORKERS) as pool:
+        waiting: list[Future[WindowParts]] = []
+        try:
+            for job in jobs:
+                waiting.append(pool.submit(_parts, block, job, bytes_each))
+                if len(waiting) >= _AHEAD:
+                    yield waiting.pop(0).result()
+            while waiting:
+                yield waiting.pop(0).result()
+        finally:
+            for future in waiting:
+                future.cancel()
+
+
+def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
+    if job.extent is None:
+        return WindowParts()
+    try:
+        window = snap_window(block.mosaic.grid, job.extent, levels=0)
+        searched = _middle(window)
+        clips = [read_clip(block.mosaic.ref, block.mosaic, searched)]
+    except SeamInspectorError as error:
+        return WindowParts(problem=error.message)
+    sources = _ordered(block.sources_over(window), job.names)
+    shown = 0
+    for source in sources:
+        if len(clips) > MAX_REPORT_SOURCES:
+            break
+        shown += 1
+        try:
+            clips.append(read_clip(source.ref, block.mosaic, searched))
+        except RasterError:  # the inspection has said so
+            continue
+    side = min(REPORT_CLIP_PX, searched.width, searched.height)
+    row, column = greatest_loss(_grey(clips[0]), [_grey(clip) for clip in clips[1:]], side)
+    parts = [_cut(clip, row, column, side, side) for clip in clips]
+    pictures, first = _encoded(stretched(parts), bytes_each)
+    part = PixelWindow(searched.column + column + first, searched.row + row + first, side - 2 * first, side - 2 * first)
+    names = [clip.raster.ref.name for clip in clips]
+    return WindowParts(
+        tuple(
+            PartPicture(name, place == 0, jpeg, part.width) for place, (name, jpeg) in enumerate(zip(names, pictures))
+        ),
+        block.mosaic.grid.window_extent(part),
+        len(sources) - shown,
+    )
+
+
+def _middle(window: PixelWindow) -> PixelWindow:
+    """The part of a window in which is searched."""
+    most = MAX_SEARCHED_SIDE_PX
+    width, height = min(window.width, most), min(window.height, most)
+    column, row = window.column + (window.width - width) // 2, window.row + (window.height - height) // 2
+    return PixelWindow(column, row, width, height)
+
+
+def _ordered(sources: Sequence[Source], names: Sequence[str]) -> list[Source]:
+    """In the order of the names; only those named, where any are."""
+    places = {name: place for place, name in reversed(list(enumerate(names)))}
+    named = [source for source in sources if source.ref.name in places]
+    return sorted(named, key=lambda source: places[source.ref.name]) if named else list(sources)
+
+
+def _grey(clip: Clip) -> np.ndarray:
+    """One band that stands for all: green where there is one."""
+    return np.asarray(clip.bands[1 if clip.raster.has_luminance else 0])
+
+
+def _cut(clip: Clip, row: int, column: int, height: int, width: int) -> Clip:
+    return Clip(clip.raster, clip.bands[:, row : row + height, column : column + width], clip.invalid_share)
+
+
+def _encoded(pictures: Sequence[np.ndarray], bytes_each: float) -> tuple[list[bytes], int]:
+    """JPEG files that weigh no more together, and how many pixels were taken off at each edge for it."""
+    side, first = len(pictures[0]), 0
+    while True:
+        inside = slice(first, side - first)
+        files = [encoded(np.ascontiguousarray(picture[inside, inside]), "JPEG") for picture in pictures]
+        weight, left = sum(map(len, files)), side - 2 * first
+        if weight <= bytes_each or left <= MIN_REPORT_CLIP_PX:
+            return files, first
+        smaller = max(int(left * math.sqrt(bytes_each / weight)) // 2 * 2, MIN_REPORT_CLIP_PX)
+        first += max(1, (left - smaller) // 2)

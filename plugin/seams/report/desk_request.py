@@ -1,0 +1,90 @@
+"""What the desk knows of its windows -> the request of a report."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsProject
+
+from ...imagery.band_names import judged_band
+from ...toolkit import layers
+from ...toolkit.background_task import Cancelled, Job
+from ..measure.inspection import Block, WindowResult
+from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
+from ..tables.window_layer import WindowRow
+from .inspection_report import ReportRequest, write_report
+
+
+def report_request(
+    rows: Iterable[WindowRow],
+    result: Callable[[int], WindowResult | None],
+    crs: QgsCoordinateReferenceSystem,
+    block: Block | None,
+    max_ratio: float,
+    project: QgsProject,
+) -> ReportRequest:
+    """Of the inspected windows among some; ``result`` gives what was measured in one, by its feature id.
+
+    ``crs`` is that of the rows' extents. Raises WindowError when they can't be transformed to the mosaic's.
+    """
+    target = layers.mosaic_crs(block.mosaic) if block is not None else crs
+    inspected = [row for row in rows if row.verdict]
+    measured = {row.window_id: found for row in inspected if (found := result(row.fid)) is not None}
+    return ReportRequest(
+        tuple(_finding(row, measured.get(row.window_id), crs, target, project) for row in inspected),
+        curves={number: _curves(found) for number, found in measured.items() if found.clips},
+        pairs={number: _pairs(found) for number, found in measured.items() if found.pairs},
+        block=block,
+        wkt=layers.system_wkt(target),
+        max_ratio=max_ratio,
+    )
+
+
+def report_job(path: Path, request: ReportRequest) -> Job:
+    """Writes the report; yields the messages about what it could not show."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        notices = write_report(path, request, cancelled=cancelled)
+        if notices is not None:
+            yield 1.0, notices
+
+    return job
+
+
+def _finding(
+    row: WindowRow,
+    found: WindowResult | None,
+    crs: QgsCoordinateReferenceSystem,
+    target: QgsCoordinateReferenceSystem,
+    project: QgsProject,
+) -> WindowRecord:
+    why = found.explanation if found is not None else None
+    return WindowRecord(
+        window_id=row.window_id,
+        verdict=row.verdict,
+        reason=row.reason,
+        cause=row.cause,
+        observer=row.observer,
+        ratios=row.ratios,
+        composite_ratios=(row.composite_ratio,) if why is None else next(iter(why.ratios.values())).detail,
+        expected_ratios=why.expected if why is not None else (),
+        background_ratio=row.background_ratio,
+        unclear_share=why.unclear_share if why is not None else None,
+        extent=layers.transformed_extent(row.extent, crs, target, project),
+    )
+
+
+def _curves(found: WindowResult) -> list[CurveRecord]:
+    """In the judged band."""
+    band = judged_band(found.clips[0].curves)
+    clips = (clip for clip in found.with_composite if band in clip.curves)
+    return [
+        CurveRecord(clip.raster, clip.role, clip.curves[band].detail, clip.curves[band].background) for clip in clips
+    ]
+
+
+def _pairs(found: WindowResult) -> list[PairRecord]:
+    return [
+        PairRecord(pair.source, pair.band, pair.ratios.detail[0], pair.change.contrast[0] if pair.change else None)
+        for pair in (*found.pairs, *found.composite_pairs)
+    ]

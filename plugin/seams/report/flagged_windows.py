@@ -1,0 +1,145 @@
+"""The flagged windows of a report: what was found, the curves, and the clips at 2x."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import repeat
+
+from ...imagery.band_names import judged_band
+from ...imagery.message import Message
+from ...toolkit.pages import html_page
+from ...toolkit.pages.html_page import Html
+from ...toolkit.translation import sentence, tr
+from ..measure import messages
+from ..measure.inspection import Block
+from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, WindowRecord, contrast_of
+from ..verdict_words import cause_sentence, cause_word, observer_word, verdict_word
+from .clip_parts import ClipJob, WindowParts, window_parts
+from .curve_pictures import CurveDrawer, curve_legend
+
+REPORT_CLIPS_BYTES = 14_000_000  # of all JPEG clips together: with charts and base64 a report stays below 30 MB
+
+_MAGNIFICATION = 2.0  # Pyka 2010: where loss is seen best
+_CHART_MM = 84.6  # 320 px, as wide as a clip
+
+
+class WindowSections:
+    """Makes the sections of a report's windows one after another."""
+
+    def __init__(
+        self,
+        block: Block | None,
+        curves: Mapping[int, Sequence[CurveRecord]],
+        pairs: Mapping[int, Sequence[PairRecord]],
+        max_ratio: float,
+        count: int,
+    ) -> None:
+        """``count``: how many sections there will be, which share the bytes that a report may have."""
+        self.notices: list[Message] = []
+        """What could not be shown."""
+        self._block, self._curves, self._pairs = block, curves, pairs
+        self._drawer = CurveDrawer(max_ratio)
+        self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
+
+    def parts(self, findings: Sequence[WindowRecord]) -> Iterator[Html]:
+        """One section for each."""
+        for finding, clips in zip(findings, self._clips(findings)):
+            yield self._section(finding, clips)
+
+    def _clips(self, findings: Sequence[WindowRecord]) -> Iterator[WindowParts]:
+        if self._block is None:
+            return repeat(WindowParts(), len(findings))
+        return window_parts(self._block, map(self._job, findings), self._bytes_each)
+
+    def _job(self, finding: WindowRecord) -> ClipJob:
+        """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""
+        pairs = self._pairs.get(finding.window_id, ())
+        if pairs:
+            band = judged_band(pair.band for pair in pairs)
+            own = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
+            own.sort(key=lambda pair: -(pair.ratio or 0))
+            return ClipJob(finding.extent, tuple(pair.source for pair in own))
+        curves = self._curves.get(finding.window_id, ())
+        return ClipJob(finding.extent, tuple(curve.raster for curve in curves if curve.role == "source"))
+
+    def _section(self, finding: WindowRecord, clips: WindowParts) -> Html:
+        title = tr("Window {number}: {verdict}").format(
+            number=finding.window_id, verdict=verdict_word(finding.verdict)
+        )
+        made = [html_page.heading(title, 3, anchor(finding.window_id)), *self._facts(finding)]
+        if clips.problem is not None:
+            notice = messages.CLIP_NOT_SHOWN(window=finding.window_id, why=clips.problem)
+            self.notices.append(notice)
+            made.append(html_page.paragraph(sentence(notice), "small"))
+        figures = []
+        curves = self._curves.get(finding.window_id, ())
+        if any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic"):
+            same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)]
+            chart = html_page.drawing(self._drawer.draw(same), width_mm=_CHART_MM)
+            figures.append(html_page.column([chart, html_page.legend(curve_legend(same))]))
+        for part in clips.pictures:
+            caption = tr("{name} (mosaic)").format(name=part.raster) if part.is_mosaic else part.raster
+            figures.append(html_page.photograph(part.jpeg, part.columns, caption, _MAGNIFICATION))
+        if figures:
+            made.append(html_page.row(figures))
+        if clips.extent is not None:
+            made.append(html_page.paragraph(_place_words(clips), "small"))
+        return html_page.together(made)
+
+    def _facts(self, finding: WindowRecord) -> Iterator[Html]:
+        """Verdict, cause and observer in words, and the ratios by level."""
+        ratio = finding.ratios[0] if finding.ratios else None
+        if ratio is not None:
+            words = tr("Detail at level 1 is {percent:.0f} % of the least sharp source's.")
+            yield html_page.paragraph(words.format(percent=100 * ratio))
+        elif finding.reason:
+            yield html_page.paragraph(finding.reason)
+        said = []
+        if finding.cause:
+            said.append(tr("Cause: {cause}.").format(cause=cause_word(finding.cause)))
+            said.append(cause_sentence(finding.cause))
+        seen = observer_word(finding.observer) or tr("not judged")
+        said.append(tr("Observer: {word}.").format(word=seen))
+        contrast = contrast_of(self._pairs.get(finding.window_id, ()))
+        if contrast is not None:
+            said.append(tr("Absolute contrast at level 1: {percent:.0f} %.").format(percent=100 * contrast))
+        if finding.unclear_share is not None:
+            words = tr("Pixels where no source wins clearly: {percent:.0f} %.")
+            said.append(words.format(percent=100 * finding.unclear_share))
+        yield html_page.paragraph(" ".join(filter(None, said)))
+        rows = [
+            (tr("against the sources"), finding.ratios, finding.background_ratio),
+            (tr("against the hard-cut composite"), finding.composite_ratios, None),
+            (tr("expected of a 50:50 feather"), finding.expected_ratios, None),
+        ]
+        known = [row for row in rows if any(value is not None for value in row[1])]
+        if known:
+            levels = max(len(row[1]) for row in known)
+            headings = [tr("ratio, level"), *map(str, range(1, levels + 1)), tr("background")]
+            yield html_page.table(
+                headings,
+                [[name, *map(_digits, [*values, *[None] * (levels - len(values))]), _digits(background)]
+                 for name, values, background in known],
+            )
+
+
+def anchor(window_id: int) -> str:
+    """The name that links to a window's section go to."""
+    return f"window-{window_id}"
+
+
+def _place_words(clips: WindowParts) -> str:
+    assert clips.extent is not None
+    xmin, ymin, xmax, ymax = clips.extent
+    side = clips.pictures[0].columns
+    digits = max(0, 1 - math.floor(math.log10((xmax - xmin) / side)))  # to a tenth of a pixel
+    words = tr("Clips at 2x, {side} px a side around x {x}, y {y}.").format(
+        side=side, x=f"{(xmin + xmax) / 2:.{digits}f}", y=f"{(ymin + ymax) / 2:.{digits}f}"
+    )
+    if clips.left_out:
+        words += " " + tr("Sources that are not shown: {count}.").format(count=clips.left_out)
+    return words
+
+
+def _digits(value: float | None) -> str:
+    return "" if value is None else f"{value:.2f}"

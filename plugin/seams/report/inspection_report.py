@@ -1,0 +1,244 @@
+"""The report of an inspection as one HTML page: plain data in, a file out.
+
+It reads pixels and draws charts, so it belongs into a worker; no layer and no widget is touched.
+"""
+from __future__ import annotations
+
+import math
+import statistics
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from datetime import date
+from pathlib import Path
+from typing import Callable
+
+from ...imagery import limits as imagery_limits
+from ...imagery.errors import RasterError
+from ...imagery.message import Message
+from ...imagery.rasters import read_overview
+from ...imagery.reference_systems import metres_per_unit
+from ...toolkit.pages import html_page
+from ...toolkit.pages.html_page import Html
+from ...toolkit.translation import language, sentence, tr
+from ..clip_pictures import bytes_picture
+from ..measure import messages
+from ..measure.inspection import Block
+from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
+from ..verdict_words import VERDICT_COLOURS, cause_word, verdict_colour, verdict_word
+from .flagged_windows import WindowSections, anchor
+from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
+from .variance_table import variance_table
+
+MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
+OVERVIEW_SIDE_PX = 900  # of the sketch's background, 170 mm wide
+
+Progress = Callable[[float], None]
+
+
+@dataclass(frozen=True)
+class ReportRequest:
+    """What a report tells, in plain data that can cross threads."""
+
+    findings: tuple[WindowRecord, ...]
+    """The windows; their extents in the mosaic's reference system where there is a block."""
+    curves: Mapping[int, Sequence[CurveRecord]] = field(default_factory=dict)
+    """By window, in the judged band."""
+    pairs: Mapping[int, Sequence[PairRecord]] = field(default_factory=dict)
+    """By window."""
+    block: Block | None = None
+    """Mosaic and sources whose clips are shown; None for none."""
+    wkt: str = ""
+    """Reference system of the extents; empty when it is unknown."""
+    title: str = ""
+    """Heading of the page; empty for the mosaics' names."""
+    name: str = ""
+    """What the mosaic is called where neither the block nor the curves say it."""
+    max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
+    """The limit drawn into the charts."""
+    made_on: date = field(default_factory=date.today)
+
+
+def write_report(
+    path: Path, request: ReportRequest, progress: Progress = lambda share: None, cancelled: Callable[[], bool] = bool
+) -> list[Message] | None:
+    """Write the page; returns what it could not show, or None when it was cancelled and there is no page.
+
+    ``progress`` is told the share that is done, 0 to 1. Raises SettingsError where no file can be written.
+    """
+    notices: list[Message] = []
+    flagged = flagged_windows(request.findings)
+    detailed = _detailed(flagged)
+    linked = {finding.window_id for finding in detailed}
+    if len(detailed) < len(flagged):
+        notices.append(messages.DETAILS_LIMITED(count=len(flagged), most=len(detailed)))
+    sections = WindowSections(request.block, request.curves, request.pairs, request.max_ratio, len(detailed))
+
+    def parts() -> Iterator[Html]:
+        yield from _opening(request, flagged, notices)
+        yield from _summary(request)
+        yield from _map(request, linked)
+        yield variance_table(request.findings, request.curves, linked)
+        yield html_page.heading(tr("Flagged windows"))
+        if not flagged:
+            none = tr("None: no window has a significant loss, and in none did the observer see one.")
+            yield html_page.paragraph(none)
+        for done, part in enumerate(sections.parts(detailed), 1):
+            if cancelled():
+                raise _CancelledError
+            yield part
+            progress(done / len(detailed))
+        yield from _explanations()
+
+    try:
+        html_page.write_page(path, request.title or _mosaics_title(request), parts(), language())
+    except _CancelledError:
+        return None
+    return notices + sections.notices
+
+
+class _CancelledError(Exception):
+    """The report is not wanted any more."""
+
+
+def flagged_windows(findings: Iterable[WindowRecord]) -> list[WindowRecord]:
+    """Those with a significant loss, and those where the observer saw one."""
+    return [one for one in findings if one.verdict == "significant" or one.observer == "visible"]
+
+
+def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
+    """As many as a report can show, the lowest ratios first chosen, in the order of their numbers."""
+    worst = sorted(flagged, key=lambda one: math.inf if (ratio := _ratio(one)) is None else ratio)
+    return sorted(worst[: MAX_REPORT_DETAILS], key=lambda one: one.window_id)
+
+
+def _ratio(finding: WindowRecord) -> float | None:
+    return finding.ratios[0] if finding.ratios else None
+
+
+# The page's head
+
+
+def _mosaic_of(request: ReportRequest, finding: WindowRecord) -> str:
+    """The mosaic that a window belongs to."""
+    names = (curve.raster for curve in request.curves.get(finding.window_id, ()) if curve.role == "mosaic")
+    own = next(names, "")
+    return own or (request.block.mosaic.ref.name if request.block else request.name)
+
+
+def _by_mosaic(request: ReportRequest) -> dict[str, list[WindowRecord]]:
+    found: dict[str, list[WindowRecord]] = {}
+    for finding in request.findings:
+        found.setdefault(_mosaic_of(request, finding), []).append(finding)
+    return found
+
+
+def _mosaics_title(request: ReportRequest) -> str:
+    names = [name for name in _by_mosaic(request) if name]
+    return tr("Seam inspection: {names}").format(names=", ".join(names)) if names else tr("Seam inspection")
+
+
+def _opening(request: ReportRequest, flagged: Sequence[WindowRecord], notices: Iterable[Message]) -> Iterator[Html]:
+    words = tr("{date}. {count} windows, {flagged} of them flagged: a significant loss, or one that the observer saw.")
+    yield html_page.paragraph(
+        words.format(date=request.made_on.isoformat(), count=len(request.findings), flagged=len(flagged)), "small"
+    )
+    for notice in notices:
+        yield html_page.paragraph(sentence(notice), "warning")
+
+
+def _summary(request: ReportRequest) -> Iterator[Html]:
+    yield html_page.heading(tr("Summary"))
+    verdicts = [verdict for verdict in VERDICT_COLOURS if verdict or any(not one.verdict for one in request.findings)]
+    headings = [
+        [(tr("mosaic"), 1, 2), (tr("windows"), 1, 2), (tr("verdict"), len(verdicts), 1), (tr("observer"), 2, 1),
+         (tr("median ratio 1"), 1, 2)],
+        [*((verdict_word(verdict), 1, 1) for verdict in verdicts), (tr("visible"), 1, 1), (tr("invisible"), 1, 1)],
+    ]
+    groups: list[html_page.Group] = []
+    for mosaic, findings in _by_mosaic(request).items():
+        counts = Counter(one.verdict for one in findings)
+        words = Counter(one.observer for one in findings)
+        ratios = [ratio for one in findings if (ratio := _ratio(one)) is not None]
+        median = f"{statistics.median(ratios):.2f}" if ratios else ""
+        row = [len(findings), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], median]
+        groups.append(([html_page.lines(mosaic)], [row]))
+    yield html_page.grouped_table(headings, groups, 1)
+    causes = Counter((_mosaic_of(request, one), one.cause) for one in request.findings if one.cause)
+    if causes:
+        flagged = Counter((_mosaic_of(request, one), one.cause) for one in flagged_windows(request.findings))
+        ordered = sorted(causes.items(), key=lambda item: (item[0][0], -item[1], item[0][1]))
+        rows = [
+            [html_page.lines(mosaic), cause_word(cause), count, flagged[mosaic, cause]]
+            for (mosaic, cause), count in ordered
+        ]
+        yield html_page.heading(tr("Causes"), 3)
+        yield html_page.table([tr("mosaic"), tr("cause"), tr("windows"), tr("of them flagged")], rows)
+
+
+# The map
+
+
+def _map(request: ReportRequest, detailed: set[int]) -> Iterator[Html]:
+    order = list(VERDICT_COLOURS)[::-1]
+    known = [one for one in request.findings if one.extent is not None]
+    known.sort(key=lambda one: (order.index(one.verdict) if one.verdict in order else 0, one.window_id in detailed))
+    if not known:
+        return
+    shapes = [_shape(one, one.window_id in detailed) for one in known]
+    middle = (shapes[0].extent[1] + shapes[0].extent[3]) / 2
+    metres = metres_per_unit(request.wkt, middle)
+    yield html_page.heading(tr("Map"))
+    sketch = map_sketch(shapes, tr("N"), *metres, background=_background(request, shapes, metres))
+    counts = Counter(one.verdict for one in known)
+    entries = [(colour, f"{verdict_word(word)} ({counts[word]})") for word, colour in VERDICT_COLOURS.items()
+               if counts[word]]
+    yield html_page.together([html_page.inline_svg(sketch), html_page.legend(entries, in_line=True)])
+
+
+def _shape(finding: WindowRecord, detailed: bool) -> SketchShape:
+    assert finding.extent is not None
+    ratio = _ratio(finding)
+    tip = tr("window {number}: {verdict}").format(number=finding.window_id, verdict=verdict_word(finding.verdict))
+    tip += "" if ratio is None else tr(", ratio 1: {ratio:.2f}").format(ratio=ratio)
+    link = anchor(finding.window_id) if detailed else ""
+    return SketchShape(finding.extent, verdict_colour(finding.verdict), str(finding.window_id), tip, link)
+
+
+def _background(
+    request: ReportRequest, shapes: Sequence[SketchShape], metres: tuple[float, float]
+) -> SketchBackground | None:
+    if request.block is None:
+        return None
+    extent = sketch_extent(shapes, *metres)
+    with suppress(RasterError):  # then the sketch stands on plain paper
+        overview = read_overview(request.block.mosaic, extent, OVERVIEW_SIDE_PX)
+        if overview is not None:
+            bands, valid, place = overview
+            pixels = bytes_picture(bands, request.block.mosaic.has_luminance, valid)
+            return SketchBackground(html_page.encoded(pixels, "JPEG"), place)
+    return None
+
+
+def _explanations() -> Iterator[Html]:
+    yield html_page.heading(tr("How to read it"))
+    for words in (
+        tr(
+            "Relative variance: the share of a clip's variance that lies in the details of each level, finest first, "
+            "and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic's share at "
+            "level 1 divided by a source's; a window's ratio is the largest over its sources."
+        ),
+        tr(
+            "Significant: at most half of the finest detail is left, or the share that the inspection was set to. "
+            "Reduced: less than all of it. Preserved: as much as in one of the sources, or more. Observer: what the "
+            "operator saw at 2x magnification."
+        ),
+        tr(
+            "The clips show, at 2x and all stretched alike, the part of the window where the mosaic lost most of the "
+            "finest detail. JPEG takes a little of it from all of them."
+        ),
+    ):
+        yield html_page.paragraph(words, "small")
+
+

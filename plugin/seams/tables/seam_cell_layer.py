@@ -1,0 +1,26 @@
+"""Layers of seam cells: which source each part of a mosaic was cut from."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from qgis.core import (
+    QgsCoordinateTransform,
+    QgsFeature,
+    QgsGeometry,
+)
+
+from ...toolkit.layers import _is_text, _transformed, extent
+from ..measure.seam_cells import Cell
+
+CELL_FIELD = "source"
+
+
+def seam_cells(rows: Iterable[QgsFeature], transform: QgsCoordinateTransform) -> list[Cell]:
+    """Polygons that say in their field ``source`` which orthoimage the mosaic was cut from."""
+    cells = []
+    for feature in rows:
+        name, geometry = feature[CELL_FIELD], QgsGeometry(feature.geometry())
+        if _is_text(name) and not geometry.isEmpty():
+            outline = _transformed(geometry, transform)
+            cells.append(Cell(str(name), bytes(outline.asWkb()), extent(outline)))
+    return cells

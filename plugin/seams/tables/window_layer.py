@@ -1,0 +1,257 @@
+"""The window layer: an ordinary polygon layer that holds the windows and what was found in them.
+
+All changes go through its edit buffer, fields that it lacks included, so undo, saving and the attribute table are
+QGIS's own.
+"""
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    NULL,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransformContext,
+    QgsFeature,
+    QgsFeatureRequest,
+    QgsField,
+    QgsGeometry,
+    QgsMapLayer,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+    QgsVectorLayerUtils,
+    QgsWkbTypes,
+)
+
+from ...imagery.errors import WindowLayerError
+from ...imagery.grids import Extent
+from ...toolkit import messages as toolkit_messages
+from ...toolkit.layer_editing import edit_step
+from ...toolkit.layers import extent, rectangle
+from ...toolkit.resources import style_path
+from ...toolkit.translation import tr
+from ..measure import messages
+from ..measure.inspection import WindowResult
+from .result_tables import window_feature, window_fields
+
+UNNUMBERED = -(2**31)
+"""``window_id`` of a window that has none in the layer."""
+_LAYER_NAME = "windows"
+_RATIO = re.compile(r"ratio_[1-9][0-9]*")
+_ANY_RATIO = re.compile(r"((composite|expected)_)?ratio_[1-9][0-9]*")
+_SHAPEFILE = "ESRI Shapefile"
+_SHAPEFILE_NAME = 10  # letters at most, so it goes without background_ratio
+
+
+@dataclass(frozen=True)
+class WindowRow:
+    """One window of the layer."""
+
+    fid: int
+    """Feature id; changes when a new feature is saved."""
+    window_id: int
+    """Its number for good."""
+    verdict: str
+    """A verdict's word, or empty while the window is not inspected."""
+    reason: str
+    """Why it is not comparable."""
+    sources: int | None
+    """How many sources took part."""
+    ratios: tuple[float | None, ...]
+    """ratio_1..ratio_R."""
+    background_ratio: float | None
+    observer: str
+    """``visible``, ``invisible`` or empty."""
+    extent: Extent
+    """In the layer's reference system."""
+    stale: bool
+    """Whether it or the inputs changed after it was inspected."""
+    composite_ratio: float | None = None
+    """composite_ratio_1."""
+    cause: str = ""
+    """Word of what explains the loss; empty in layers of earlier versions."""
+
+
+def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> Path:
+    """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder."""
+    path = _free_path(folder)
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName, options.layerName, options.fileEncoding = "GPKG", _LAYER_NAME, "UTF-8"
+    writer = QgsVectorFileWriter.create(
+        str(path), window_fields(levels), QgsWkbTypes.Type.Polygon, crs, QgsCoordinateTransformContext(), options
+    )
+    failed = writer.hasError() != QgsVectorFileWriter.WriterError.NoError
+    del writer  # closes the file
+    if failed:
+        raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=folder))
+    return path
+
+
+def open_window_layer(path: Path) -> QgsVectorLayer:
+    """The layer of such a file, styled. Raises WindowLayerError when it can't be opened."""
+    layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Windows"), "ogr")
+    if not layer.isValid():
+        raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=path.parent))
+    layer.loadNamedStyle(style_path("windows"))
+    return layer
+
+
+def holds_windows(layer: QgsMapLayer | None) -> bool:
+    """Whether a layer is one of polygons that can be read."""
+    return (
+        isinstance(layer, QgsVectorLayer)
+        and layer.isValid()
+        and layer.geometryType() == QgsWkbTypes.GeometryType.PolygonGeometry
+    )
+
+
+def read_rows(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list[WindowRow]:
+    """Some windows, or all of them; where ``window_id`` is not filled in it is UNNUMBERED. None is stale yet."""
+    names = layer.fields().names()
+    places = {name: place for place, name in enumerate(names)}
+    ratios = sorted((name for name in names if _RATIO.fullmatch(name)), key=lambda name: int(name[6:]))
+    request = QgsFeatureRequest() if fids is None else QgsFeatureRequest().setFilterFids(list(fids))
+    return [_row(feature, places, ratios) for feature in layer.getFeatures(request)]
+
+
+def complete_fields(layer: QgsVectorLayer, levels: int) -> dict[int, int]:
+    """Give a layer that was drawn or placed elsewhere the fields it lacks, as one step of undo.
+
+    Returns the new ids of features that had to be replaced: QGIS 3.22 saves one that was added before a field
+    without that field's value.
+    """
+    missing = _missing_fields(layer, levels)
+    if not missing:
+        return {}
+    with edit_step(layer, tr("Add fields")):
+        if not all(map(layer.addAttribute, missing)):
+            raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
+        unsaved = [layer.getFeature(fid) for fid in layer.editBuffer().addedFeatures()]
+        renewed = {}
+        for old in sorted(unsaved, key=lambda feature: -feature.id()):
+            new = QgsFeature(layer.fields())
+            new.setGeometry(old.geometry())
+            new.setAttributes(old.attributes())
+            layer.deleteFeature(old.id())
+            layer.addFeature(new)
+            renewed[old.id()] = new.id()
+    return renewed
+
+
+def _missing_fields(layer: QgsVectorLayer, levels: int) -> list[QgsField]:
+    missing = [field for field in window_fields(levels) if layer.fields().indexOf(field.name()) < 0]
+    if layer.storageType() == _SHAPEFILE:
+        missing = [field for field in missing if len(field.name()) <= _SHAPEFILE_NAME]
+        for field in missing:  # QGIS does not save a field whose length comes out as another one
+            length, precision = (9, 0) if field.name() in ("window_id", "sources") else (254, 0)
+            if field.name().startswith("ratio_"):
+                length, precision = 20, 15
+            field.setLength(length)
+            field.setPrecision(precision)
+    return missing
+
+
+def read_shapes(layer: QgsVectorLayer, fids: Iterable[int]) -> dict[int, QgsGeometry]:
+    """The outlines of some windows."""
+    request = QgsFeatureRequest().setFilterFids(list(fids)).setNoAttributes()
+    return {feature.id(): QgsGeometry(feature.geometry()) for feature in layer.getFeatures(request)}
+
+
+def add_windows(
+    layer: QgsVectorLayer, outlines: Sequence[QgsGeometry], first: int, at_once: int = 0
+) -> Iterator[list[int]]:
+    """Add windows, numbered from ``first`` on, as one step of undo, so many of them ``at_once`` (0: all).
+
+    Yields the feature ids each time; a generator that is closed before its end takes all of them back.
+    """
+    index, part = layer.fields().indexOf("window_id"), at_once or max(len(outlines), 1)
+    with edit_step(layer, tr("Add windows")):
+        for start in range(0, len(outlines), part):
+            fids = []
+            for number, outline in enumerate(outlines[start : start + part], first + start):
+                feature = QgsVectorLayerUtils.createFeature(layer, outline, {index: number})
+                if not layer.addFeature(feature):
+                    raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
+                fids.append(feature.id())
+            yield fids
+
+
+def write_numbers(layer: QgsVectorLayer, numbers: Mapping[int, int]) -> None:
+    """Write ``window_id``, by feature id, as one step of undo."""
+    with edit_step(layer, tr("Number windows")):
+        for fid, number in numbers.items():
+            _change(layer, fid, {"window_id": number})
+
+
+def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) -> None:
+    """Write results, by feature id, as one step of undo. The observer's word stays.
+
+    Ratios of more levels, left by another inspection, go.
+    """
+    ratios = dict.fromkeys(name for name in layer.fields().names() if _ANY_RATIO.fullmatch(name))
+    with edit_step(layer, tr("Inspect windows")):
+        for fid, result in results.items():
+            row = window_feature(result, rectangle((0, 0, 0, 0)), None)
+            values = {**ratios, **dict(zip(row.fields().names(), row.attributes()))}
+            for name in ("window_id", "observer"):
+                del values[name]
+            _change(layer, fid, values)
+
+
+def write_observer(layer: QgsVectorLayer, fids: Iterable[int], observer: str) -> None:
+    """Write what the operator saw as one step of undo; empty takes it back."""
+    with edit_step(layer, tr("Judge windows")):
+        for fid in fids:
+            _change(layer, fid, {"observer": observer or None})
+
+
+def remove_windows(layer: QgsVectorLayer, fids: Iterable[int]) -> None:
+    """Remove windows as one step of undo."""
+    with edit_step(layer, tr("Remove windows")):
+        layer.deleteFeatures(list(fids))
+
+
+def _change(layer: QgsVectorLayer, fid: int, values: Mapping[str, object]) -> None:
+    for name, value in values.items():
+        index = layer.fields().indexOf(name)
+        if index >= 0:
+            layer.changeAttributeValue(fid, index, value)
+
+
+def _row(feature: QgsFeature, places: Mapping[str, int], ratios: list[str]) -> WindowRow:
+    values = feature.attributes()
+
+    def value(name: str, default: Any = None) -> Any:
+        place = places.get(name, len(values))
+        found = values[place] if place < len(values) else None
+        return found if _known(found) else default
+
+    return WindowRow(
+        feature.id(),
+        int(value("window_id", UNNUMBERED)),
+        value("verdict", ""),
+        value("reason", ""),
+        value("sources"),
+        tuple([value(name) for name in ratios]),
+        value("background_ratio"),
+        value("observer", ""),
+        extent(feature.geometry()),
+        False,
+        value("composite_ratio_1"),
+        value("cause", ""),
+    )
+
+
+def _known(value: object) -> bool:
+    return value is not None and value != NULL
+
+
+def _free_path(folder: Path) -> Path:
+    path, number = folder / "windows.gpkg", 1
+    while path.exists():
+        number += 1
+        path = folder / f"windows_{number}.gpkg"
+    return path

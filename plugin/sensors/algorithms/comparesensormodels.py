@@ -1,0 +1,96 @@
+"""``seaminspector:comparesensormodels``: the same points through every model."""
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputString,
+    QgsProcessingParameterFeatureSink,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.translation import sentence, tr
+from . import sensor_parameters
+from .sensor_parameters import SensorAlgorithm, image_box, warn
+
+OUTPUT = "OUTPUT"
+RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
+
+
+class CompareSensorModels(SensorAlgorithm):
+    """Every model that the points allow, in one table, with a recommendation."""
+
+    ID = "comparesensormodels"
+    NAME = QT_TRANSLATE_NOOP("@default", "Compare sensor models")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Fits every sensor model that the points allow and judges each on points that its fit has not seen: check "
+        "points, or, where they are fewer than five, every point predicted from the others. The table is that of "
+        "Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the "
+        "vendor's RPC with a correction before quotients, polynomials for small and flat areas only."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(*sensor_parameters.gcps())
+        self.addDescribed(*sensor_parameters.image())
+        self.addDescribed(*sensor_parameters.image_rpc())
+        self.addDescribed(*sensor_parameters.dem(tr("Gives heights to points that have none.")))
+        self.addDescribed(*sensor_parameters.heights(sensor_parameters.HEIGHTS, tr("Heights of the points")))
+        self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(*sensor_parameters.check_share())
+        self.addDescribed(*sensor_parameters.robust())
+        self.addDescribed(*sensor_parameters.gcps_crs(), advanced=True)
+        self.addDescribed(*sensor_parameters.orbit_height(), advanced=True)
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Models"), QgsProcessing.SourceType.TypeVector),
+            tr("One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."),
+        )
+        self.addDescribed(
+            *common.report(tr("The table with a chart and the recommendation."), tr("HTML files (*.html)"))
+        )
+        self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
+        self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
+        self.addNumbers({MODEL_COUNT: tr("Models judged")})
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from .. import point_tables
+        from ..measure import comparison, point_heights, point_layout
+
+        image = self._image()
+        rpc = self._rpc(parameters, sensor_parameters.IMAGE_RPC, context, feedback, image)
+        points = self._points(parameters, context, feedback, image)
+        size = (float(image.columns), float(image.rows)) if image is not None else None
+        lies = point_layout.layout(points.image[~points.check], image_box(image, points))
+        notices = point_layout.layout_warnings(lies)
+        warn(feedback, notices)
+        result = comparison.compare(
+            points,
+            comparison.candidates(rpc, self._orbit_height_m(parameters, context, image), size),
+            self.parameterAsBool(parameters, sensor_parameters.ROBUST, context),
+            point_heights.is_flat(points),
+            lambda share: feedback.setProgress(100 * share),
+            feedback.isCanceled,
+        )
+        sink, output = self.sink(parameters, OUTPUT, context, point_tables.comparison_fields())
+        self.write(sink, point_tables.comparison_features(result))
+        said = sentence(result.reason)
+        feedback.pushInfo(said)
+        results: dict[str, Any] = {
+            OUTPUT: output,
+            RECOMMENDED: result.recommended.wanted.name if result.recommended is not None else "",
+            RECOMMENDATION: said,
+            MODEL_COUNT: sum(row.errors is not None for row in result.rows),
+        }
+        path = self.file_path(parameters, common.REPORT, context)
+        if path is not None:
+            from ..report import save_comparison_report
+
+            save_comparison_report(result, notices, path)
+            results[common.REPORT] = str(path)
+        return results

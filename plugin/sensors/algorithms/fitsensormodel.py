@@ -1,0 +1,265 @@
+"""``seaminspector:fitsensormodel``: a sensor model from ground control points."""
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery.errors import SensorModelError
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.translation import sentence, tr
+from ..measure import messages
+from . import sensor_parameters
+from .sensor_parameters import SensorAlgorithm, image_box, warn
+
+if TYPE_CHECKING:
+    from ...imagery.message import Message
+    from ..measure.adjustment import Accuracy, Adjustment
+    from ..measure.image_description import SensorImage
+    from ..measure.models.registry import Wanted
+    from ..measure.models.rpc import Domain
+
+MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
+
+MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
+OUTPUT, MODEL_FILE, RPC = "OUTPUT", "MODEL_FILE", "RPC"
+CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
+MODELS = ("polynomial_2d", "polynomial_3d", "rational", "dlt", "pushbroom", "rpc_bias")
+BIASES = ("shift", "shift_drift", "affine")
+_ERRORS = ("RMSE_X", "RMSE_Y", "MAX_X", "MAX_Y")
+
+
+class FitSensorModel(SensorAlgorithm):
+    """A model between ground and image, fitted to control points and judged on check points."""
+
+    ID = "fitsensormodel"
+    NAME = QT_TRANSLATE_NOOP("@default", "Fit sensor model")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Fits the geometry of a satellite image to ground control points and judges it on check points that took no "
+        "part (Kurczynski and Wolniewicz). polynomial_2d is what a georeferencer does and knows no heights; "
+        "polynomial_3d, rational (RPC) and dlt have no physics; pushbroom is the parametric model of a line scanner "
+        "and needs the fewest points; rpc_bias corrects the RPC that came with the image. The result is a model file "
+        "and an RPC for orthorectification."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(*sensor_parameters.gcps())
+        self.addDescribed(
+            common.choice(MODEL, tr("Model"), MODELS, "rational"),
+            tr(
+                "Fewest control points: polynomial_2d 3, 6, 10 and polynomial_3d 4, 10, 20 and rational 7, 19, 39 for "
+                "orders 1, 2, 3; dlt 6; pushbroom 4; rpc_bias 1, 2, 3 for shift, shift_drift, affine."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                ORDER, tr("Order"), QgsProcessingParameterNumber.Type.Integer, 1, minValue=1, maxValue=3
+            ),
+            tr("Of polynomials and quotients. Higher orders need many points and swing between them."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterBoolean(DLT_XY, tr("Term a12 xy of the direct linear transformation"), False),
+            tr("Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."),
+        )
+        self.addDescribed(
+            common.choice(BIAS, tr("Correction of the RPC"), BIASES),
+            tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
+        )
+        self.addDescribed(*sensor_parameters.image())
+        self.addDescribed(*sensor_parameters.image_rpc())
+        self.addDescribed(*sensor_parameters.dem(tr("Gives heights to points that have none.")))
+        self.addDescribed(*sensor_parameters.heights(sensor_parameters.HEIGHTS, tr("Heights of the points")))
+        self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(*sensor_parameters.check_share())
+        self.addDescribed(*sensor_parameters.robust())
+        self.addDescribed(*sensor_parameters.gcps_crs(), advanced=True)
+        self.addDescribed(*sensor_parameters.orbit_height(), advanced=True)
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Residuals"), QgsProcessing.SourceType.TypeVectorPoint),
+            tr("The points with residuals, model minus measured: in pixels, and in metres at the point's height."),
+        )
+        for name, label, kinds, purpose in (
+            (MODEL_FILE, tr("Model file"), tr("Model files (*.json)"), tr("The whole model, for orthorectification.")),
+            (
+                RPC,
+                tr("RPC"),
+                tr("RPC files (*.txt *.TXT)"),
+                tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT."),
+            ),
+        ):
+            self.addDescribed(
+                QgsProcessingParameterFileDestination(name, label, kinds, optional=True, createByDefault=False), purpose
+            )
+        self.addDescribed(
+            *common.report(tr("Accuracy, warnings and a plot of the residuals."), tr("HTML files (*.html)"))
+        )
+        for group, label in (("CHECK", tr("check points")), ("CONTROL", tr("control points"))):
+            for error in _ERRORS:
+                kind = tr("Root mean square") if error.startswith("RMSE") else tr("Largest error")
+                words = tr("{kind} in {axis}, {group} (m)").format(kind=kind, axis=error[-1], group=label)
+                self.addNumbers({f"{group}_{error}": words})
+        self.addNumbers({
+            CONTROL_COUNT: tr("Control points used"),
+            CHECK_COUNT: tr("Check points used"),
+            CONDITION: tr("Condition number"),
+        })
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from .. import point_tables
+        from ..measure import point_layout
+        from ..measure.adjustment import adjust
+
+        image = self._image()
+        wanted = self._wanted(parameters, context, feedback, image)
+        points = self._points(parameters, context, feedback, image, wanted)
+        done = adjust(wanted, points, self.parameterAsBool(parameters, sensor_parameters.ROBUST, context))
+        box = image_box(image, points)
+        found = point_layout.layout(points.image[~points.check & ~done.blunder], box)
+        notices = self._notices(done) + point_layout.layout_warnings(found)
+        warn(feedback, notices)
+        feedback.setProgress(60)
+        crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
+        if not crs.isValid():
+            crs = QgsCoordinateReferenceSystem(points.wkt)
+        sink, output = self.sink(
+            parameters, OUTPUT, context, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs
+        )
+        self.write(sink, point_tables.residual_features(done))
+        domain = self._domain(image, points)
+        results: dict[str, Any] = {OUTPUT: output}
+        path = self.file_path(parameters, MODEL_FILE, context)
+        if path is not None:
+            self._save_model(done, domain, path)
+            results[MODEL_FILE] = str(path)
+        notes: list[Message] = []
+        path = self.file_path(parameters, RPC, context)
+        if path is not None:
+            said, written = self._save_rpc(done, domain, path)
+            (notes if written else notices).append(said)
+            (feedback.pushInfo if written else feedback.pushWarning)(sentence(said))
+            results[RPC] = str(path) if written else None
+        path = self.file_path(parameters, common.REPORT, context)
+        if path is not None:
+            from ..report import save_fit_report
+
+            save_fit_report(done, found, box, notices, notes, path)
+            results[common.REPORT] = str(path)
+        control, check = done.control, done.check
+        for group, errors in (("CHECK", check), ("CONTROL", control)):
+            for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):
+                results[f"{group}_{name}"] = value
+            if errors.count:
+                feedback.pushInfo(_sentence(group, errors))
+        condition = done.fit.condition
+        results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
+        results[CONDITION] = condition if math.isfinite(condition) else None
+        return results
+
+    def _wanted(
+        self,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        image: SensorImage | None,
+    ) -> Wanted:
+        from ..measure.models import registry
+
+        kind = self.parameterAsString(parameters, MODEL, context)
+        rpc = None
+        if kind == registry.RPC_BIAS:
+            rpc = self._rpc(parameters, sensor_parameters.IMAGE_RPC, context, feedback, image)
+            if rpc is None:
+                raise SensorModelError(messages.NO_RPC())
+        return registry.Wanted(
+            kind,
+            self.parameterAsInt(parameters, ORDER, context),
+            self.parameterAsBool(parameters, DLT_XY, context),
+            self.parameterAsString(parameters, BIAS, context),
+            self._orbit_height_m(parameters, context, image),
+            (float(image.columns), float(image.rows)) if image is not None else None,
+            rpc,
+        )
+
+    @staticmethod
+    def _notices(done: Adjustment) -> list[Message]:
+        notices: list[Message] = []
+        if not done.fit.converged:
+            notices.append(messages.NOT_CONVERGED(iterations=done.fit.iterations))
+        if done.fit.condition > MAX_CONDITION:
+            notices.append(messages.ILL_CONDITIONED(condition=done.fit.condition))
+        if done.check.count == 0:
+            notices.append(messages.CHECK_POINTS_MISSING())
+        if done.blunder.any():
+            names = [name for name, one in zip(done.points.ids, done.blunder) if one]
+            notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
+        return notices
+
+    @staticmethod
+    def _domain(image: SensorImage | None, points: Any) -> Domain:
+        import numpy as np
+
+        from ..measure.models.rpc import Domain
+
+        box = image_box(image, points)
+        heights = points.ground[:, 2][np.isfinite(points.ground[:, 2])]
+        low, high = (float(heights.min()), float(heights.max())) if len(heights) else (0.0, 0.0)
+        middle = points.ground[:, :2].mean(axis=0)
+        return Domain((box[0], box[2]), (box[1], box[3]), (low, high), (float(middle[0]), float(middle[1])))
+
+    @staticmethod
+    def _save_model(done: Adjustment, domain: Domain, path: Path) -> None:
+        from dataclasses import asdict
+
+        from ..measure.models.model_file import ModelFile, save_model
+
+        facts = {
+            "model": done.wanted.name,
+            "condition": done.fit.condition,
+            "iterations": done.fit.iterations,
+            "converged": done.fit.converged,
+            "sigma_px": done.sigma_px,
+            "control": asdict(done.control),
+            "check": asdict(done.check),
+            "blunders": [name for name, one in zip(done.points.ids, done.blunder) if one],
+        }
+        save_model(ModelFile(done.fit.model, done.points.wkt, domain, facts), path)
+
+    @staticmethod
+    def _save_rpc(done: Adjustment, domain: Domain, path: Path) -> tuple[Message, bool]:
+        """Write the RPC; what to say about it, or why there is none, and whether there is one."""
+        from ..measure.models.rpc import rpc_heights, rpc_of, write_rpc
+
+        try:
+            made = rpc_of(done.fit.model, done.points.wkt, domain)
+        except SensorModelError as error:
+            return messages.RPC_NOT_WRITTEN(why=error.message), False
+        write_rpc(made.rpc, path)
+        if made.exact:
+            return messages.RPC_EXACT(), True
+        low, high = rpc_heights(domain)
+        return messages.RPC_FITTED(rms=made.rms_px, largest=made.max_px, low=low, high=high), True
+
+
+def _sentence(group: str, errors: Accuracy) -> str:
+    name = tr("Check points") if group == "CHECK" else tr("Control points")
+    return tr(
+        "{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m"
+    ).format(
+        name=name, count=errors.count, x=errors.rmse_x, y=errors.rmse_y, max_x=errors.max_x, max_y=errors.max_y
+    )

@@ -1,0 +1,183 @@
+"""``seaminspector:orthorectify``: an image over a terrain model."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery.errors import CancelledError, SensorModelError, SettingsError
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.translation import sentence, tr
+from ..measure import limits, messages
+from . import sensor_parameters
+from .sensor_parameters import SensorAlgorithm, warn
+
+if TYPE_CHECKING:
+    from ..measure.image_description import SensorImage
+    from ..measure.models.rpc import Domain
+    from ..measure.models.sensor_model import SensorModel
+
+MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
+RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
+ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
+
+
+class Orthorectify(SensorAlgorithm):
+    """An orthoimage from an image, its model and terrain heights."""
+
+    ID = "orthorectify"
+    RASTER_LISTS = (sensor_parameters.DEM,)
+    NAME = QT_TRANSLATE_NOOP("@default", "Orthorectify")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Puts an image on the map over a terrain model, by a model file of Fit sensor model, an RPC file or the "
+        "image's own RPC. GDAL's warper does it with all cores; how far it is from the exact model is measured on a "
+        "grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(*sensor_parameters.image(optional=False))
+        self.addDescribed(
+            QgsProcessingParameterFile(MODEL_FILE, tr("Model file"), optional=True),
+            tr("As Fit sensor model writes it."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(RPC, tr("RPC file"), optional=True),
+            tr("_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC."),
+        )
+        self.addDescribed(*sensor_parameters.dem(tr("Terrain heights under the whole image, in any reference system.")))
+        self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                HEIGHT,
+                tr("Constant height (metres)"),
+                QgsProcessingParameterNumber.Type.Double,
+                None,
+                optional=True,
+            ),
+            tr("Above the ellipsoid, instead of a terrain model: only where the terrain is flat."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True),
+            tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                PIXEL_SIZE, tr("Pixel size"), QgsProcessingParameterNumber.Type.Double, None, True, 0
+            ),
+            tr("In units of the reference system. Empty: that of the image on the ground."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True),
+            tr("Empty: the whole image. It is widened to whole pixels."),
+        )
+        self.addDescribed(
+            common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"),
+            tr("How pixels are interpolated."),
+        )
+        self.addDescribed(
+            common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS),
+            tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage")),
+            tr("A GeoTIFF; empty where the image or the terrain model ends."),
+        )
+        self.addNumbers({
+            ERROR_RMS: tr("Root mean square against the exact model (px)"),
+            ERROR_MAX: tr("Largest error against the exact model (px)"),
+            UNCOVERED: tr("Share of the image without terrain heights"),
+        })
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        from ..measure.image_description import describe_image
+
+        describe_image(common.required_raster(parameters, sensor_parameters.IMAGE, context))
+        given = parameters.get(HEIGHT) not in (None, "")
+        if given == bool(parameters.get(sensor_parameters.DEM)):
+            raise SettingsError(messages.DEM_AND_HEIGHT() if given else messages.NO_DEM())
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        from ...toolkit.layers import box_extent, system_wkt
+        from ..measure.orthorectification import OrthoRequest, orthorectify
+
+        self.check(parameters, context)
+        assert self._image_ref is not None
+        image = self._image()
+        assert image is not None
+        model, wkt, domain = self._model(parameters, context, feedback, image)
+        target = self.parameterAsCrs(parameters, CRS, context)
+        extent = None
+        if parameters.get(EXTENT):
+            if not target.isValid():
+                target = self.parameterAsExtentCrs(parameters, EXTENT, context)
+            if not target.isValid():
+                raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
+            extent = box_extent(self.parameterAsExtent(parameters, EXTENT, context, target))
+        size = parameters.get(PIXEL_SIZE)
+        height = parameters.get(HEIGHT)
+        output = Path(self.parameterAsOutputLayer(parameters, OUTPUT, context))
+        request = OrthoRequest(
+            self._image_ref,
+            model,
+            wkt,
+            domain,
+            self._dem,
+            self.parameterAsString(parameters, sensor_parameters.DEM_HEIGHTS, context),
+            None if height in (None, "") else self.parameterAsDouble(parameters, HEIGHT, context),
+            output,
+            system_wkt(target),
+            None if size in (None, "") else self.parameterAsDouble(parameters, PIXEL_SIZE, context),
+            extent,
+            self.parameterAsString(parameters, RESAMPLING, context),
+            self.parameterAsString(parameters, FORMAT, context),
+        )
+        try:
+            made = orthorectify(request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled)
+        except CancelledError as stopped:
+            feedback.pushWarning(sentence(stopped.message))
+            return {}
+        warn(feedback, made.notices)
+        feedback.pushInfo(
+            tr(
+                "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."
+            ).format(
+                columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px
+            )
+        )
+        return {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
+
+    def _model(
+        self,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        image: SensorImage,
+    ) -> tuple[SensorModel, str, Domain]:
+        """The model in the image's own pixels, the system it is in, and where it is used."""
+        from ..measure.ground_system import WGS84
+        from ..measure.models.model_file import load_model
+        from ..measure.orthorectification import rpc_domain
+
+        path = self.parameterAsFile(parameters, MODEL_FILE, context)
+        if path and self.parameterAsFile(parameters, RPC, context):
+            raise SettingsError(messages.MODEL_AND_RPC())
+        if path:
+            file = load_model(Path(path))
+            return file.model, file.wkt, file.domain
+        rpc = self._rpc(parameters, RPC, context, feedback, image)
+        if rpc is None:
+            raise SensorModelError(messages.NO_RPC())
+        return rpc, WGS84, rpc_domain(rpc, image)

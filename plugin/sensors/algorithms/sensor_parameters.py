@@ -1,0 +1,247 @@
+"""What the algorithms of sensor models share: their points, images, heights, and those parameters."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+    QgsVectorLayer,
+)
+
+from ...imagery.errors import SettingsError
+from ...toolkit.algorithms import groups
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.parameters import Described
+from ...toolkit.translation import sentence, tr
+from ..measure import limits, messages
+
+if TYPE_CHECKING:
+    from ...imagery.message import Message
+    from ..measure.image_description import SensorImage
+    from ..measure.models.rational import Rational
+    from ..measure.models.registry import Wanted
+    from ..measure.point_layout import Box
+    from ..measure.points import Points
+
+DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
+ORBIT_HEIGHTS_KM = {  # by the satellite's name in the image's metadata; the operators' data sheets
+    "PHR": 694.0, "PLEIADES": 694.0, "SPOT": 694.0, "PNEO": 620.0, "IK": 681.0, "QB": 450.0, "WV01": 496.0,
+    "WV02": 770.0, "WV03": 617.0, "WV04": 617.0, "GE01": 681.0, "GEOEYE": 681.0, "EROS": 480.0, "KOMPSAT": 685.0,
+}  # fmt: skip
+
+GCPS, GCPS_CRS, IMAGE, IMAGE_RPC, DEM = "GCPS", "GCPS_CRS", "IMAGE", "IMAGE_RPC", "DEM"
+HEIGHTS, DEM_HEIGHTS = "HEIGHTS", "DEM_HEIGHTS"
+CHECK_SHARE, ROBUST, ORBIT_HEIGHT = "CHECK_SHARE", "ROBUST", "ORBIT_HEIGHT"
+
+
+class SensorAlgorithm(SeamInspectorAlgorithm):
+    """An algorithm of sensor models."""
+
+    GROUP = groups.SATELLITE_IMAGES
+    RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
+
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        # A georeferencer's file is no layer that QGIS can load, so that its own check gets one in its place.
+        given = dict(parameters)
+        if _points_path(given.get(GCPS)):
+            given[GCPS] = QgsVectorLayer("Point?crs=EPSG:4326", "points", "memory")
+        return super().checkParameterValues(given, context)
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        self._image_ref = common.raster(parameters, IMAGE, context)
+        self._dem = common.raster(parameters, DEM, context)
+
+    def _image(self) -> SensorImage | None:
+        from ..measure.image_description import describe_image
+
+        return describe_image(self._image_ref) if self._image_ref is not None else None
+
+    def _points(
+        self,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        image: SensorImage | None,
+        wanted: Wanted | None = None,
+    ) -> Points:
+        """The points with roles, and heights where the model (None: any model) needs them."""
+        from ...toolkit.layers import system_wkt
+        from .. import point_tables
+        from ..measure.point_heights import with_heights
+        from ..measure.points import split
+
+        path, with_roles = _points_path(parameters.get(GCPS)), False
+        if path:
+            wkt = system_wkt(self.parameterAsCrs(parameters, GCPS_CRS, context))
+            points, notices = point_tables.file_points(path, wkt, image)
+        else:
+            points, with_roles, notices = point_tables.layer_points(self.source(parameters, GCPS, context))
+        warn(feedback, notices)
+        if wanted is None or wanted.spatial:
+            datum, dem_datum = (self.parameterAsString(parameters, name, context) for name in (HEIGHTS, DEM_HEIGHTS))
+            points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))
+            warn(feedback, notices)
+        if not len(points):
+            raise SettingsError(messages.NO_POINTS())
+        if with_roles:
+            return points
+        total, points = len(points), split(points, self.parameterAsDouble(parameters, CHECK_SHARE, context))
+        count = total - int(points.check.sum())
+        if wanted is not None and count < wanted.fewest <= total:
+            few = {"total": total, "count": count, "model": wanted.name, "fewest": wanted.fewest}
+            raise SettingsError(messages.TOO_FEW_AFTER_SPLIT(**few))
+        return points
+
+    def _rpc(
+        self,
+        parameters: dict[str, Any],
+        name: str,
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        image: SensorImage | None,
+    ) -> Rational | None:
+        """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
+        from ..measure.models import rpc
+        from ..measure.orthorectification import of_part
+
+        path = self.parameterAsFile(parameters, name, context)
+        found = rpc.read_rpc(Path(path)) if path else rpc.own_rpc(image) if image is not None else None
+        if found is None or image is None or (image.rpc and not path):
+            return found
+        found, notice = of_part(found, image)
+        warn(feedback, [notice] if notice is not None else [])
+        return found
+
+    def _orbit_height_m(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, image: SensorImage | None
+    ) -> float:
+        """As given, else by the satellite that the image's metadata name, else the default."""
+        given = self.parameterAsDouble(parameters, ORBIT_HEIGHT, context)
+        if given > 0:
+            return given * 1000
+        name = image.satellite.upper() if image is not None else ""
+        known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
+        return next(known, limits.DEFAULT_ORBIT_HEIGHT_KM) * 1000
+
+
+def image_box(image: SensorImage | None, points: Points) -> Box:
+    """The image's rectangle, or that of the points where there is no image."""
+    if image is not None:
+        return 0.0, 0.0, float(image.columns), float(image.rows)
+    low, high = points.image.min(axis=0), points.image.max(axis=0)
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+
+def warn(feedback: QgsProcessingFeedback, notices: list[Message] | tuple[Message, ...]) -> None:
+    """Say warnings, and what is only good to know as information."""
+    harmless = messages.HEIGHTS_CONVERTED, messages.RPC_OF_WHOLE_SCENE, messages.POINTS_DISABLED
+    quiet = {one.template for one in harmless}
+    for notice in notices:
+        (feedback.pushInfo if notice.template in quiet else feedback.pushWarning)(sentence(notice))
+
+
+def _points_path(value: object) -> str:
+    """The path of a georeferencer's file; empty for a layer."""
+    return value if isinstance(value, str) and value.lower().endswith(".points") else ""
+
+
+# --- parameters ------------------------------------------------------------------------------------------------
+
+
+def gcps() -> Described:
+    return (
+        QgsProcessingParameterFeatureSource(
+            GCPS, tr("Ground control points"), [QgsProcessing.SourceType.TypeVectorPoint]
+        ),
+        tr(
+            "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left "
+            "corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard "
+            "deviation in pixels); or a .points file of QGIS's georeferencer."
+        ),
+    )
+
+
+def gcps_crs() -> Described:
+    return (
+        QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True),
+        tr("For files from before QGIS 3.26, which do not name the reference system of their map coordinates."),
+    )
+
+
+def image(optional: bool = True) -> Described:
+    return (
+        QgsProcessingParameterRasterLayer(IMAGE, tr("Image"), optional=optional),
+        tr("The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it."),
+    )
+
+
+def image_rpc() -> Described:
+    return (
+        QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
+        tr(
+            "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom."
+        ),
+    )
+
+
+def dem(purpose: str) -> Described:
+    return QgsProcessingParameterRasterLayer(DEM, tr("Terrain model"), optional=True), purpose
+
+
+def heights(name: str, label: str) -> Described:
+    return (
+        common.choice(name, label, limits.HEIGHT_DATUMS),
+        tr(
+            "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning "
+            "where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid. "
+            "SRTM tiles are egm96."
+        ),
+    )
+
+
+def check_share() -> Described:
+    share = QgsProcessingParameterNumber(
+        CHECK_SHARE,
+        tr("Share of check points"),
+        QgsProcessingParameterNumber.Type.Double,
+        DEFAULT_CHECK_SHARE,
+        minValue=0,
+        maxValue=0.9,
+    )
+    return (
+        share,
+        tr(
+            "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. "
+            "The same points give the same choice."
+        ),
+    )
+
+
+def robust() -> Described:
+    return (
+        QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False),
+        tr("Flags points that contradict the others and fits the model without them."),
+    )
+
+
+def orbit_height() -> Described:
+    height = QgsProcessingParameterNumber(
+        ORBIT_HEIGHT, tr("Height of the orbit (km)"), QgsProcessingParameterNumber.Type.Double, None, True, 0, 40000
+    )
+    return (
+        height,
+        tr(
+            "Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 km. "
+            "IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617."
+        ),
+    )

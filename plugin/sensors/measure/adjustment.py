@@ -1,0 +1,210 @@
+"""A fit judged: residuals in the image and on the ground, on control and on check points, with or without blunders."""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...imagery.errors import SensorModelError
+from . import limits, messages
+from .ground_system import GroundSystem
+from .models import registry
+from .models.locating import locate
+from .models.registry import Wanted
+from .models.sensor_model import Fit
+from .points import Points
+
+BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
+RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates of standard deviation 1
+MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
+TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
+ROBUST_STEPS = 15  # of each stage; the weights have settled before
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Errors of a group of points, m on the ground; None where the group is empty."""
+
+    count: int
+    rmse_x: float | None
+    rmse_y: float | None
+    max_x: float | None
+    max_y: float | None
+    rmse_column: float | None
+    """px, as the next."""
+    rmse_row: float | None
+
+    @property
+    def rmse(self) -> float | None:
+        """Of both coordinates together, m."""
+        if self.rmse_x is None or self.rmse_y is None:
+            return None
+        return float(np.hypot(self.rmse_x, self.rmse_y))
+
+
+@dataclass(frozen=True)
+class Adjustment:
+    """A model fitted to control points and judged on all."""
+
+    wanted: Wanted
+    points: Points
+    fit: Fit
+    residuals_px: np.ndarray
+    """(n, 2) model minus measured: column, row."""
+    residuals_m: np.ndarray
+    """(n, 2) model minus given, at the point's height: x, y."""
+    blunder: np.ndarray
+    """(n,) bool."""
+    sigma_px: float
+    """Standard deviation of a control point's coordinate, from the residuals and the redundancy; NaN without any."""
+
+    @property
+    def control(self) -> Accuracy:
+        """Of the control points that took part."""
+        return self._accuracy(~self.points.check & ~self.blunder)
+
+    @property
+    def check(self) -> Accuracy:
+        """Of the check points that are no blunders."""
+        return self._accuracy(self.points.check & ~self.blunder)
+
+    def _accuracy(self, group: np.ndarray) -> Accuracy:
+        return accuracy(self.residuals_px[group], self.residuals_m[group])
+
+
+def accuracy(residuals_px: np.ndarray, residuals_m: np.ndarray) -> Accuracy:
+    """Root mean squares and maxima of (n, 2) residuals in px and in m."""
+    if not len(residuals_m):
+        return Accuracy(0, None, None, None, None, None, None)
+    rmse_m, rmse_px = np.sqrt(np.mean(residuals_m**2, axis=0)), np.sqrt(np.mean(residuals_px**2, axis=0))
+    largest = np.abs(residuals_m).max(axis=0)
+    return Accuracy(len(residuals_m), *map(float, (*rmse_m, *largest, *rmse_px)))
+
+
+def adjust(wanted: Wanted, points: Points, robust: bool = False) -> Adjustment:
+    """Fit a model to the control points and judge it on all.
+
+    ``robust`` looks for blunders: least absolute residuals first, then Tukey's biweight, then a test of each point;
+    the model is fitted to those that pass. Raises SensorModelError where points are too few or determine nothing.
+    """
+    control = points.only(~points.check)
+    needed = points.ground if wanted.spatial else points.ground[:, :2]
+    if not np.isfinite(needed).all():
+        raise SensorModelError(messages.NO_HEIGHTS(model=wanted.name))
+    if len(control) < wanted.fewest:
+        raise SensorModelError(messages.TOO_FEW_POINTS(model=wanted.name, count=len(control), fewest=wanted.fewest))
+    kept = _without_blunders(wanted, control) if robust else np.ones(len(control), bool)
+    fitted = registry.fit(wanted, control, control.weights * kept)
+    blunder = np.zeros(len(points), bool)
+    blunder[~points.check] = ~kept
+    residuals_px = project(fitted, points) - points.image
+    if not np.isfinite(residuals_px).all():
+        raise SensorModelError(messages.NOT_INVERTED())
+    sigma = _sigma(fitted, residuals_px[~points.check][kept] * _relative(control)[kept, None])
+    if robust and points.check.any():
+        blunder[points.check] = _check_blunders(residuals_px[points.check], sigma)
+    return Adjustment(wanted, points, fitted, residuals_px, _on_ground(fitted, points), blunder, sigma)
+
+
+def project(fitted: Fit, points: Points) -> np.ndarray:
+    """Where a model sees points: (n, 2) column, row."""
+    ground = np.where(np.isfinite(points.ground), points.ground, 0.0)
+    return fitted.model.project(GroundSystem(points.wkt).to_geographic(ground) if fitted.model.GEOGRAPHIC else ground)
+
+
+def _on_ground(fitted: Fit, points: Points) -> np.ndarray:
+    """(n, 2) m along x and y: where the model puts the measured image point, at the point's height, minus given.
+
+    Where a model is too bent to be inverted, what its slope at the point makes of the residual in the image.
+    """
+    frame = GroundSystem(points.wkt)
+    metres = frame.metres(float(np.mean(points.ground[:, 1])))
+    heights = np.nan_to_num(points.ground[:, 2])
+    given = points.ground[:, :2]
+
+    def seen(ground: np.ndarray) -> np.ndarray:
+        return fitted.model.project(frame.to_geographic(ground) if fitted.model.GEOGRAPHIC else ground)
+
+    step = (1 / metres[0], 1 / metres[1])
+    found = locate(seen, points.image, heights, given, step, partly=True)
+    bent = ~np.isfinite(found).all(axis=1)
+    found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], step, partly=True, steps=1)
+    return (found - given) * metres
+
+
+def _relative(points: Points) -> np.ndarray:
+    """(n,) weights of points relative to their median: residuals times these are alike."""
+    return points.weights / np.median(points.weights)
+
+
+def _sigma(fitted: Fit, residuals: np.ndarray) -> float:
+    redundancy = residuals.size - fitted.unknowns
+    return float(np.sqrt(np.sum(residuals**2) / redundancy)) if redundancy > 0.5 else float("nan")
+
+
+def _without_blunders(wanted: Wanted, control: Points) -> np.ndarray:
+    """(n,) bool: which control points pass."""
+    base, relative = control.weights, _relative(control)
+
+    def fitted(weights: np.ndarray) -> tuple[np.ndarray, float]:
+        """Residuals (n, 2), in standard deviations of a usual point, and the redundancy."""
+        fit = registry.fit(wanted, control, weights)
+        used = np.count_nonzero(weights)
+        return (project(fit, control) - control.image) * relative[:, None], 2 * used - fit.unknowns
+
+    found, redundancy = fitted(base)
+    if redundancy < 2:
+        return np.ones(len(control), bool)  # nothing to tell a blunder by
+    for _ in range(ROBUST_STEPS):  # least absolute residuals
+        size = np.linalg.norm(found, axis=1)
+        floor = max(limits.MIN_SIGMA_PX, 1e-3 * float(np.median(size)))
+        found, redundancy = fitted(base / np.sqrt(np.maximum(size, floor)))
+    for _ in range(ROBUST_STEPS):  # Tukey's biweight
+        reach = TUKEY_SIGMAS * _robust_sigma(found, redundancy)
+        share = np.minimum(np.linalg.norm(found, axis=1) / reach, 0.999)
+        found, redundancy = fitted(base * (1 - share**2))
+    sigma = _robust_sigma(found, redundancy)
+    kept = np.linalg.norm(found, axis=1) <= _blunder_limit(redundancy) * sigma
+    for _ in range(ROBUST_STEPS):
+        if np.count_nonzero(kept) <= wanted.fewest:
+            raise SensorModelError(messages.TOO_MANY_BLUNDERS(model=wanted.name, count=np.count_nonzero(~kept)))
+        found, redundancy = fitted(base * kept)
+        if redundancy < 2:
+            break
+        # It only shrinks: else one blunder let in would open the door to the next.
+        sigma = max(min(sigma, float(np.sqrt(np.sum(found[kept] ** 2) / redundancy))), limits.MIN_SIGMA_PX)
+        # The fit gives way to the points in it, and is not exact where the others are: on average by this much.
+        share = 1 - redundancy / (2 * np.count_nonzero(kept))
+        usual = sigma * np.sqrt(np.where(kept, max(1 - share, 0.0), 1 + share))
+        passing = np.linalg.norm(found, axis=1) <= _blunder_limit(redundancy) * usual
+        if np.array_equal(passing, kept):
+            break
+        kept = passing
+    return kept
+
+
+def _blunder_limit(redundancy: float) -> float:
+    """The longest residual of a good point, in standard deviations of a coordinate from so many redundant ones.
+
+    Half its square is F-distributed with 2 and ``redundancy`` degrees of freedom.
+    """
+    return float(np.sqrt(redundancy * (BLUNDER_PROBABILITY ** (-2 / redundancy) - 1)))
+
+
+def _robust_sigma(residuals: np.ndarray, redundancy: float) -> float:
+    """Of a coordinate, from the median length of the residuals, those that the fit can bring to zero set aside."""
+    ordered = np.sort(np.linalg.norm(residuals, axis=1))
+    rest = ordered[min(round(len(ordered) - redundancy / 2), len(ordered) - 1) :]
+    return max(float(np.median(rest)) / RAYLEIGH_MEDIAN, limits.MIN_SIGMA_PX)
+
+
+def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
+    """(n,) bool: check points that differ from the others as well as from what the control points let expect."""
+    usual = 1.4826 * float(np.median(np.abs(residuals)))
+    limit = MAX_BLUNDER_SIGMAS * max(usual, np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
+    return np.abs(residuals).max(axis=1) > limit
+
+
+def without(points: Points, left_out: np.ndarray) -> Points:
+    """All points as control, but for those of a mask, which only judge."""
+    return replace(points, check=left_out)

@@ -1,0 +1,158 @@
+"""Fitting the parametric model: a nominal orbit from the points' affine camera, then an adjustment with priors."""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ....imagery.errors import SensorModelError
+from .. import limits, messages
+from .earth import geocentric, unit
+from .least_squares import least_squares
+from .pushbroom import SIGMAS, Orbit, Pushbroom
+from .sensor_model import Fit
+
+PRINCIPAL_SIGMA_PX = 50.0  # of the principal column around the image's middle
+PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
+PUSHBROOM_DIFFERENCE = 1e-2  # of a prior: derivatives good to 1e-7 px
+MAX_PUSHBROOM_ITERATIONS = 25
+MAX_PUSHBROOM_STEP_PX = 1e-6
+MIN_REDUNDANCY = 1e-9  # where the points determine as much as they can
+MAX_SIGMA_ROUNDS = 12
+MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has settled
+DEFAULT_SIGMA_PX = 0.5  # a point identified in an image
+
+
+def fit_pushbroom(
+    ground: np.ndarray,
+    image: np.ndarray,
+    weights: np.ndarray,
+    orbit_height_m: float,
+    size: tuple[float, float] | None = None,
+    estimate_sigma: bool = True,
+) -> Fit:
+    """Adjust the parametric model to points and to its priors.
+
+    ``ground`` (n, 3) longitude, latitude in degrees and ellipsoidal height in m; ``image`` (n, 2) column, row;
+    ``weights`` (n,) 1 / standard deviation in px; ``size`` the image's columns and rows, whose middle is the nominal
+    principal column and where time starts (None: the middle of the points). With ``estimate_sigma`` the weights are
+    relative: their common factor is estimated from the residuals (variance components), so that exact points are
+    followed exactly and noisy ones are not. Raises SensorModelError when the adjustment breaks down or the points lie
+    on a plane.
+    """
+    places = geocentric(ground)
+    model = Pushbroom(_nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
+    sigma_px = 1 / np.maximum(weights, np.finfo(float).tiny)
+    if estimate_sigma:
+        sigma_px = sigma_px * DEFAULT_SIGMA_PX / np.median(sigma_px)
+    iterations, factor = 0, 1.0
+    for _ in range(MAX_SIGMA_ROUNDS if estimate_sigma else 1):
+        done = _adjusted(model, places, image, sigma_px * factor)
+        model, iterations = done.model, iterations + done.iterations
+        unknowns = _determined(done.jacobian, sigma_px * factor)
+        redundancy = max(done.residuals.size - unknowns, MIN_REDUNDANCY)
+        misfit = float(np.sqrt(np.sum((done.residuals / np.repeat(sigma_px, 2)) ** 2) / redundancy))
+        before, factor = factor, max(misfit, limits.MIN_SIGMA_PX)
+        if abs(factor / before - 1) < MAX_SIGMA_CHANGE:
+            break
+    return Fit(model, done.condition, iterations, done.converged, unknowns)
+
+
+@dataclass(frozen=True)
+class _Adjusted:
+    """A model after Gauss and Newton's iteration with given standard deviations."""
+
+    model: Pushbroom
+    residuals: np.ndarray
+    """(2n,) px, of the last step but one, which differs by less than a millionth."""
+    jacobian: np.ndarray
+    condition: float
+    iterations: int
+    converged: bool
+
+
+def _adjusted(model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px: np.ndarray) -> _Adjusted:
+    weights = np.repeat(1 / sigma_px, 2)
+    converged, iteration = False, 0
+    while not converged and iteration < MAX_PUSHBROOM_ITERATIONS:
+        iteration += 1
+        residuals, jacobian = _linearised(model, places, image)
+        design = np.vstack([jacobian * weights[:, None], np.eye(len(SIGMAS))])
+        solution = least_squares(design, np.concatenate([-residuals * weights, -model.unknowns]))
+        model = replace(model, unknowns=model.unknowns + solution.values)
+        if not np.isfinite(model.unknowns).all():
+            raise SensorModelError(messages.PUSHBROOM_DIVERGED())
+        change = jacobian @ solution.values
+        converged = bool(np.abs(change).max() < MAX_PUSHBROOM_STEP_PX)
+    return _Adjusted(model, residuals + change, jacobian, solution.condition, iteration, converged)
+
+
+def _nominal_orbit(
+    places: np.ndarray, image: np.ndarray, orbit_height_m: float, size: tuple[float, float] | None
+) -> Orbit:
+    """The orbit that the affine camera through the points implies.
+
+    Its two gradients have the viewing direction as their common null direction; the projection centre lies on it at
+    the orbit's height. Raises SensorModelError where the points do not fix an affine camera.
+    """
+    middle = places.mean(axis=0)
+    affine = least_squares(np.column_stack([np.ones(len(places)), places - middle]), image)
+    if affine.rank < 4 or affine.condition > limits.MAX_LINEAR_CONDITION:
+        raise SensorModelError(messages.POINTS_ON_A_PLANE())
+    gradients = affine.values[1:].T  # px per m, (2, 3)
+    up = unit(middle)
+    view = unit(np.cross(gradients[0], gradients[1]))
+    view = -view if view @ up > 0 else view
+    per_px = np.linalg.pinv(gradients)  # (3, 2) m per column and per row, across the view
+    on_ground = per_px - np.outer(view, (up @ per_px) / (view @ up))
+    low, high = (image.min(axis=0), image.max(axis=0)) if size is None else (np.zeros(2), np.array(size))
+    centre = (low + high) / 2
+    middle = middle + on_ground @ (centre - affine.values[0])
+    along = middle @ view
+    radius = limits.WGS84_SEMI_MAJOR_M + orbit_height_m
+    distance = along + np.sqrt(along**2 - middle @ middle + radius**2)
+    position = middle - view * distance
+    detectors = unit(per_px[:, 0])
+    motion = on_ground[:, 1] * radius / np.linalg.norm(middle)
+    outward = unit(position)
+    across = unit(np.cross(outward, motion))
+    return Orbit(
+        position,
+        motion,
+        np.stack([detectors, np.cross(view, detectors), view]),
+        np.stack([np.cross(across, outward), across, -view]),
+        float(distance),
+        float(distance / np.linalg.norm(per_px[:, 0])),
+        centre,
+        float(max((high[1] - low[1]) / 2, 1.0)),
+        PRINCIPAL_SHARE * (high[0] - low[0]) if size is None else PRINCIPAL_SIGMA_PX,
+    )
+
+
+def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Residuals (2n,), model minus measured in px, column and row in turn, and their derivatives (2n, 20).
+
+    Both by one Newton step from the measured line, so that they are exact where the residuals vanish.
+    """
+    columns, slip = model.in_line(places, image[:, 1])
+    next_columns, next_slip = model.in_line(places, image[:, 1] + 1)
+    slope, drift = next_slip - slip, next_columns - columns
+
+    def stepped(columns: np.ndarray, slip: np.ndarray) -> np.ndarray:
+        rows = -slip / slope
+        return np.column_stack([columns + drift * rows - image[:, 0], rows]).ravel()
+
+    residuals = stepped(columns, slip)
+    jacobian = np.empty((len(residuals), len(model.unknowns)))
+    for index in range(len(model.unknowns)):
+        unknowns = model.unknowns.copy()
+        unknowns[index] += PUSHBROOM_DIFFERENCE
+        moved = stepped(*replace(model, unknowns=unknowns).in_line(places, image[:, 1]))
+        jacobian[:, index] = (moved - residuals) / PUSHBROOM_DIFFERENCE
+    return residuals, jacobian
+
+
+def _determined(jacobian: np.ndarray, sigma_px: np.ndarray) -> float:
+    """How many of the unknowns the points determine, the priors the others: each by its share."""
+    singular = np.linalg.svd(jacobian / np.repeat(sigma_px, 2)[:, None], compute_uv=False)
+    return float(np.sum(singular**2 / (1 + singular**2)))

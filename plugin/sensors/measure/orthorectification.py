@@ -1,0 +1,337 @@
+"""Orthorectification: an image, a model in space and terrain heights, through GDAL's warper with an RPC."""
+from __future__ import annotations
+
+import os
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+from osgeo import gdal
+
+from ...imagery.datasets import drop_from_memory, open_dataset
+from ...imagery.errors import CancelledError, RasterError, SensorModelError, SettingsError
+from ...imagery.gdal_messages import gdal_silenced
+from ...imagery.grids import Extent
+from ...imagery.message import Message
+from ...imagery.rasters import RasterRef
+from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
+from . import limits, messages
+from .ground_system import GEOGRAPHIC, WGS84, GroundSystem
+from .image_description import SensorImage, describe_image
+from .models.least_squares import Scaling
+from .models.locating import locate
+from .models.rational import Rational
+from .models.rpc import Domain, RpcOfModel, rpc_of, to_metadata
+from .models.sensor_model import SensorModel
+from .terrain import Terrain, constant_terrain, load_terrain
+
+RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
+ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
+
+_NO_HEIGHT = -32768.0
+
+
+@dataclass(frozen=True)
+class OrthoRequest:
+    """What to rectify and how."""
+
+    image: RasterRef
+    model: SensorModel
+    """In the image's own pixels."""
+    wkt: str
+    """System of the points that the model was fitted to."""
+    domain: Domain
+    dem: RasterRef | None
+    datum: str
+    """What the heights of ``dem`` refer to; one of ``limits.HEIGHT_DATUMS``."""
+    height: float | None
+    """Constant height above the ellipsoid, m, instead of ``dem``."""
+    output: Path
+    target_wkt: str = ""
+    """Empty: the UTM zone of the image's centre."""
+    pixel_size: float | None = None
+    """Map units; None: the image's own, rounded."""
+    extent: Extent | None = None
+    """In the target system; None: the whole image."""
+    resampling: str = "cubic"
+    """One of ``limits.RESAMPLINGS``."""
+    format: str = "GTiff"
+    """One of ``limits.ORTHO_FORMATS``."""
+
+
+@dataclass(frozen=True)
+class Ortho:
+    """An orthoimage as made."""
+
+    path: Path
+    wkt: str
+    extent: Extent
+    pixel_size: float
+    columns: int
+    rows: int
+    rms_px: float
+    """Of what GDAL does against the exact model, in pixels of the image, on a grid over the orthoimage."""
+    max_px: float
+    uncovered: float
+    """Share of the image without terrain heights."""
+    notices: tuple[Message, ...]
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """All that the warper needs."""
+
+    image: SensorImage
+    rpc: RpcOfModel
+    terrain: Terrain
+    footprint: np.ndarray
+    """(n, 3) longitude, latitude, height of places all over the image."""
+    uncovered: float
+
+
+def orthorectify(
+    request: OrthoRequest,
+    progress: Callable[[float], None] = lambda share: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Ortho:
+    """Write the orthoimage.
+
+    Raises RasterError, SensorModelError or SettingsError for what the user can mend, CancelledError when cancelled;
+    no half-written file is left then.
+    """
+    if (request.dem is None) == (request.height is None):
+        raise SettingsError(messages.NO_DEM() if request.dem is None else messages.DEM_AND_HEIGHT())
+    plan = _plan(request)
+    wkt, extent, size = _target(request, plan)
+    columns, rows = (max(round((extent[i + 2] - extent[i]) / size), 1) for i in (0, 1))
+    if columns > 2**31 - 1 or rows > 2**31 - 1 or columns * rows > 1e12:
+        raise SettingsError(messages.ORTHO_TOO_LARGE(width=columns, height=rows))
+    with _source(plan) as source, _heights(plan.terrain) as heights:
+        options = [
+            "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
+        ]  # fmt: skip
+        rms, most = _error(request, plan, source, options, wkt, extent, size)
+        _warp(request, source, options, (wkt, extent, columns, rows), progress, cancelled)
+    notices = list(plan.terrain.notices)
+    if plan.uncovered > 0:
+        notices.append(messages.DEM_PARTLY_COVERING(name=plan.terrain.name, share=plan.uncovered))
+    return Ortho(request.output, wkt, extent, size, columns, rows, rms, most, plan.uncovered, tuple(notices))
+
+
+def of_part(rpc: Rational, image: SensorImage) -> tuple[Rational, Message | None]:
+    """The RPC of a whole scene for an image that is a part of it, and what to say about that.
+
+    A part keeps its place in a geotransform of whole pixels without a reference system (origin = first column and
+    row). It is believed when the RPC's own range holds the part there, so that an RPC of the part itself stays as
+    it is.
+    """
+    if image.geotransform is None or image.georeferenced:
+        return rpc, None
+    left, across, skew_x, top, skew_y, down = image.geotransform
+    if (across, skew_x, skew_y) != (1.0, 0.0, 0.0) or abs(down) != 1.0 or (left, top) == (0.0, 0.0):
+        return rpc, None
+    first = np.array([left, abs(top)])
+    corners = np.array([first, first + [image.columns, image.rows]])
+    if np.abs(rpc.image.to(corners)).max() > RPC_DOMAIN:
+        return rpc, None
+    moved = replace(rpc, image=Scaling(rpc.image.offset - first, rpc.image.scale))
+    return moved, messages.RPC_OF_WHOLE_SCENE(column=first[0], row=first[1])
+
+
+def rpc_domain(rpc: Rational, image: SensorImage) -> Domain:
+    """Where an image's own RPC is used: over the image, at the heights it was made for."""
+    height, half = float(rpc.ground.offset[2]), float(rpc.ground.scale[2])
+    middle = (float(rpc.ground.offset[0]), float(rpc.ground.offset[1]))
+    return Domain((0, image.columns), (0, image.rows), (height - half, height + half), middle)
+
+
+# --- the plan --------------------------------------------------------------------------------------------------
+
+
+def _plan(request: OrthoRequest) -> _Plan:
+    image = describe_image(request.image)
+    domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
+    middle = GroundSystem(request.wkt).to_geographic(np.array([[*domain.middle, np.mean(domain.heights)]]))[:, :2]
+    rpc = rpc_of(request.model, request.wkt, domain)
+    side = np.linspace(0, 1, ORTHO_GRID)
+    places = np.stack(np.meshgrid(side * image.columns, side * image.rows), axis=-1).reshape(-1, 2)
+    if request.height is not None:
+        domain = replace(domain, heights=(request.height, request.height))
+    ends = [_on_ground(rpc.rpc, places, np.full(len(places), height), middle) for height in domain.heights]
+    around = np.concatenate(ends)
+    margin = 0.02 * np.ptp(around, axis=0) + 1e-4
+    low, high = around.min(axis=0) - margin, around.max(axis=0) + margin
+    extent = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+    if request.dem is None:
+        assert request.height is not None
+        terrain = constant_terrain(request.height, extent)
+    else:
+        terrain = load_terrain(request.dem, extent, request.datum)
+    heights = np.full(len(places), float(np.nanmean(terrain.heights)))
+    ground, missing = ends[0], np.zeros(len(places), bool)
+    for _ in range(limits.MAX_NEWTON_ITERATIONS):
+        ground = _on_ground(rpc.rpc, places, heights, middle)
+        found = terrain.at(ground)
+        missing = ~np.isfinite(found)
+        change = np.abs(found - heights)[~missing].max(initial=0)
+        heights = np.where(missing, heights, found)
+        if change < 0.01:
+            break
+    if missing.all():
+        west, south, east, north = extent
+        raise RasterError(
+            messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north)
+        )
+    rpc_heights = (float(heights.min()), float(heights.max()))
+    if rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
+        rpc = rpc_of(request.model, request.wkt, replace(domain, heights=rpc_heights))
+    return _Plan(image, rpc, terrain, np.column_stack([ground, heights]), float(missing.mean()))
+
+
+def _on_ground(rpc: Rational, image: np.ndarray, heights: np.ndarray, middle: np.ndarray) -> np.ndarray:
+    """(n, 2) longitude, latitude of image places at heights."""
+    metres = GEOGRAPHIC.metres(float(middle[0, 1]))
+    start = np.repeat(middle, len(image), axis=0)
+    return locate(rpc.project, image, heights, start, (1 / metres[0], 1 / metres[1]))
+
+
+def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
+    """Reference system, extent and pixel size of the orthoimage."""
+    centre = plan.footprint[len(plan.footprint) // 2]
+    wkt = request.target_wkt or utm_wkt(float(centre[0]), float(centre[1]))
+    places = transform_points(plan.footprint, WGS84, wkt)
+    size = request.pixel_size
+    if size is None:
+        grid = places.reshape(ORTHO_GRID, ORTHO_GRID, 2)
+        steps = [np.median(np.linalg.norm(np.diff(grid, axis=axis), axis=2)) for axis in (1, 0)]
+        cells = ORTHO_GRID - 1
+        size = float(f"{min(steps[0] * cells / plan.image.columns, steps[1] * cells / plan.image.rows):.2g}")
+    if size <= 0:
+        raise SettingsError(messages.PIXEL_SIZE_NOT_POSITIVE(size=size))
+    bounds = (*places.min(axis=0), *places.max(axis=0))
+    if request.extent is not None:
+        bounds = request.extent
+        own = extent_on((*plan.footprint[:, :2].min(axis=0), *plan.footprint[:, :2].max(axis=0)), WGS84, wkt)
+        if bounds[0] >= own[2] or bounds[2] <= own[0] or bounds[1] >= own[3] or bounds[3] <= own[1]:
+            raise SettingsError(messages.EXTENT_OUTSIDE())
+    low = [np.floor(bounds[i] / size) * size for i in (0, 1)]
+    high = [np.ceil(bounds[i] / size) * size for i in (2, 3)]
+    return wkt, (float(low[0]), float(low[1]), float(high[0]), float(high[1])), size
+
+
+# --- GDAL ------------------------------------------------------------------------------------------------------
+
+
+@contextmanager
+def _source(plan: _Plan) -> Iterator[gdal.Dataset]:
+    """The image with the RPC and nothing else that could place it."""
+    original = open_dataset(plan.image.ref)
+    with gdal_silenced():
+        source = gdal.Translate("", original, format="VRT", noData=None)
+        source.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+        source.SetProjection("")
+        source.SetMetadata(to_metadata(plan.rpc.rpc), "RPC")
+    yield source
+
+
+@contextmanager
+def _heights(terrain: Terrain) -> Iterator[str]:
+    """The terrain as a file in memory that GDAL's RPC transformer reads; gone afterwards."""
+    path = f"/vsimem/terrain-{uuid.uuid4().hex}.tif"
+    rows, columns = terrain.heights.shape
+    with gdal_silenced():
+        file = gdal.GetDriverByName("GTiff").Create(path, columns, rows, 1, gdal.GDT_Float32, ["BIGTIFF=IF_SAFER"])
+        file.SetGeoTransform((terrain.origin[0], terrain.step[0], 0.0, terrain.origin[1], 0.0, terrain.step[1]))
+        file.SetProjection(horizontal_wkt(terrain.wkt))
+        file.GetRasterBand(1).SetNoDataValue(_NO_HEIGHT)
+        file.GetRasterBand(1).WriteArray(np.where(np.isfinite(terrain.heights), terrain.heights, _NO_HEIGHT))
+        file = None
+    try:
+        yield path
+    finally:
+        drop_from_memory(path)
+
+
+def _error(
+    request: OrthoRequest, plan: _Plan, source: gdal.Dataset, options: list[str], wkt: str, extent: Extent, size: float
+) -> tuple[float, float]:
+    """Root mean square and largest distance, px, between where GDAL and where the exact model see the orthoimage."""
+    columns, rows = ((extent[i + 2] - extent[i]) / size for i in (0, 1))
+    side = (np.arange(ORTHO_GRID) + 0.5) / ORTHO_GRID
+    pixels = np.stack(np.meshgrid(side * columns, side * rows), axis=-1).reshape(-1, 2)
+    places = np.column_stack([extent[0] + pixels[:, 0] * size, extent[3] - pixels[:, 1] * size])
+    geographic = transform_points(places, wkt, WGS84)
+    ground = np.column_stack([geographic, plan.terrain.at(geographic)])
+    with gdal_silenced():
+        target = gdal.GetDriverByName("VRT").Create("", max(round(columns), 1), max(round(rows), 1), 1)
+        target.SetGeoTransform((extent[0], size, 0.0, extent[3], 0.0, -size))
+        target.SetProjection(horizontal_wkt(wkt))
+        transformer = gdal.Transformer(source, target, options)
+        seen, sound = transformer.TransformPoints(1, [(float(x), float(y), 0.0) for x, y in pixels])
+    by_gdal = np.array(seen)[:, :2]
+    valid = np.array(sound, bool) & np.isfinite(ground[:, 2])
+    if not valid.any():
+        raise SensorModelError(messages.NOT_INVERTED())
+    exact = request.model.project(
+        ground[valid] if request.model.GEOGRAPHIC else GroundSystem(request.wkt).from_geographic(ground[valid])
+    )
+    image = plan.image
+    within = (exact >= 0).all(axis=1) & (exact[:, 0] <= image.columns) & (exact[:, 1] <= image.rows)
+    misses = np.linalg.norm(by_gdal[valid] - exact, axis=1)
+    misses = misses[within] if within.any() else misses
+    return float(np.sqrt(np.mean(misses**2))), float(misses.max())
+
+
+def _warp(
+    request: OrthoRequest,
+    source: gdal.Dataset,
+    options: list[str],
+    target: tuple[str, Extent, int, int],
+    progress: Callable[[float], None],
+    cancelled: Callable[[], bool],
+) -> None:
+    wkt, extent, columns, rows = target
+    nodata = source.GetRasterBand(1).GetNoDataValue()
+    creation = ["COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS"]
+
+    def report(share: float, message: str, data: Any) -> int:
+        progress(share)
+        return 0 if cancelled() else 1
+
+    failure: str | None = None
+    with gdal_silenced():
+        gdal.ErrorReset()
+        try:
+            result = gdal.Warp(
+                str(request.output),
+                source,
+                format=request.format,
+                dstSRS=wkt,
+                outputBounds=extent,
+                width=columns,
+                height=rows,
+                resampleAlg=request.resampling,
+                rpc=True,
+                transformerOptions=options,
+                errorThreshold=0,
+                multithread=True,
+                warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
+                dstNodata=0 if nodata is None else nodata,
+                creationOptions=creation if request.format == "COG" else [*creation, "TILED=YES"],
+                callback=report,
+            )
+            failure = None if result is not None else gdal.GetLastErrorMsg()
+        except RuntimeError as error:
+            result, failure = None, str(error)
+        result = None  # closing writes the file
+    if failure is None and not cancelled():
+        return
+    with suppress(OSError):
+        os.remove(request.output)
+    if cancelled():
+        raise CancelledError(messages.CANCELLED())
+    raise RasterError(messages.WARP_FAILED(error=failure))

@@ -1,0 +1,78 @@
+"""QGIS's georeferencer points: ``.points`` files, with the header of any version."""
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import SensorModelError
+from . import messages
+
+_COLUMNS = (("sourceX", "pixelX"), ("sourceY", "pixelY"), ("mapX",), ("mapY",))
+
+
+@dataclass(frozen=True)
+class PointFile:
+    """The enabled points of a file."""
+
+    wkt: str
+    """The reference system it names (from QGIS 3.26 on); empty for older files."""
+    source: tuple[tuple[float, float], ...]
+    """As the georeferencer keeps them: column and minus row, or the map coordinates of an image that has some."""
+    ground: tuple[tuple[float, float], ...]
+    """x, y."""
+    numbers: tuple[int, ...]
+    """Of each in the file, the first 1."""
+    disabled: int
+    """How many are switched off in the georeferencer."""
+
+
+def read_point_file(path: Path) -> PointFile:
+    """Read ``mapX,mapY,pixelX,pixelY,enable`` (before 3.26) or ``mapX,mapY,sourceX,sourceY,enable``.
+
+    Raises SensorModelError for a file that is none, with the line that can't be read.
+    """
+    try:
+        lines = path.read_text(encoding="utf-8-sig", errors="replace").splitlines()
+    except OSError:
+        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    wkt = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")
+    rows = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
+    header = [name.strip() for name in rows[0][1].split(",")] if rows else []
+    indices = [next((header.index(name) for name in names if name in header), -1) for names in _COLUMNS]
+    if -1 in indices:
+        raise SensorModelError(messages.NO_POINTS_FILE(name=path.name))
+    enable = header.index("enable") if "enable" in header else -1
+    source, ground, numbers, disabled = [], [], [], 0
+    for count, (number, line) in enumerate(rows[1:], 1):
+        parts = next(csv.reader([line]))
+        try:
+            values = [float(parts[index]) for index in indices]
+            on = enable < 0 or len(parts) <= enable or _is_on(parts[enable])
+        except (ValueError, IndexError):
+            raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
+        if not on:
+            disabled += 1
+            continue
+        source.append((values[0], values[1]))
+        ground.append((values[2], values[3]))
+        numbers.append(count)
+    return PointFile(wkt, tuple(source), tuple(ground), tuple(numbers), disabled)
+
+
+def _is_on(flag: str) -> bool:
+    return flag.strip().lower() not in ("0", "false", "")
+
+
+def image_coordinates(
+    source: Sequence[tuple[float, float]], geotransform: Sequence[float] | None
+) -> list[tuple[float, float]]:
+    """Column and row of source coordinates: minus y is the row, unless the image has a geotransform of its own."""
+    if geotransform is None or tuple(geotransform) == (0.0, 1.0, 0.0, 0.0, 0.0, 1.0):
+        return [(x, -y) for x, y in source]
+    left, across, skew_x, top, skew_y, down = geotransform
+    determinant = across * down - skew_x * skew_y
+    moved = [(x - left, y - top) for x, y in source]
+    return [((down * x - skew_x * y) / determinant, (across * y - skew_y * x) / determinant) for x, y in moved]

@@ -1,0 +1,69 @@
+"""Heights of points: brought to the ellipsoid, or taken from a terrain model."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...imagery.message import Message
+from ...imagery.rasters import RasterRef
+from ...imagery.reference_systems import heights_above_ellipsoid, vertical_part
+from . import messages
+from .ground_system import GroundSystem
+from .models.least_squares import Scaling, least_squares
+from .points import Points
+from .terrain import VERTICAL, load_terrain, vertical_system
+
+FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
+
+
+def with_heights(
+    points: Points, datum: str, dem: RasterRef | None, dem_datum: str, name: str
+) -> tuple[Points, list[Message]]:
+    """Points with heights above the ellipsoid, and what to say about them.
+
+    Heights that points have refer to ``datum`` (one of ``limits.HEIGHT_DATUMS``); points without get the terrain
+    model's. Those that lie off the terrain model are left out. Raises RasterError for a terrain model that can't be
+    used and for heights that PROJ has no grid for.
+    """
+    notices: list[Message] = []
+    heights = points.ground[:, 2].copy()
+    given = np.isfinite(heights)
+    geographic = GroundSystem(points.wkt).to_geographic(np.nan_to_num(points.ground))
+    if given.any():
+        vertical, said = vertical_system(points.wkt, datum, name)
+        notices += said
+        if vertical:
+            moved = heights_above_ellipsoid(geographic[given], vertical)
+            added = moved - heights[given]
+            named = datum if datum in VERTICAL else vertical_part(points.wkt)
+            least, most = float(added.min()), float(added.max())
+            notices.append(messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=least, most=most))
+            heights[given] = moved
+    if dem is not None and not given.all():
+        low, high = geographic[:, :2].min(axis=0), geographic[:, :2].max(axis=0)
+        extent = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+        terrain = load_terrain(dem, extent, dem_datum)
+        notices += terrain.notices
+        heights[~given] = terrain.at(geographic[~given])
+        off = ~np.isfinite(heights)
+        notices += [
+            messages.POINT_LEFT_OUT(name=point, why=messages.POINT_OFF_DEM())
+            for point, gone in zip(points.ids, off)
+            if gone
+        ]
+        points = points.only(~off)
+        heights = heights[~off]
+    return replace(points, ground=np.column_stack([points.ground[:, :2], heights])), notices
+
+
+def is_flat(points: Points) -> bool:
+    """Whether the points' heights move their images by less than half a pixel, by an affine camera through them."""
+    heights = points.ground[:, 2]
+    if not np.isfinite(heights).all():
+        return True  # no heights are known, so that nothing but a plane model can be fitted
+    if np.ptp(heights) == 0:
+        return True
+    scaled = Scaling.of(points.ground).to(points.ground)
+    affine = least_squares(np.column_stack([np.ones(len(scaled)), scaled]), points.image)
+    return bool(2 * np.linalg.norm(affine.values[3]) < FLAT_SHARE)

@@ -1,0 +1,72 @@
+"""How control points lie in an image, and what of it they leave to extrapolation."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery.message import Message
+from . import messages
+
+MIN_SPREAD = 0.05  # of their shorter extent to the longer one: narrower ones lie on a line
+MAX_EXTRAPOLATED = 0.5  # share of the image outside the control points' outline
+
+Box = tuple[float, float, float, float]
+"""First column, first row, last column, last row."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How control points lie in an image."""
+
+    extrapolated: float
+    """Share of the image outside the points' outline."""
+    spread: float
+    """Their shorter extent over the longer one: near 0 on a line."""
+    outline: np.ndarray
+    """(k, 2) corners of the points' convex hull, px."""
+
+
+def layout(control: np.ndarray, image: Box) -> Layout:
+    """How (n, 2) control points lie in an image."""
+    outline = hull(control)
+    area = (image[2] - image[0]) * (image[3] - image[1])
+    singular = np.linalg.svd(control - control.mean(axis=0), compute_uv=False)
+    spread = float(singular[1] / singular[0]) if len(singular) > 1 and singular[0] > 0 else 0.0
+    return Layout(float(np.clip(1 - _area(outline) / area, 0, 1)) if area > 0 else 1.0, spread, outline)
+
+
+def layout_warnings(found: Layout) -> list[Message]:
+    """What to say about a layout."""
+    if found.spread < MIN_SPREAD:
+        return [messages.CONTROL_ON_A_LINE(share=found.extrapolated)]
+    if found.extrapolated > MAX_EXTRAPOLATED:
+        return [messages.CONTROL_IN_A_CORNER(share=found.extrapolated)]
+    return []
+
+
+def hull(points: np.ndarray) -> np.ndarray:
+    """(k, 2) corners of the convex hull of (n, 2) points, in order (Andrew's monotone chain)."""
+    ordered = sorted(set(map(tuple, points.tolist())))
+    if len(ordered) < 3:
+        return np.array(ordered)
+    chains = []
+    for row in (ordered, ordered[::-1]):
+        chain: list[tuple[float, ...]] = []
+        for point in row:
+            while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= 0:
+                chain.pop()
+            chain.append(point)
+        chains += chain[:-1]
+    return np.array(chains)
+
+
+def _turn(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _area(corners: np.ndarray) -> float:
+    if len(corners) < 3:
+        return 0.0
+    x, y = corners.T
+    return float(abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2)

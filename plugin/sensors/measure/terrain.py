@@ -1,0 +1,156 @@
+"""Terrain heights above the ellipsoid, from a raster in any reference system or one constant height."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery import messages as imagery_messages
+from ...imagery.datasets import open_dataset
+from ...imagery.errors import RasterError
+from ...imagery.grids import Extent
+from ...imagery.message import Message
+from ...imagery.rasters import RasterRef
+from ...imagery.reference_systems import (
+    extent_on,
+    heights_above_ellipsoid,
+    transform_points,
+    vertical_code,
+    vertical_part,
+)
+from . import limits, messages
+from .ground_system import WGS84
+
+EGM96, EGM2008 = "EPSG:5773", "EPSG:3855"
+MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
+UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
+
+AUTO, ELLIPSOID, _EGM96, _EGM2008 = limits.HEIGHT_DATUMS
+VERTICAL = {_EGM96: EGM96, _EGM2008: EGM2008}
+
+
+@dataclass(frozen=True)
+class Terrain:
+    """Heights above the ellipsoid on a north-up grid."""
+
+    name: str
+    wkt: str
+    origin: tuple[float, float]
+    """x of the left and y of the upper edge."""
+    step: tuple[float, float]
+    """Map units per column and per row; the second is negative."""
+    heights: np.ndarray
+    """(rows, columns) float32, m; NaN where there are none."""
+    notices: tuple[Message, ...]
+
+    def at(self, geographic: np.ndarray) -> np.ndarray:
+        """Bilinear heights (n,) at longitudes and latitudes (n, 2 or more); NaN where there are none."""
+        places = transform_points(geographic, WGS84, self.wkt)
+        columns = (places[:, 0] - self.origin[0]) / self.step[0] - 0.5
+        rows = (places[:, 1] - self.origin[1]) / self.step[1] - 0.5
+        last_row, last_column = self.heights.shape[0] - 1, self.heights.shape[1] - 1
+        inside = (columns >= -0.5) & (rows >= -0.5) & (columns <= last_column + 0.5) & (rows <= last_row + 0.5)
+        columns, rows = np.clip(columns, 0, last_column), np.clip(rows, 0, last_row)
+        left, top = columns.astype(int), rows.astype(int)
+        right, bottom = np.minimum(left + 1, last_column), np.minimum(top + 1, last_row)
+        x, y = columns - left, rows - top
+        heights = self.heights.astype(np.float64)
+        upper = _mixed(heights[top, left], heights[top, right], x)
+        lower = _mixed(heights[bottom, left], heights[bottom, right], x)
+        return np.where(inside, _mixed(upper, lower, y), np.nan)
+
+
+def _mixed(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Between two values; the first alone where the second has no share, whatever it is."""
+    return np.where(share > 0, first + (second - first) * share, first)
+
+
+def constant_terrain(height: float, extent: Extent) -> Terrain:
+    """A plane at a height above the ellipsoid, over longitudes and latitudes (west, south, east, north)."""
+    west, south, east, north = extent
+    step = ((east - west) / 2, (south - north) / 2)
+    return Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
+
+
+def load_terrain(ref: RasterRef, extent: Extent, datum: str) -> Terrain:
+    """The heights of a raster over longitudes and latitudes (west, south, east, north), brought to the ellipsoid.
+
+    ``datum`` is one of ``limits.HEIGHT_DATUMS``. Raises RasterError where the raster lies elsewhere, is rotated,
+    has no reference system, is too large there, or where PROJ has no grid for its heights.
+    """
+    dataset = open_dataset(ref)
+    wkt = dataset.GetProjection() or ref.wkt
+    transform = dataset.GetGeoTransform(can_return_null=True)
+    if not wkt:
+        raise RasterError(imagery_messages.NO_REFERENCE_SYSTEM(name=ref.name))
+    if transform is None or transform[2] or transform[4] or transform[1] <= 0 or transform[5] >= 0:
+        raise RasterError(imagery_messages.NOT_NORTH_UP(name=ref.name))
+    west, south, east, north = extent
+    elsewhere = messages.DEM_NOT_COVERING(name=ref.name, west=west, east=east, south=south, north=north)
+    try:
+        xmin, ymin, xmax, ymax = extent_on(extent, WGS84, wkt)
+    except RasterError:
+        raise RasterError(elsewhere) from None
+    left = max(int((xmin - transform[0]) / transform[1]) - 2, 0)
+    top = max(int((ymax - transform[3]) / transform[5]) - 2, 0)
+    right = min(int((xmax - transform[0]) / transform[1]) + 3, dataset.RasterXSize)
+    bottom = min(int((ymin - transform[3]) / transform[5]) + 3, dataset.RasterYSize)
+    if right <= left or bottom <= top:
+        raise RasterError(elsewhere)
+    count = (right - left) * (bottom - top)
+    if count > MAX_DEM_PIXELS:
+        most = MAX_DEM_PIXELS // 10**6
+        raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most))
+    band = dataset.GetRasterBand(1)
+    heights = band.ReadAsArray(left, top, right - left, bottom - top)
+    if heights is None:
+        raise RasterError(imagery_messages.NOT_READABLE(name=ref.name))
+    nodata = band.GetNoDataValue()
+    missing = ~np.isfinite(heights) if heights.dtype.kind == "f" else np.zeros(heights.shape, bool)
+    if nodata is not None:
+        missing |= heights == nodata
+    heights = heights.astype(np.float32) * np.float32(band.GetScale() or 1) + np.float32(band.GetOffset() or 0)
+    heights[missing] = np.nan
+    if missing.all():
+        raise RasterError(elsewhere)
+    origin = (transform[0] + left * transform[1], transform[3] + top * transform[5])
+    found = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, ())
+    return _above_ellipsoid(found, datum)
+
+
+def _above_ellipsoid(terrain: Terrain, datum: str) -> Terrain:
+    vertical, notices = vertical_system(terrain.wkt, datum, terrain.name)
+    heights = terrain.heights
+    if vertical:
+        undulation = _undulation(terrain, vertical)
+        heights = heights + undulation
+        least, most = float(undulation.min()), float(undulation.max())
+        named = datum if datum in VERTICAL else vertical_part(terrain.wkt)
+        notices = (messages.HEIGHTS_CONVERTED(name=terrain.name, vertical=named, least=least, most=most),)
+    return Terrain(terrain.name, terrain.wkt, terrain.origin, terrain.step, heights, notices)
+
+
+def vertical_system(wkt: str, datum: str, name: str) -> tuple[str, tuple[Message, ...]]:
+    """What PROJ has to convert heights from, empty for none, and what to say about it."""
+    if datum in VERTICAL:
+        return VERTICAL[datum], ()
+    if datum == ELLIPSOID:
+        return "", ()
+    part = vertical_part(wkt)
+    if not part:
+        return "", (messages.HEIGHTS_ASSUMED(name=name),)
+    return ("" if part == "ellipsoid" else vertical_code(wkt)), ()
+
+
+def _undulation(terrain: Terrain, vertical: str) -> np.ndarray:
+    """(rows, columns) m between the heights' reference and the ellipsoid, from a coarse grid: the geoid is smooth."""
+    rows, columns = terrain.heights.shape
+    step = UNDULATION_STEP_PX
+    knots = [np.unique(np.append(np.arange(0, size, step), size - 1)) for size in (rows, columns)]
+    row, column = np.meshgrid(*knots, indexing="ij")
+    x = terrain.origin[0] + (column.ravel() + 0.5) * terrain.step[0]
+    y = terrain.origin[1] + (row.ravel() + 0.5) * terrain.step[1]
+    places = transform_points(np.column_stack([x, y]), terrain.wkt, WGS84)
+    coarse = heights_above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
+    along = np.array([np.interp(np.arange(columns), knots[1], line) for line in coarse])
+    return np.array([np.interp(np.arange(rows), knots[0], line) for line in along.T], np.float32).T

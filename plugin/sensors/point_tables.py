@@ -1,0 +1,172 @@
+"""Point layers and georeferencer files -> control and check points; points -> features."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from qgis.core import NULL, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsProcessingFeatureSource, QgsWkbTypes
+
+from ..imagery.errors import SensorModelError
+from ..imagery.message import Message
+from ..toolkit.layers import features, system_wkt
+from ..toolkit.table_fields import feature
+from ..toolkit.translation import sentence
+from ..toolkit.version_differences import field
+from .measure import messages
+from .measure.adjustment import Adjustment
+from .measure.comparison import Comparison
+from .measure.image_description import SensorImage
+from .measure.point_files import image_coordinates, read_point_file
+from .measure.points import CHECK, CONTROL, Points
+
+
+def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list[Message]]:
+    """The points of a layer, whether they have roles, and what was left out.
+
+    Raises SensorModelError for a layer without columns and rows, without a reference system or without points.
+    """
+    names = {name.lower(): name for name in source.fields().names()}
+    for needed in ("column", "row"):
+        if needed not in names:
+            raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=needed))
+    if not source.sourceCrs().isValid():
+        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
+    rows: list[tuple[str, list[float], str]] = []
+    notices: list[Message] = []
+    for one in features(source):
+        name = _text(one, names, "id") or str(one.id())
+        role = _text(one, names, "role").lower()
+        numbers = _numbers(one, names)
+        if role not in ("", CONTROL, CHECK):
+            notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_ROLE_UNKNOWN(role=role)))
+        elif not all(map(math.isfinite, numbers[:4])):
+            notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_WITHOUT_PLACE()))
+        else:
+            rows.append((name, numbers, role))
+    if not rows:
+        raise SensorModelError(messages.NO_POINTS())
+    values = np.array([numbers for _, numbers, _ in rows])
+    roles = [role for *_, role in rows]
+    points = Points(
+        tuple(name for name, *_ in rows),
+        values[:, 0:2],
+        values[:, 2:5],
+        system_wkt(source.sourceCrs()),
+        values[:, 5],
+        np.array([role == CHECK for role in roles]),
+    )
+    return points, any(roles), notices
+
+
+def file_points(path: str, wkt: str, image: SensorImage | None) -> tuple[Points, list[Message]]:
+    """The points of a georeferencer's file; ``wkt`` is the system of files that name none. Raises SensorModelError."""
+    file = read_point_file(Path(path))
+    if not file.source:
+        raise SensorModelError(messages.NO_POINTS())
+    if not file.wkt and not wkt:
+        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=Path(path).name))
+    count = len(file.source)
+    places = image_coordinates(file.source, image.geotransform if image is not None else None)
+    points = Points(
+        tuple(map(str, file.numbers)),
+        np.array(places, float),
+        np.column_stack([np.array(file.ground, float), np.full(count, np.nan)]),
+        file.wkt or wkt,
+        np.full(count, np.nan),
+        np.zeros(count, bool),
+    )
+    return points, [messages.POINTS_DISABLED(count=file.disabled)] if file.disabled else []
+
+
+def _numbers(one: QgsFeature, names: dict[str, str]) -> list[float]:
+    """Column, row, x, y, z, sigma; NaN for what is missing."""
+    geometry = one.geometry()
+    x = y = height = math.nan
+    if not geometry.isNull() and not geometry.isEmpty() and geometry.type() == QgsWkbTypes.GeometryType.PointGeometry:
+        vertex = geometry.vertexAt(0)
+        x, y, height = vertex.x(), vertex.y(), vertex.z() if vertex.is3D() else math.nan
+    z = _number(one, names, "z")
+    place = [_number(one, names, "column"), _number(one, names, "row")]
+    return [*place, x, y, height if math.isnan(z) else z, _number(one, names, "sigma")]
+
+
+def _text(one: QgsFeature, names: dict[str, str], name: str) -> str:
+    value = one[names[name]] if name in names else None
+    return "" if value is None or value == NULL else str(value).strip()
+
+
+def _number(one: QgsFeature, names: dict[str, str], name: str) -> float:
+    try:
+        return float(str(one[names[name]]))
+    except (KeyError, ValueError):
+        return math.nan
+
+
+def residual_fields() -> QgsFields:
+    """OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
+    return _fields(
+        ("id", "text"), ("role", "text"), ("column", "real"), ("row", "real"), ("z", "real"),
+        ("residual_column", "real"), ("residual_row", "real"), ("residual_x", "real"), ("residual_y", "real"),
+        ("blunder", "integer"),
+    )  # fmt: skip
+
+
+def residual_features(done: Adjustment) -> Iterator[QgsFeature]:
+    """The rows of that table."""
+    points, layout = done.points, residual_fields()
+    for index, name in enumerate(points.ids):
+        x, y, z = points.ground[index]
+        values: list[object] = [
+            name,
+            CHECK if points.check[index] else CONTROL,
+            *map(float, points.image[index]),
+            float(z) if math.isfinite(z) else None,
+            *map(float, done.residuals_px[index]),
+            *map(float, done.residuals_m[index]),
+            int(done.blunder[index]),
+        ]
+        yield feature(layout, values, QgsGeometry.fromPointXY(QgsPointXY(float(x), float(y))))
+
+
+def comparison_fields() -> QgsFields:
+    """OUTPUT of ``comparesensormodels``: one row per model."""
+    return _fields(
+        ("model", "text"), ("order", "integer"), ("variant", "text"), ("mean_x", "real"), ("mean_y", "real"),
+        ("max_x", "real"), ("max_y", "real"), ("control_count", "integer"), ("check_count", "integer"),
+        ("method", "text"), ("control_mean_x", "real"), ("control_mean_y", "real"), ("condition", "real"),
+        ("recommended", "integer"), ("reason", "text"),
+    )  # fmt: skip
+
+
+def comparison_features(result: Comparison) -> Iterator[QgsFeature]:
+    """The rows of that table."""
+    for row in result.rows:
+        wanted, errors = row.wanted, row.errors
+        name, _, variant = wanted.name.partition(" ")
+        ordered = variant.isdigit()
+        yield feature(
+            comparison_fields(),
+            [
+                name,
+                int(variant) if ordered else None,
+                None if ordered else variant or None,
+                *((errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y) if errors else (None,) * 4),
+                row.control_count,
+                errors.count if errors else 0,
+                result.method,
+                row.control.rmse_x if row.control else None,
+                row.control.rmse_y if row.control else None,
+                row.condition if row.condition is not None and math.isfinite(row.condition) else None,
+                int(row is result.recommended),
+                sentence(row.reason) if row.reason else None,
+            ],
+        )
+
+
+def _fields(*columns: tuple[str, str]) -> QgsFields:
+    fields = QgsFields()
+    for name, kind in columns:
+        fields.append(field(name, kind))
+    return fields

@@ -1,0 +1,253 @@
+"""What all our algorithms share: names, help, and errors as one clear sentence."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Optional
+
+from qgis.core import (
+    QgsFeature,
+    QgsFeatureSink,
+    QgsMapLayer,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeatureSource,
+    QgsProcessingFeedback,
+    QgsProcessingLayerPostProcessorInterface,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterDefinition,
+)
+from qgis.PyQt import sip
+from qgis.PyQt.QtGui import QIcon
+
+from ...imagery.errors import SeamInspectorError
+from ..packages import missing_packages_sentence
+from ..resources import icon_path
+from ..translation import sentence, tr
+from . import groups
+from . import parameters as common
+
+if TYPE_CHECKING:
+    from ...imagery.message import Message
+    from ...imagery.rasters import Mosaic
+
+Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
+
+
+class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
+    """An algorithm says its id, names and help in class attributes and does its work in ``execute``."""
+
+    ID: str
+    NAME: str
+    GROUP = groups.SEAM_INSPECTION
+    HELP: str
+    RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
+    """Parameters with many rasters, which are opened one by one and not by QGIS."""
+    DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)
+    """Outputs with charts: where they are asked for, the package that draws them has to be there."""
+
+    def name(self) -> str:
+        return self.ID
+
+    def displayName(self) -> str:
+        return tr(self.NAME)
+
+    def group(self) -> str:
+        return tr(self.GROUP)
+
+    def groupId(self) -> str:
+        return self.GROUP  # a model has its group's name for an id, and belongs to the same group
+
+    def shortHelpString(self) -> str:
+        described = (
+            f"<b>{definition.description()}</b>: {definition.help()}"
+            for definition in self.parameterDefinitions()
+            if definition.help()
+        )
+        return "".join(f"<p>{paragraph}</p>" for paragraph in (tr(self.HELP), *described))
+
+    def icon(self) -> QIcon:
+        return QIcon(icon_path())
+
+    def createInstance(self) -> QgsProcessingAlgorithm:
+        return type(self)()
+
+    def canExecute(self) -> tuple[bool, str]:
+        missing = missing_packages_sentence()
+        return not missing, missing
+
+    def addDescribed(
+        self, definition: QgsProcessingParameterDefinition, description: str, advanced: bool = False
+    ) -> None:
+        """Add a parameter with its help."""
+        definition.setHelp(description)
+        if advanced:
+            definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
+        self.addParameter(definition)
+
+    def addNumbers(self, titles: Mapping[str, str]) -> None:
+        """Add numbers to the results, by name."""
+        for name, title in titles.items():
+            self.addOutput(QgsProcessingOutputNumber(name, title))
+
+    def prepareAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> bool:
+        missing = self._missing_packages(parameters)
+        if missing:
+            raise QgsProcessingException(missing)
+        try:
+            self.prepare(parameters, context)
+        except SeamInspectorError as error:
+            raise QgsProcessingException(sentence(error.message)) from None
+        return True
+
+    def processAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        try:
+            results = self.execute(parameters, context, feedback)
+        except SeamInspectorError as error:
+            raise QgsProcessingException(sentence(error.message)) from None
+        return {name: value for name, value in results.items() if value is not None}
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
+
+    def execute(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        """The work; raises SeamInspectorError for what the user can mend. A result that there is not may be None."""
+        raise NotImplementedError
+
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        missing = self._missing_packages(parameters)
+        if missing:
+            return False, missing
+        try:
+            self.check(parameters, context)
+        except SeamInspectorError as error:
+            return False, sentence(error.message)
+        # QGIS would load every raster of a list, and refuse them all, without a reason, for one that can't be opened.
+        # An empty list is all right with it.
+        others = {name: [] if name in self.RASTER_LISTS else value for name, value in parameters.items()}
+        return super().checkParameterValues(others, context)
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
+
+    def _missing_packages(self, parameters: dict[str, Any]) -> str:
+        """What lacks for the outputs asked for; empty when nothing does."""
+        return missing_packages_sentence(desk=any(parameters.get(name) for name in self.DRAWN))
+
+    def decomposition(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
+        """The values of WAVELET and LEVELS."""
+        return (
+            self.parameterAsString(parameters, common.WAVELET, context),
+            self.parameterAsInt(parameters, common.LEVELS, context),
+        )
+
+    def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
+        """The raster of the parameter MOSAIC."""
+        from ...imagery.rasters import describe_mosaic
+
+        return describe_mosaic(common.required_raster(parameters, common.MOSAIC, context))
+
+    def describe_picture(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Mosaic:
+        """The raster of a parameter, which may lie anywhere."""
+        from ...imagery.rasters import describe_picture
+
+        return describe_picture(common.required_raster(parameters, name, context))
+
+    def source(
+        self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
+    ) -> QgsProcessingFeatureSource:
+        """The features of a parameter that has to be there."""
+        source = self.parameterAsSource(parameters, name, context)
+        if source is None:
+            raise QgsProcessingException(self.invalidSourceError(parameters, name))
+        return source
+
+    def sink(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext, *layout: Any) -> Sink:
+        """Where features go, and its destination; ``layout``: fields, and geometry type and reference system if any."""
+        sink, destination = self.parameterAsSink(parameters, name, context, *layout)
+        if sink is None:
+            raise QgsProcessingException(self.invalidSinkError(parameters, name))
+        return sink, destination
+
+    def optional_sink(
+        self, parameters: dict[str, Any], name: str, context: QgsProcessingContext, *layout: Any
+    ) -> Sink:
+        """Like ``sink``; nothing when the output is not wanted."""
+        return self.sink(parameters, name, context, *layout) if parameters.get(name) else (None, None)
+
+    def file_path(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Path | None:
+        """Where an output file goes; None when it is not wanted."""
+        path = self.parameterAsFileOutput(parameters, name, context) if parameters.get(name) else ""
+        return Path(path) if path else None
+
+    def chart_path(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Path | None:
+        """Where the chart goes; None when it is not wanted. Raises SettingsError for an ending that can't be drawn."""
+        path = self.file_path(parameters, common.CHART, context)
+        if path is not None:
+            from ..charts.figure_files import check_figure_path
+
+            check_figure_path(path)
+        return path
+
+    @staticmethod
+    def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:
+        """Add features at once, so that they stay whatever comes after."""
+        if sink is None:
+            return
+        for feature in features:
+            if not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert):
+                raise QgsProcessingException(sink.lastError() or tr("A result can't be written; is the disk full?"))
+
+    def style(self, destination: str | None, style: str, context: QgsProcessingContext) -> None:
+        """Give a layer that will be loaded a style."""
+        if destination and context.willLoadLayerOnCompletion(destination):
+            context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
+
+
+class Warnings:
+    """Says each sentence once: a raster that can't be compared is not named in every window."""
+
+    def __init__(self, feedback: QgsProcessingFeedback) -> None:
+        self._feedback = feedback
+        self._said: set[str] = set()
+
+    def say(self, notices: Iterable[Message]) -> None:
+        """Push those that were not said before."""
+        for warning in map(sentence, notices):
+            if warning not in self._said:
+                self._feedback.pushWarning(warning)
+            self._said.add(warning)
+
+
+class _Styler(QgsProcessingLayerPostProcessorInterface):
+    """Gives a layer its style once it is there."""
+
+    def __init__(self, style: str) -> None:
+        super().__init__()
+        self._style = style
+
+    def postProcessLayer(
+        self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> None:
+        layer.loadNamedStyle(self._style)
+        layer.triggerRepaint()
+
+
+_stylers: set[_Styler] = set()
+
+
+def _styler(style: str) -> _Styler:
+    """A new one for each layer: QGIS deletes it with the context of its run, and until then does not keep it alive."""
+    for one in list(_stylers):
+        if sip.isdeleted(one):
+            _stylers.discard(one)
+    styler = _Styler(style)
+    _stylers.add(styler)
+    return styler

@@ -1,0 +1,193 @@
+"""Parameters that several algorithms have, and how their values are read."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+    QgsProperty,
+)
+
+from ...imagery import limits as imagery_limits
+from ...imagery.errors import RasterError
+from .. import messages
+from ..translation import tr
+
+if TYPE_CHECKING:
+    from ...imagery.message import Message
+    from ...imagery.rasters import RasterRef
+
+Parameters = dict[str, Any]
+Described = tuple[QgsProcessingParameterDefinition, str]
+
+MOSAIC = "MOSAIC"
+SOURCES = "SOURCES"
+SOURCE_INDEX = "SOURCE_INDEX"
+LEVELS = "LEVELS"
+WAVELET = "WAVELET"
+MAX_RATIO = "MAX_RATIO"
+CHART = "CHART"
+REPORT = "REPORT"
+
+
+def choice(
+    name: str, title: str, words: Sequence[str], default: str = "", optional: bool = False
+) -> QgsProcessingParameterDefinition:
+    """A choice that models and scripts name by its word; the first one where there is no default."""
+    return QgsProcessingParameterEnum(
+        name, title, list(words), defaultValue=default or words[0], optional=optional, usesStaticStrings=True
+    )
+
+
+def real(
+    name: str, title: str, default: float | None, least: float | None = None, optional: bool = False, decimals: int = 2
+) -> QgsProcessingParameterDefinition:
+    """A number that the form shows with so many decimals."""
+    number = QgsProcessingParameterNumber(name, title, QgsProcessingParameterNumber.Type.Double, default, optional)
+    if least is not None:
+        number.setMinimum(least)
+    number.setMetadata({"widget_wrapper": {"decimals": decimals}})
+    return number
+
+
+def mosaic(optional: bool = False) -> Described:
+    return (
+        QgsProcessingParameterRasterLayer(MOSAIC, tr("Mosaic"), optional=optional),
+        tr("The orthophoto mosaic under inspection: north-up, with a coordinate reference system."),
+    )
+
+
+def sources() -> Described:
+    return (
+        QgsProcessingParameterMultipleLayers(
+            SOURCES, tr("Sources"), QgsProcessing.SourceType.TypeRaster, optional=True
+        ),
+        tr(
+            "The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels "
+            "differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so."
+        ),
+    )
+
+
+def source_index() -> Described:
+    return (
+        QgsProcessingParameterFeatureSource(
+            SOURCE_INDEX, tr("Source index"), [QgsProcessing.SourceType.TypeVectorPolygon], optional=True
+        ),
+        tr(
+            "A tile index of orthoimages as gdaltindex writes it, with their paths in the field 'location'; relative "
+            "paths start at the index file's folder. For blocks with too many sources to load, alone or beside them."
+        ),
+    )
+
+
+def levels() -> Described:
+    return (
+        QgsProcessingParameterNumber(
+            LEVELS,
+            tr("Levels"),
+            QgsProcessingParameterNumber.Type.Integer,
+            imagery_limits.DEFAULT_LEVELS,
+            minValue=imagery_limits.MIN_LEVELS,
+            maxValue=imagery_limits.MAX_LEVELS,
+        ),
+        tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse."),
+    )
+
+
+def wavelet() -> Described:
+    return (
+        choice(WAVELET, tr("Wavelet"), imagery_limits.WAVELETS, imagery_limits.DEFAULT_WAVELET),
+        tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."),
+    )
+
+
+def max_ratio(description: str) -> Described:
+    return (
+        QgsProcessingParameterNumber(
+            MAX_RATIO,
+            tr("Largest ratio of a significant loss"),
+            QgsProcessingParameterNumber.Type.Double,
+            imagery_limits.MAX_SIGNIFICANT_RATIO,
+            minValue=0,
+            maxValue=1,
+        ),
+        description,
+    )
+
+
+def chart(description: str, by_default: bool = False) -> Described:
+    return _file(CHART, tr("Chart"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)", by_default), description
+
+
+def report(description: str, filters: str = "HTML (*.html)", by_default: bool = False) -> Described:
+    return _file(REPORT, tr("Report"), filters, by_default), description
+
+
+def _file(name: str, title: str, filters: str, by_default: bool) -> QgsProcessingParameterDefinition:
+    return QgsProcessingParameterFileDestination(name, title, filters, optional=True, createByDefault=by_default)
+
+
+def raster_value(parameters: Parameters, name: str, context: QgsProcessingContext) -> object:
+    """A raster parameter as it was given: a layer, a layer's id, or a path."""
+    value = parameters.get(name)
+    return value.valueAsString(context.expressionContext())[0] if isinstance(value, QgsProperty) else value
+
+
+def raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef | None:
+    """The file of a raster parameter, to be asked in its layer's thread; None when it is not given."""
+    from ..layers import raster_ref
+
+    value = raster_value(parameters, name, context)
+    return raster_ref(value, context) if value else None
+
+
+def required_raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef:
+    """The same for one that has to be there: raises RasterError when it is not given."""
+    ref = raster(parameters, name, context)
+    if ref is None:
+        raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
+    return ref
+
+
+def raster_values(parameters: Parameters, name: str, context: QgsProcessingContext) -> list[object]:
+    """A parameter of several rasters as it was given; nothing is loaded."""
+    value: object = raster_value(parameters, name, context)
+    if value is None or value == "":
+        return []
+    return list(value) if isinstance(value, (list, tuple)) else [value]
+
+
+def raster_refs(
+    parameters: Parameters, name: str, context: QgsProcessingContext
+) -> tuple[list[RasterRef], list[Message]]:
+    """The files of a parameter of several rasters, and why others have none; to be asked in their layers' thread."""
+    from ..layers import raster_ref
+
+    refs: list[RasterRef] = []
+    left_out: list[Message] = []
+    for value in raster_values(parameters, name, context):
+        try:
+            refs.append(raster_ref(value, context))
+        except RasterError as error:
+            left_out.append(error.message)
+    return refs, left_out
+
+
+def transform(
+    source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
+) -> QgsCoordinateTransform:
+    """From the reference system of a layer to another one."""
+    return QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())

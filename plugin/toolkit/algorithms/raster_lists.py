@@ -1,0 +1,97 @@
+"""What the algorithms on lists of rasters share: their parameters, and the rasters and windows behind them."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterMultipleLayers,
+)
+
+from ...imagery.errors import SettingsError
+from .. import messages
+from ..translation import sentence, tr
+from . import parameters as common
+from .base import SeamInspectorAlgorithm
+from .window_features import WindowFeatures
+
+if TYPE_CHECKING:
+    from ...imagery.drawn_windows import DrawnWindow
+
+RASTERS, WINDOWS = "RASTERS", "WINDOWS"
+
+
+class RasterListAlgorithm(SeamInspectorAlgorithm):
+    """An algorithm that measures single images, each for itself, on windows or as a whole."""
+
+    RASTER_LISTS: tuple[str, ...] = (RASTERS,)
+
+    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        if not common.raster_values(parameters, RASTERS, context):
+            raise SettingsError(messages.NO_RASTERS())
+
+    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        given = {name: common.raster_refs(parameters, name, context) for name in self.RASTER_LISTS}
+        self.refs = {name: refs for name, (refs, _) in given.items()}
+        """The rasters by parameter."""
+        self.left_out = [why for _, left_out in given.values() for why in left_out]
+        """About rasters that can't be used at all."""
+
+    def addRasters(self, name: str, words: str, description: str, optional: bool = False) -> None:
+        """Add a parameter of several rasters."""
+        rasters = QgsProcessingParameterMultipleLayers(
+            name, words, QgsProcessing.SourceType.TypeRaster, optional=optional
+        )
+        self.addDescribed(rasters, description)
+
+    def addWindows(self, description: str) -> None:
+        """Add the parameter WINDOWS."""
+        polygon = QgsProcessing.SourceType.TypeVectorPolygon
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(WINDOWS, tr("Windows"), [polygon], optional=True), description
+        )
+
+    def require_rasters(self, usable: Iterable[object]) -> None:
+        """Raise SettingsError, with the reasons, when no raster is left."""
+        from ...imagery import limits as imagery_limits
+
+        if not list(usable):
+            why = tuple(self.left_out[: imagery_limits.MAX_REASONS])
+            raise SettingsError(messages.NO_RASTER_USABLE(why=why) if why else messages.NO_RASTERS())
+
+    def drawn_windows(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> list[DrawnWindow] | None:
+        """The windows that were given, those without a usable outline named in the log; None when none were."""
+        from ...imagery.drawn_windows import DrawnWindow
+        from .. import layers
+
+        if not parameters.get(WINDOWS):
+            return None
+        source = self.source(parameters, WINDOWS, context)
+        wkt = layers.system_wkt(source.sourceCrs())
+        windows = []
+        for window in WindowFeatures(source, source.sourceCrs(), context).windows():
+            if window.extent is not None:
+                windows.append(DrawnWindow(window.window_id, window.extent, wkt))
+            elif window.reason is not None:
+                feedback.pushWarning(f"{window.window_id}: {sentence(window.reason)}")
+        if not windows:
+            raise SettingsError(messages.NO_WINDOWS())
+        return windows
+
+    def save(self, feedback: QgsProcessingFeedback, path: Path | None, write: Any) -> str | None:
+        """Write an output file by ``write(path)``; a failure is said and does not cost the other results."""
+        if path is None:
+            return None
+        try:
+            write(path)
+        except SettingsError as error:
+            feedback.reportError(sentence(error.message))
+            return None
+        return str(path)

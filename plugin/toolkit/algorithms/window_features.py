@@ -1,0 +1,96 @@
+"""The features of a window layer, read one by one, each with a number of its own."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+)
+
+from ...imagery.errors import WindowError
+from ...imagery.grids import Extent
+from ...imagery.message import Message
+from . import parameters as common
+
+_LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+
+
+@dataclass(frozen=True)
+class WindowFeature:
+    """One feature."""
+
+    window_id: int
+    extent: Extent | None
+    """The rectangle around it, in the reference system asked for; None where it can't be measured."""
+    reason: Message | None = None
+    """Why not."""
+
+
+class WindowFeatures:
+    """All of them; what a result needs of a window is kept until it is taken."""
+
+    def __init__(
+        self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
+    ) -> None:
+        self.count = source.featureCount()
+        self.renumbered = 0
+        """How many windows had no number of their own."""
+        self._source = source
+        self._transform = common.transform(source, crs, context)
+        self._names = set(source.fields().names())
+        self._waiting: dict[int, tuple[QgsGeometry | None, str | None]] = {}
+        self._numbers = self._given_numbers()
+        self._last = max(self._numbers, default=0)
+
+    def windows(self) -> Iterator[WindowFeature]:
+        """One per feature, in the layer's order."""
+        from .. import layers
+
+        for feature in layers.features(self._source):
+            number = self._number(feature)
+            geometry: QgsGeometry | None = None
+            try:
+                extent = layers.extent(layers.window_geometry(feature, self._transform))
+                geometry = layers.rectangle(extent)
+                window = WindowFeature(number, extent)
+            except WindowError as error:
+                window = WindowFeature(number, None, error.message)
+            observer = (feature["observer"] or None) if "observer" in self._names else None
+            self._waiting[number] = geometry, observer
+            yield window
+
+    def taken(self, window_id: int) -> tuple[QgsGeometry | None, str | None]:
+        """The rectangle as drawn and the observer's word of a window whose result has come."""
+        return self._waiting.pop(window_id)
+
+    def _given_numbers(self) -> set[int]:
+        from .. import layers
+
+        if "window_id" not in self._names:
+            return set()
+        numbers = (_whole_number(feature["window_id"]) for feature in layers.features(self._source))
+        return {number for number in numbers if number is not None}
+
+    def _number(self, feature: QgsFeature) -> int:
+        """The feature's own number when it is the first to have it, else the next free one."""
+        own = _whole_number(feature["window_id"]) if "window_id" in self._names else None
+        if own is not None and own in self._numbers:
+            self._numbers.remove(own)
+            return own
+        self.renumbered += "window_id" in self._names
+        self._last += 1
+        return self._last
+
+
+def _whole_number(value: object) -> int | None:
+    """A window's number from a field of any type."""
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None

@@ -1,0 +1,67 @@
+"""Work in the background: one QgsTask for every job."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from typing import Callable
+
+from qgis.core import QgsTask
+from qgis.PyQt.QtCore import pyqtSignal
+
+from ..imagery.errors import SeamInspectorError
+from ..imagery.message import Message
+from . import messages
+from .interface_first import interface_first
+
+Cancelled = Callable[[], bool]
+Job = Callable[[Cancelled], Iterator[tuple[float, object]]]
+
+
+class End(Enum):
+    """How a task ended; a cancelled one did not fail."""
+
+    DONE = "done"
+    FAILED = "failed"
+    CANCELLED = "cancelled"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the interface learns when a task has ended."""
+
+    end: End
+    message: Message | None = None
+    """Why it failed."""
+
+
+class BackgroundTask(QgsTask):
+    """Runs a job. Keep a reference until it has ended, or it is collected before it runs."""
+
+    arrived = pyqtSignal(object)
+    ended = pyqtSignal(object)
+
+    def __init__(self, description: str, job: Job) -> None:
+        super().__init__(description, QgsTask.Flag.CanCancel)
+        self._job = job
+        self._failure: Message | None = None
+
+    def run(self) -> bool:
+        try:
+            with interface_first():
+                for share, result in self._job(self.isCanceled):
+                    self.arrived.emit(result)
+                    self.setProgress(100 * share)
+        except SeamInspectorError as error:
+            self._failure = error.message
+        except Exception as error:  # the last door: a task must not raise into QGIS
+            self._failure = messages.TASK_FAILED(task=self.description(), error=f"{type(error).__name__}: {error}")
+        return self._failure is None and not self.isCanceled()
+
+    def finished(self, result: bool) -> None:
+        if result:
+            self.ended.emit(Outcome(End.DONE))
+        elif self._failure is not None:
+            self.ended.emit(Outcome(End.FAILED, self._failure))
+        else:
+            self.ended.emit(Outcome(End.CANCELLED))

@@ -1,0 +1,48 @@
+"""matplotlib figures for files and reports, on white paper. ``Figure`` only: no pyplot, no Qt."""
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+from matplotlib import rc_context
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import SettingsError
+from .. import messages
+
+FORMATS = ("png", "svg", "pdf")
+_DPI = 200
+_SVG = {"svg.fonttype": "none", "svg.hashsalt": "seam_inspector"}  # text stays text, and the same figure the same file
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure, its size in inches, whose parts find their places by themselves."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def check_figure_path(path: Path) -> None:
+    """Raise SettingsError for another ending than those that can be written."""
+    if path.suffix.lower().lstrip(".") not in FORMATS:
+        raise SettingsError(messages.CHART_FORMAT_UNKNOWN(name=path.name))
+
+
+def save_figure(figure: Figure, path: Path) -> None:
+    """Write PNG, SVG or PDF, by the path's ending. Raises SettingsError for another ending or where none can be."""
+    check_figure_path(path)
+    try:
+        with rc_context(_SVG):
+            figure.savefig(path, dpi=_DPI)
+    except OSError as error:
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error.strerror or error)) from None
+
+
+def svg_text(figure: Figure) -> str:
+    """The figure as SVG, for a report."""
+    buffer = io.StringIO()
+    with rc_context(_SVG):
+        figure.savefig(buffer, format="svg")
+    return buffer.getvalue()

@@ -1,0 +1,57 @@
+"""What the tabs with a chart have in common. matplotlib is loaded in the background."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import QEvent, Qt, QTimer
+from qgis.PyQt.QtGui import QPalette, QShowEvent
+from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
+
+from ..charts.chart_loader import ChartLoader
+
+_RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
+
+
+class ChartPanel(QWidget):
+    """A row of tools, a chart or the words in its place, and words below. Looks anew once it comes into sight."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._loader = ChartLoader()
+        self._loader.start()
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._refresh)
+        self._text = QLabel()
+        self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._text.setWordWrap(True)
+        self._text.setAutoFillBackground(True)
+        self._text.setBackgroundRole(QPalette.ColorRole.Base)
+        self._text.setForegroundRole(QPalette.ColorRole.Text)
+        self._text.setMargin(self.fontMetrics().height())
+        self._text.setMinimumSize(1, 1)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._text)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._refresh_now()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in _RESTYLING:
+            self._refresh_now()
+
+    def _lay_out(self, tools: QHBoxLayout, words: QWidget) -> None:
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(self.fontMetrics().height() // 5)
+        layout.addLayout(tools)
+        layout.addWidget(self._pages, 1)
+        layout.addWidget(words)
+
+    def _refresh_now(self, *_: object) -> None:
+        """As soon as the signals under way have been handled."""
+        self._timer.start(0)
+
+    def _refresh(self) -> None:
+        """Show what is selected now; nothing while the panel is out of sight."""
+        raise NotImplementedError

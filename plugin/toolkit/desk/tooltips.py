@@ -1,0 +1,14 @@
+"""Tooltips that wrap."""
+from __future__ import annotations
+
+from html import escape
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    pass
+
+
+def rich_tip(text: str, *lines: str) -> str:
+    """Qt breaks the lines of a tooltip only when it is rich text; ``lines`` stand below it."""
+    below = f"<p>{'<br>'.join(map(escape, lines))}</p>" if lines else ""
+    return f"<p>{escape(text)}</p>{below}"

@@ -1,0 +1,153 @@
+"""QGIS layers and Processing values -> the core's plain data."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from qgis.core import (
+    NULL,
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeature,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+    QgsProcessingUtils,
+    QgsProject,
+    QgsProviderRegistry,
+    QgsRasterLayer,
+    QgsRectangle,
+    QgsVectorLayer,
+    QgsWkbTypes,
+)
+
+from ..imagery import messages as imagery_messages
+from ..imagery.errors import RasterError, WindowError
+from ..imagery.grids import Extent
+from ..imagery.rasters import Raster, RasterRef
+from . import messages
+
+
+def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
+    """The file behind a raster layer, a layer's id or name, or a path.
+
+    Raises RasterError for a layer that is not a file that GDAL reads.
+    """
+    layer = value
+    if isinstance(value, str):
+        layer = QgsProcessingUtils.mapLayerFromString(value, context, False)
+        if layer is None:
+            return RasterRef(value)
+    if not isinstance(layer, QgsRasterLayer):
+        raise RasterError(messages.NOT_A_RASTER_LAYER(name=layer.name() if hasattr(layer, "name") else value))
+    return layer_ref(layer)
+
+
+def layer_ref(layer: QgsRasterLayer) -> RasterRef:
+    """The file behind a raster layer, with the layer's reference system.
+
+    Raises RasterError for a layer that is not a file that GDAL reads.
+    """
+    if layer.providerType() not in ("gdal", ""):
+        raise RasterError(messages.NOT_A_FILE(name=layer.name()))
+    parts = QgsProviderRegistry.instance().decodeUri("gdal", layer.source())
+    path = parts.get("vsiPrefix", "") + parts["path"] + parts.get("vsiSuffix", "")
+    if parts.get("layerName"):
+        path = layer.source()  # a subdataset has no path of its own
+    return RasterRef(path, system_wkt(layer.crs()))
+
+
+def layer_path(layer: QgsVectorLayer) -> str:
+    """The file of a vector layer; empty for one in memory or in a database."""
+    if layer.providerType() != "ogr":
+        return ""
+    return QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("path") or ""
+
+
+def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:
+    """WKT as GDAL writes it; empty for an invalid system."""
+    return crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED_GDAL) if crs.isValid() else ""
+
+
+def mosaic_crs(mosaic: Raster) -> QgsCoordinateReferenceSystem:
+    """The mosaic's reference system, by its authority's code where it has one."""
+    return QgsCoordinateReferenceSystem.fromWkt(mosaic.wkt)
+
+
+def features(source: QgsProcessingFeatureSource) -> Iterator[QgsFeature]:
+    """All features, those with invalid geometry included: what to do about them is for us to say."""
+    skip_checks = QgsProcessingFeatureSource.Flag.FlagSkipGeometryValidityChecks
+    return source.getFeatures(QgsFeatureRequest(), skip_checks)
+
+
+def window_geometry(feature: QgsFeature, transform: QgsCoordinateTransform) -> QgsGeometry:
+    """The outline of a window in the mosaic's reference system.
+
+    Raises WindowError for an outline that is no single simple polygon.
+    """
+    geometry = QgsGeometry(feature.geometry())
+    if geometry.isNull() or geometry.isEmpty():
+        raise WindowError(messages.WINDOW_EMPTY())
+    if geometry.type() != QgsWkbTypes.GeometryType.PolygonGeometry:
+        raise WindowError(messages.WINDOW_NOT_POLYGON())
+    if geometry.isMultipart() and geometry.constGet().numGeometries() > 1:
+        raise WindowError(messages.WINDOW_MULTIPART())
+    if not geometry.isGeosValid():
+        raise WindowError(messages.WINDOW_SELF_CROSSING())
+    return _transformed(geometry, transform)
+
+
+def extent(geometry: QgsGeometry) -> Extent:
+    """The bounding box of a geometry."""
+    return box_extent(geometry.boundingBox())
+
+
+def outline_extent(feature: QgsFeature, transform: QgsCoordinateTransform | None = None) -> Extent | None:
+    """The bounding box of a feature, transformed where a transform is given; None when it has no outline.
+
+    Raises WindowError when it can't be transformed.
+    """
+    geometry = QgsGeometry(feature.geometry())
+    if geometry.isNull() or geometry.isEmpty():
+        return None
+    return extent(geometry if transform is None else _transformed(geometry, transform))
+
+
+def rectangle(bounds: Extent) -> QgsGeometry:
+    """The polygon of an extent."""
+    return QgsGeometry.fromRect(QgsRectangle(*bounds))
+
+
+def line_wkb(feature: QgsFeature, transform: QgsCoordinateTransform) -> bytes | None:
+    """A seamline or cell in the mosaic's reference system as WKB; None when it has no geometry."""
+    geometry = QgsGeometry(feature.geometry())
+    if geometry.isNull() or geometry.isEmpty():
+        return None
+    return bytes(_transformed(geometry, transform).asWkb())
+
+
+def _is_text(value: object) -> bool:
+    return value is not None and value != NULL and str(value) != ""
+
+
+def transformed_extent(
+    bounds: Extent, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem, project: QgsProject
+) -> Extent:
+    """The bounding box of an extent in another reference system. Raises WindowError when there is none."""
+    if crs == target:
+        return bounds
+    return extent(_transformed(rectangle(bounds), QgsCoordinateTransform(crs, target, project.transformContext())))
+
+
+def _transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> QgsGeometry:
+    try:
+        geometry.transform(transform)
+    except QgsCsException:
+        raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED()) from None
+    return geometry
+
+
+def box_extent(box: QgsRectangle) -> Extent:
+    """A rectangle of QGIS as an extent."""
+    return box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum()

@@ -1,0 +1,38 @@
+"""Words for the user: translations of our own texts and of the core's messages."""
+from __future__ import annotations
+
+import os
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+
+from ..imagery.message import Message
+from .resources import translations_path
+
+
+def tr(text: str) -> str:
+    """The text in the user's language."""
+    return QCoreApplication.translate("@default", text)
+
+
+def language() -> str:
+    """The language that texts come in: the interface's where they are translated into it, else English."""
+    wanted = QgsApplication.locale()[:2]
+    return wanted if os.path.exists(os.path.join(translations_path(), f"seam_inspector_{wanted}.qm")) else "en"
+
+
+def sentence(message: Message) -> str:
+    """A message of the core in the user's language."""
+    return message.worded(tr)
+
+
+class Translation:
+    """Our translations of the interface language, in force from construction to ``remove``."""
+
+    def __init__(self) -> None:
+        self._translator = QTranslator()
+        if self._translator.load(f"seam_inspector_{QgsApplication.locale()[:2]}", translations_path()):
+            QCoreApplication.installTranslator(self._translator)
+
+    def remove(self) -> None:
+        QCoreApplication.removeTranslator(self._translator)

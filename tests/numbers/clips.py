@@ -1,0 +1,71 @@
+"""What the tests of rasters share."""
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from osgeo import gdal, osr
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import Clip, Mosaic, RasterRef, read_clip
+
+from tests.numbers.synthetic import ORIGIN, UTM33
+
+MakeRaster = Callable[..., str]
+SIZE = (256, 256)
+WINDOW = PixelWindow(96, 80, 64, 64)
+RED, GREEN, BLUE = gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand
+GRAY, ALPHA, UNDEFINED = gdal.GCI_GrayIndex, gdal.GCI_AlphaBand, gdal.GCI_Undefined
+YELLOW, CYAN = gdal.GCI_YellowBand, gdal.GCI_CyanBand
+
+
+def clip_of(path: str, mosaic: Mosaic, window: PixelWindow = WINDOW, system: str = "") -> Clip:
+    return read_clip(RasterRef(path, system), mosaic, window)
+
+
+def inside(array: np.ndarray, window: PixelWindow = WINDOW) -> np.ndarray:
+    return array[..., window.row : window.row + window.height, window.column : window.column + window.width]
+
+
+def scene(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """A smooth scene by coordinates of the mosaic's reference system."""
+    right, up = x - ORIGIN[0], y - ORIGIN[1]
+    waves = 60 * np.sin(2 * np.pi * right / 3.1) * np.cos(2 * np.pi * up / 4.3)
+    return np.asarray(120 + waves + 30 * np.sin(2 * np.pi * (right + 2 * up) / 5.7))
+
+
+def scene_raster(
+    make_raster: MakeRaster,
+    gsd: float = 0.1,
+    turn_deg: float = 0.0,
+    mirror: tuple[int, int] = (1, 1),
+    system: int = UTM33,
+    side_m: float = 10.0,
+    **options: Any,
+) -> str:
+    """The scene as a float32 raster in any reference system, about the middle of WINDOW, turned and mirrored.
+
+    Where its pixels lie comes from PROJ, so that it is true whoever warps it. ``gsd`` and ``side_m`` are in
+    units of the system.
+    """
+    to_mosaic = osr.CoordinateTransformation(reference(system), reference(UTM33))
+    to_system = osr.CoordinateTransformation(reference(UTM33), reference(system))
+    x0, y0, _ = to_system.TransformPoint(ORIGIN[0] + 12.8, ORIGIN[1] - 11.2)
+    side = round(side_m / gsd)
+    cosine, sine = gsd * math.cos(math.radians(turn_deg)), gsd * math.sin(math.radians(turn_deg))
+    a, b, d, e = mirror[0] * cosine, mirror[1] * sine, mirror[0] * sine, -mirror[1] * cosine
+    geotransform = (x0 - (a + b) * side / 2, a, b, y0 - (d + e) * side / 2, d, e)
+    row, column = np.mgrid[:side, :side] + 0.5
+    x, y = geotransform[0] + a * column + b * row, geotransform[3] + d * column + e * row
+    points = to_mosaic.TransformPoints(np.column_stack([x.ravel(), y.ravel()]).tolist())
+    placed = np.array(points)[:, :2].reshape(side, side, 2)
+    image = scene(placed[..., 0], placed[..., 1]).astype(np.float32)
+    return make_raster("source.tif", image, geotransform=geotransform, system=system, **options)
+
+
+def reference(system: int) -> osr.SpatialReference:
+    made = osr.SpatialReference()
+    made.ImportFromEPSG(system)
+    made.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return made

@@ -1,0 +1,118 @@
+"""Images read for themselves: what they are, in pieces, and at reduced resolution."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from osgeo import gdal
+from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.pixels import PixelImage, Pixels
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.value_ranges import is_range_known, value_range
+
+from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_raster
+
+MakeRaster = Callable[..., str]
+
+
+def test_what_a_georeferenced_image_is(make_raster: MakeRaster) -> None:
+    path = make_raster("a.tif", orthoimage((80, 120), dtype=np.uint16), gsd=0.25, options=["NBITS=12"])
+    image = Pixels(RasterRef(path)).image()
+    assert (image.columns, image.rows, image.whole) == (120, 80, PixelWindow(0, 0, 120, 80))
+    assert image.grid == Grid(*ORIGIN, 0.25, 0.25, 120, 80)
+    assert image.ground_sample_distance == 0.25
+    assert (image.data_type, image.bits, image.has_luminance) == ("uint16", 12, True)
+
+
+def test_a_picture_without_a_place_and_a_rotated_one(make_raster: MakeRaster, tmp_path: Path) -> None:
+    memory = gdal.GetDriverByName("MEM").Create("", 30, 20, 1, gdal.GDT_Byte)
+    path = str(tmp_path / "scan.png")
+    gdal.GetDriverByName("PNG").CreateCopy(path, memory)
+    image = Pixels(RasterRef(path, "a layer's system")).image()
+    assert (image.wkt, image.ground_sample_distance) == ("", None)
+    assert image.grid == Grid(0, 0, 1, 1, 30, 20)
+    rotated = make_raster("r.tif", orthoimage((64, 64)), geotransform=(0, 0.1, 0.02, 0, 0.02, -0.1))
+    assert Pixels(RasterRef(rotated)).image().grid is None
+
+
+@pytest.mark.parametrize("array", [np.zeros((8, 8), np.complex64)])
+def test_what_has_no_real_values_is_refused(make_raster: MakeRaster, array: np.ndarray) -> None:
+    with pytest.raises(RasterError, match="complex"):
+        Pixels(RasterRef(make_raster("c.tif", array)))
+
+
+def test_palettes_and_masks_come_as_they_are_measured(make_raster: MakeRaster) -> None:
+    indices = np.array([[0, 1], [2, 1]], np.uint8).repeat(8, 0).repeat(8, 1)
+    entries = [(10, 20, 30, 255), (40, 50, 60, 255), (0, 0, 0, 255)]
+    pixels = Pixels(RasterRef(make_raster("p.tif", indices, palette=entries, nodata=2, options=[])))
+    bands, invalid = pixels.read(PixelWindow(4, 4, 8, 8))
+    assert bands[:, 0, 0].tolist() == [10, 20, 30]
+    assert invalid is not None
+    assert invalid.tolist() == (indices[4:12, 4:12] == 2).tolist()
+    assert pixels.image().data_type == "uint8"
+
+
+@pytest.fixture(scope="module")
+def rasters(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """One picture in tiles, in strips, and in one strip per row."""
+    folder, array = tmp_path_factory.mktemp("layouts"), orthoimage((300, 210), bands=2)
+    layouts = {"tiles": ["TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=32"], "strips": ["BLOCKYSIZE=7"], "rows": []}
+    return {name: write_raster(folder / f"{name}.tif", array, options=options) for name, options in layouts.items()}
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    layout=st.sampled_from(["tiles", "strips", "rows"]), most=st.integers(1, 90_000), column=st.integers(0, 200),
+    row=st.integers(0, 290), width=st.integers(1, 210), height=st.integers(1, 300),
+)
+def test_blocks_cover_a_window_once_and_keep_to_their_size(
+    rasters: dict[str, str], layout: str, most: int, column: int, row: int, width: int, height: int
+) -> None:
+    window = PixelWindow(column, row, min(width, 210 - column), min(height, 300 - row))
+    pixels = Pixels(RasterRef(rasters[layout]))
+    seen = np.zeros((300, 210), int)
+    tile = {"tiles": 64 * 32, "strips": 210 * 7, "rows": 210 * 300}[layout]
+    for block in pixels.blocks(window, most):
+        assert block.width * block.height <= max(most, tile)
+        seen[block.row : block.row + block.height, block.column : block.column + block.width] += 1
+        bands, invalid = pixels.read(block)
+        assert invalid is None
+        there = (block.column, block.row, block.width, block.height)
+        assert (bands == read_pixels(rasters[layout], *there)).all()
+    assert seen.sum() == window.width * window.height
+    inside = seen[window.row : window.row + window.height, window.column : window.column + window.width]
+    assert (inside == 1).all()
+
+
+def test_a_shrunk_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> None:
+    bands, _ = Pixels(RasterRef(rasters["tiles"])).read(PixelWindow(10, 20, 160, 80), 8)
+    assert bands.shape == (2, 10, 20)
+    values = set(read_pixels(rasters["tiles"], 10, 20, 160, 80)[0].ravel().tolist())
+    assert set(bands[0].ravel().tolist()) <= values
+
+
+@pytest.mark.parametrize(
+    ("data_type", "bits", "largest", "expected"),
+    [
+        ("uint8", None, 3, (0, 255)),
+        ("uint16", None, 4000, (0, 4095)),
+        ("uint16", None, 4096, (0, 16383)),
+        ("uint16", None, 200, (0, 255)),
+        ("uint16", 10, 600, (0, 1023)),
+        ("uint16", None, 65535, (0, 65535)),
+        ("int16", None, 100, (-32768, 32767)),
+        ("float32", None, 1, None),
+        ("uint32", None, 1, None),
+    ],
+)
+def test_the_range_of_values(
+    data_type: str, bits: int | None, largest: float, expected: tuple[float, float] | None
+) -> None:
+    image = PixelImage(RasterRef("x"), "", None, 9, 9, None, ("band_1",), data_type, bits)
+    assert value_range(image, largest) == expected
+    assert is_range_known(image) == (data_type == "uint8" or bits is not None)

@@ -1,0 +1,283 @@
+"""Where a raster lies on the map, and what is no raster to measure: one sentence."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal, osr
+from seam_inspector.plugin.imagery.errors import NotCoveredError, RasterError
+from seam_inspector.plugin.imagery.grids import PixelWindow, standard_side_px
+from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe, describe_mosaic
+from seam_inspector.plugin.imagery.reference_systems import extent_on
+
+from tests.numbers.clips import SIZE, MakeRaster, clip_of, inside, reference, scene_raster
+from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
+
+
+@pytest.fixture(params=[False, True], ids=["quiet GDAL", "GDAL with exceptions"])
+def either_gdal(request: pytest.FixtureRequest) -> Iterator[None]:
+    """GDAL and OSR as any other plugin in the same process may have left them."""
+    before = bool(gdal.GetUseExceptions())
+    use_exceptions(request.param)
+    yield
+    use_exceptions(before)
+
+
+def use_exceptions(wanted: bool) -> None:
+    """GDAL wants them switched off in the opposite order."""
+    for module in (gdal, osr) if wanted else (osr, gdal):
+        if bool(module.GetUseExceptions()) is not wanted:
+            (module.UseExceptions if wanted else module.DontUseExceptions)()
+
+
+# --- place on the map ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "system",
+    [
+        wkt(UTM33).replace("WGS 84 / UTM zone 33N", "site grid"),
+        "+proj=utm +zone=33 +datum=WGS84 +units=m +no_defs",
+        "+proj=tmerc +lat_0=0 +lon_0=15 +k=0.9996 +x_0=500000 +y_0=0 +datum=WGS84 +units=m",
+        wkt(25833),  # ETRS89: other numbers by the continent's drift only, which PROJ leaves alone
+    ],
+    ids=["renamed", "PROJ's UTM", "PROJ's transverse Mercator", "ETRS89"],
+)
+def test_the_same_system_under_another_name_is_not_warped(
+    make_raster: MakeRaster, mosaic: Mosaic, system: str
+) -> None:
+    image = orthoimage(SIZE)
+    clip = clip_of(make_raster("source.tif", image, system=None), mosaic, system=system)
+    assert clip.raster.wkt != mosaic.wkt
+    assert not clip.resampled
+    np.testing.assert_array_equal(clip.bands, inside(image))
+
+
+def test_the_same_numbers_in_another_zone_are_another_place(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    with pytest.raises(NotCoveredError, match=r"source\.tif"):
+        clip_of(make_raster("source.tif", orthoimage(SIZE), system=32634), mosaic)
+
+
+def test_a_reference_may_bring_the_system_that_a_file_lacks(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    image = orthoimage(SIZE)
+    path = make_raster("bare.tif", image, system=None)
+    assert describe(RasterRef(path)).wkt == ""
+    with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system; set it"):
+        describe_mosaic(RasterRef(path))
+    with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system; set it"):
+        clip_of(path, mosaic)
+    assert describe_mosaic(RasterRef(path, wkt(UTM33))).wkt == wkt(UTM33)
+    clip = clip_of(path, mosaic, system=wkt(UTM33))
+    np.testing.assert_array_equal(clip.bands, inside(image))
+
+
+def test_the_system_of_the_file_goes_before_that_of_its_reference(make_raster: MakeRaster) -> None:
+    path = make_raster("source.tif", orthoimage((64, 64)))
+    assert describe(RasterRef(path, wkt(4326))).wkt == describe(RasterRef(path)).wkt
+
+
+@pytest.mark.parametrize(
+    "geotransform",
+    [
+        (ORIGIN[0], 0.1, 0.01, ORIGIN[1], 0.01, -0.1),
+        (ORIGIN[0], 0.0, 0.1, ORIGIN[1], 0.1, 0.0),
+        (ORIGIN[0], 0.1, 0.0, ORIGIN[1], 0.0, 0.1),
+        (ORIGIN[0], -0.1, 0.0, ORIGIN[1], 0.0, -0.1),
+    ],
+    ids=["skewed", "turned by 90", "south-up", "mirrored"],
+)
+def test_a_mosaic_that_is_not_north_up_is_refused(
+    make_raster: MakeRaster, geotransform: tuple[float, ...]
+) -> None:
+    path = make_raster("turned.tif", orthoimage((64, 64)), geotransform=geotransform)
+    with pytest.raises(RasterError, match=r"turned.tif is rotated, mirrored or south-up; warp it to a north-up grid"):
+        describe_mosaic(RasterRef(path))
+    assert describe(RasterRef(path)).ground_sample_distance == pytest.approx(0.1, rel=0.01)
+
+
+def test_rounding_in_a_geotransform_is_no_rotation(make_raster: MakeRaster) -> None:
+    geotransform = (ORIGIN[0], 0.1, 1e-11, ORIGIN[1], -1e-11, -0.1)
+    assert describe_mosaic(RasterRef(make_raster("mosaic.tif", orthoimage(SIZE), geotransform=geotransform))).grid
+
+
+def test_a_raster_without_a_position_is_refused(tmp_path: Path) -> None:
+    path = str(tmp_path / "photo.tif")
+    gdal.GetDriverByName("GTiff").Create(path, 64, 64, 3).FlushCache()
+    with pytest.raises(RasterError, match=r"photo.tif has no position on the map; georeference"):
+        describe(RasterRef(path))
+
+
+def test_the_extent_bounds_all_corners(make_raster: MakeRaster) -> None:
+    turned = make_raster("a.tif", orthoimage((40, 30)), geotransform=(1000.0, 0.3, 0.4, 2000.0, 0.4, -0.3))
+    assert describe(RasterRef(turned)).extent == pytest.approx((1000, 1988, 1025, 2012))
+    upright = describe(RasterRef(make_raster("b.tif", orthoimage((40, 30)), gsd=0.5)))
+    assert upright.grid is not None
+    assert upright.extent == upright.grid.extent == pytest.approx((500000, 4999980, 500015, 5000000))
+
+
+@pytest.mark.parametrize(
+    ("latitude", "along_meridian", "along_parallel"),
+    [  # metres per degree of WGS 84, from the usual table of the length of a degree
+        (0, 110574, 111320),
+        (15, 110649, 107550),
+        (30, 110852, 96486),
+        (45, 111132, 78847),
+        (-60, 111412, 55800),
+        (75, 111618, 28902),
+    ],
+)
+def test_metres_mean_metres_in_a_geographic_system(
+    make_raster: MakeRaster, latitude: float, along_meridian: float, along_parallel: float
+) -> None:
+    step = 1e-6
+    geotransform = (15.0, step, 0.0, latitude + 32 * step, 0.0, -step)
+    path = make_raster("degrees.tif", orthoimage((64, 64)), geotransform=geotransform, system=4326)
+    grid = describe_mosaic(RasterRef(path)).grid
+    assert grid.metres_y == pytest.approx(along_meridian, abs=1)
+    assert grid.metres_x == pytest.approx(along_parallel, abs=1)
+    metres = min(along_meridian, along_parallel) * step
+    assert standard_side_px(grid, 100) == 2 ** math.ceil(math.log2(100 / metres))
+
+
+@pytest.mark.parametrize(
+    ("system", "metres"),
+    [(2225, 12 / 39.37), ("+proj=utm +zone=33 +datum=WGS84 +units=ft", 0.3048), ("+proj=utm +zone=33 +units=km", 1000)],
+    ids=["survey feet", "feet", "kilometres"],
+)
+def test_metres_mean_metres_whatever_the_unit_of_the_system(
+    make_raster: MakeRaster, system: str | int, metres: float
+) -> None:
+    path = make_raster("units.tif", orthoimage((64, 64)), gsd=0.5, system=wkt(system))
+    grid = describe_mosaic(RasterRef(path)).grid
+    assert (grid.metres_x, grid.metres_y) == pytest.approx((metres, metres))
+    assert grid.ground_sample_distance == pytest.approx(0.5 * metres)
+
+
+def test_rasters_in_degrees_are_compared_as_they_are(make_raster: MakeRaster) -> None:
+    geotransform = (15.0, 1.3e-6, 0.0, 52.0, 0.0, -9e-7)
+    image = orthoimage(SIZE)
+    block = describe_mosaic(RasterRef(make_raster("m.tif", image, geotransform=geotransform, system=4326)))
+    shifted = (15.0 + 4.25 * 1.3e-6, 1.3e-6, 0.0, 52.0 - 3.5 * 9e-7, 0.0, -9e-7)
+    clip = clip_of(make_raster("s.tif", image, geotransform=shifted, system=4326), block)
+    assert not clip.resampled
+    assert clip.offset_x == pytest.approx(-0.25, abs=1e-3)
+    assert abs(clip.offset_y) == pytest.approx(0.5, abs=1e-3)
+    assert clip.bands.shape == (3, 64, 64)
+
+
+def test_an_extent_is_carried_to_another_system() -> None:
+    extent = (499000.0, 4990000.0, 509000.0, 5000000.0)
+    assert extent_on(extent, wkt(UTM33), wkt(UTM33)) == extent
+    xmin, ymin, xmax, ymax = extent_on(extent, wkt(UTM33), wkt(4326))
+    to_degrees = osr.CoordinateTransformation(reference(UTM33), reference(4326))
+    edge = np.linspace(0, 1, 11)
+    border = [(499000 + 10000 * s, y) for s in edge for y in (extent[1], extent[3])]
+    border += [(x, 4990000 + 10000 * s) for s in edge for x in (extent[0], extent[2])]
+    degrees = np.array(to_degrees.TransformPoints(border))
+    assert xmin == pytest.approx(degrees[:, 0].min(), abs=1e-6)
+    assert xmax == pytest.approx(degrees[:, 0].max(), abs=1e-6)
+    assert ymin == pytest.approx(degrees[:, 1].min(), abs=1e-6)
+    assert ymax == pytest.approx(degrees[:, 1].max(), abs=1e-6)
+
+
+# --- what is no raster to measure ------------------------------------------------------------------------------
+
+
+LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
+
+
+@pytest.mark.usefixtures("either_gdal")
+class TestWithAndWithoutGdalsExceptions:
+    """``gdal.UseExceptions()`` is process-wide, so any plugin may have called it before."""
+
+    def test_good_rasters(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        image = orthoimage(SIZE)
+        np.testing.assert_array_equal(clip_of(make_raster("a.tif", image), mosaic).bands, inside(image))
+        assert clip_of(scene_raster(make_raster, 0.2, 5), mosaic).resampled
+        fill = clip_of(make_raster("b.tif", image, valid=np.indices(SIZE).sum(axis=0) != 200), mosaic, WINDOW_BELOW)
+        assert fill.invalid_share == 0
+
+    @pytest.mark.parametrize(
+        ("content", "sentence"),
+        [
+            (None, "does not exist; check the path"),
+            (b"", "is not a raster that GDAL can read"),
+            (b"x;y\n500000;5000000\n", "is not a raster that GDAL can read"),
+            (b"II*\0" + bytes(60), "is not a raster that GDAL can read"),
+        ],
+        ids=["missing", "empty", "text", "broken header"],
+    )
+    def test_no_raster(self, tmp_path: Path, mosaic: Mosaic, content: bytes | None, sentence: str) -> None:
+        path = tmp_path / "file.tif"
+        if content is not None:
+            path.write_bytes(content)
+        with pytest.raises(RasterError, match=rf"file.tif {sentence}"):
+            describe(RasterRef(str(path)))
+        with pytest.raises(RasterError, match=rf"file.tif {sentence}"):
+            clip_of(str(path), mosaic)
+
+    @pytest.mark.parametrize("gsd", [0.1, 0.05], ids=["as it is", "warped"])
+    def test_a_truncated_file(self, make_raster: MakeRaster, mosaic: Mosaic, gsd: float) -> None:
+        path = Path(make_raster("cut.tif", orthoimage((512, 512)), gsd=gsd))
+        path.write_bytes(path.read_bytes()[: path.stat().st_size // 8])
+        with pytest.raises(RasterError, match=r"cut.tif (can't be read; the file may be truncated|is not a raster)"):
+            clip_of(str(path), mosaic)
+
+    def test_a_file_truncated_before_its_directory(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        path = Path(make_raster("cut.tif", orthoimage(SIZE)))
+        path.write_bytes(path.read_bytes()[:6])
+        with pytest.raises(RasterError, match=r"cut.tif is not a raster that GDAL can read"):
+            clip_of(str(path), mosaic)
+
+    def test_a_damaged_mask(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        valid = np.random.default_rng(0).random(SIZE) < 0.5
+        path = make_raster("source.tif", orthoimage(SIZE), valid=valid, mask_inside=False)
+        mask = Path(path + ".msk")
+        content = mask.read_bytes()
+        third = len(content) // 3
+        mask.write_bytes(content[:third] + b"\x55" * third + content[2 * third :])
+        with pytest.raises(RasterError, match=r"pixels of source.tif can't be read"):
+            clip_of(path, mosaic)
+
+    def test_complex_values(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        path = make_raster("radar.tif", orthoimage(SIZE, 1).astype(np.complex64))
+        with pytest.raises(RasterError, match=r"radar.tif holds complex values; convert them to magnitudes"):
+            clip_of(path, mosaic)
+
+    def test_no_bands_of_its_own(self, tmp_path: Path, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        path, image = str(tmp_path / "two.gpkg"), make_raster("image.tif", orthoimage(SIZE))
+        for table, append in (("a", "NO"), ("b", "YES")):
+            options = [f"RASTER_TABLE={table}", f"APPEND_SUBDATASET={append}"]
+            assert gdal.Translate(path, image, format="GPKG", creationOptions=options)
+        with pytest.raises(RasterError, match=r"two.gpkg has no bands of its own; choose one of its subdatasets"):
+            clip_of(path, mosaic)
+
+    def test_a_raster_of_one_pixel(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        path = make_raster("pixel.tif", np.full((3, 1, 1), 9, np.uint8), origin=(ORIGIN[0] + 12.0, ORIGIN[1] - 11.0))
+        assert describe_mosaic(RasterRef(path)).grid.columns == 1
+        with pytest.raises(NotCoveredError, match=r"pixel.tif does not cover the whole window"):
+            clip_of(path, mosaic)
+
+    def test_no_reference_system(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        path = make_raster("bare.tif", orthoimage(SIZE), system=None)
+        with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system"):
+            clip_of(path, mosaic)
+
+    @pytest.mark.parametrize("system", [LOCAL, "nonsense"])
+    def test_a_system_that_leads_nowhere(self, make_raster: MakeRaster, mosaic: Mosaic, system: str) -> None:
+        with pytest.raises(RasterError, match="can't be transformed to the mosaic's coordinate reference system"):
+            extent_on((0, 0, 1, 1), system, mosaic.wkt)
+        path = make_raster("site.tif", orthoimage(SIZE), system=None)
+        with pytest.raises(RasterError, match="can't be transformed to the mosaic's coordinate reference system"):
+            clip_of(path, mosaic, system=system)
+
+    def test_an_unknown_place(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+        path = make_raster("far.tif", orthoimage(SIZE), origin=(1e7, 9e6), system=32634)
+        with pytest.raises(NotCoveredError, match=r"far\.tif"):
+            clip_of(path, mosaic)
+
+
+WINDOW_BELOW = PixelWindow(96, 150, 64, 64)

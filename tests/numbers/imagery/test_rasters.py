@@ -1,0 +1,268 @@
+"""The pixels of a clip: as they are in the file, or warped where grids do not agree."""
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from seam_inspector.plugin.imagery.errors import NotCoveredError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe, describe_mosaic
+
+from tests.numbers.clips import (
+    BLUE,
+    GRAY,
+    GREEN,
+    RED,
+    SIZE,
+    UNDEFINED,
+    MakeRaster,
+    clip_of,
+    inside,
+    scene,
+    scene_raster,
+)
+from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, texture
+
+# --- pixels as they are ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int16, np.int32, np.float32, np.float64])
+@pytest.mark.parametrize("bands", [1, 3, 4])
+def test_pixels_come_as_they_are(make_raster: MakeRaster, mosaic: Mosaic, dtype: type, bands: int) -> None:
+    image = orthoimage(SIZE, bands, dtype=dtype)
+    colours = [RED, GREEN, BLUE, UNDEFINED][:bands] if bands > 1 else [GRAY]
+    clip = clip_of(make_raster("source.tif", image, colours=colours), mosaic)
+    np.testing.assert_array_equal(clip.bands, inside(image))
+    assert clip.bands.dtype == dtype
+    assert (clip.invalid_share, clip.offset_x, clip.offset_y, clip.resampled) == (0, 0, 0, False)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        (),
+        ("INTERLEAVE=BAND",),
+        ("COMPRESS=LZW", "PREDICTOR=2"),
+        ("TILED=YES", "COMPRESS=DEFLATE", "INTERLEAVE=BAND"),
+        ("BIGTIFF=YES", "ENDIANNESS=BIG"),
+    ],
+)
+def test_how_a_file_is_laid_out_does_not_matter(
+    make_raster: MakeRaster, mosaic: Mosaic, options: tuple[str, ...]
+) -> None:
+    image = orthoimage(SIZE, dtype=np.uint16)
+    clip = clip_of(make_raster("source.tif", image, options=options), mosaic)
+    np.testing.assert_array_equal(clip.bands, inside(image))
+
+
+def test_pixels_equal_those_gdal_reads(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    path = make_raster("source.tif", orthoimage((300, 400)), origin=(ORIGIN[0] - 2.0, ORIGIN[1] + 3.0))
+    clip = clip_of(path, mosaic)
+    np.testing.assert_array_equal(clip.bands, read_pixels(path, 96 + 20, 80 + 30, 64, 64))
+
+
+@pytest.mark.parametrize("shift_x", [0.0, 0.3, -0.3, 0.49, 7.25])
+@pytest.mark.parametrize("shift_y", [0.0, 0.2, -0.45, -3.75])
+def test_the_subpixel_offset_says_how_far_the_window_lies_right_of_and_below_the_pixels(
+    make_raster: MakeRaster, mosaic: Mosaic, shift_x: float, shift_y: float
+) -> None:
+    """The source's grid lies that many pixels to the right of and below the mosaic's."""
+    row, column = np.mgrid[:256, :256].astype(np.float32)
+    path = make_raster(
+        "source.tif", np.stack([column, row]), origin=(ORIGIN[0] + 0.1 * shift_x, ORIGIN[1] - 0.1 * shift_y)
+    )
+    clip = clip_of(path, mosaic)
+    assert not clip.resampled
+    assert max(abs(clip.offset_x), abs(clip.offset_y)) <= 0.5
+    places = clip.bands + np.array([shift_x, shift_y]).reshape(2, 1, 1)  # on the mosaic's grid
+    wanted = np.mgrid[80:144, 96:160][::-1]
+    np.testing.assert_allclose(wanted[0] - places[0], clip.offset_x, atol=1e-5)
+    np.testing.assert_allclose(wanted[1] - places[1], clip.offset_y, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "resampled"),
+    [
+        (0.1, 0.1, False),
+        (0.1005, 0.1005, False),
+        (0.0995, 0.1009, False),
+        (0.12, 0.12, True),
+        (0.098, 0.098, True),
+        (0.1, 0.102, True),
+        (0.102, 0.1, True),
+    ],
+)
+def test_pixel_sizes_within_a_percent_are_not_resampled(
+    make_raster: MakeRaster, mosaic: Mosaic, width: float, height: float, resampled: bool
+) -> None:
+    geotransform = (ORIGIN[0] - 2, width, 0.0, ORIGIN[1] + 2, 0.0, -height)
+    row, column = np.mgrid[:350, :350].astype(np.float64)
+    x, y = geotransform[0] + (column + 0.5) * width, geotransform[3] - (row + 0.5) * height
+    path = make_raster("source.tif", np.stack([x - ORIGIN[0], ORIGIN[1] - y]), geotransform=geotransform)
+    clip = clip_of(path, mosaic)
+    assert clip.resampled is resampled
+    centre = clip.bands[:, 31:33, 31:33].mean(axis=(1, 2))  # metres from the mosaic's corner
+    wanted = np.array([96 + 32, 80 + 32]) * 0.1
+    offset = np.array([clip.offset_x, clip.offset_y]) * 0.1
+    np.testing.assert_allclose(wanted - centre, offset, atol=0.002)
+    step = (clip.bands[0, 0, -1] - clip.bands[0, 0, 0]) / 63
+    assert step == pytest.approx(0.1 if resampled else width, rel=0.0005)
+
+
+@pytest.mark.parametrize("side", ["left", "right", "top", "bottom"])
+def test_a_source_may_end_just_inside_the_window(make_raster: MakeRaster, side: str) -> None:
+    """One row or column of 1024 is less than 0.1 % of the pixels, two are more."""
+    image = orthoimage((1024, 1024), 1)[0]
+    block = describe_mosaic(RasterRef(make_raster("mosaic.tif", image)))
+    whole = PixelWindow(0, 0, 1024, 1024)
+    for missing in (1, 2):
+        cut = {
+            "left": (image[:, missing:], (ORIGIN[0] + 0.1 * missing, ORIGIN[1])),
+            "right": (image[:, :-missing], ORIGIN),
+            "top": (image[missing:], (ORIGIN[0], ORIGIN[1] - 0.1 * missing)),
+            "bottom": (image[:-missing], ORIGIN),
+        }
+        part, origin = cut[side]
+        path = make_raster(f"cut{missing}.tif", part, origin=origin)
+        if missing == 2:
+            with pytest.raises(NotCoveredError, match=r"cut2.tif does not cover the whole window"):
+                clip_of(path, block, whole)
+            continue
+        clip = clip_of(path, block, whole)
+        edge = {"left": np.s_[:, 0], "right": np.s_[:, -1], "top": np.s_[0], "bottom": np.s_[-1]}[side]
+        kept = np.ones(image.shape, bool)
+        kept[edge] = False
+        assert clip.invalid_share == 1 / 1024
+        np.testing.assert_array_equal(clip.bands[0][kept], image[kept])
+        np.testing.assert_allclose(clip.bands[0][edge], part.mean(), atol=1)
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.integers(-300, 300), st.integers(-300, 300))
+def test_a_window_beside_or_across_the_edge_is_not_covered(
+    make_raster: MakeRaster, mosaic: Mosaic, column: int, row: int
+) -> None:
+    window = PixelWindow(column, row, 64, 64)
+    if mosaic.grid.contains(window):
+        assert clip_of(mosaic.ref.path, mosaic, window).bands.shape == (3, 64, 64)
+    else:
+        with pytest.raises(NotCoveredError, match="does not cover the whole window"):
+            clip_of(mosaic.ref.path, mosaic, window)
+
+
+def test_threads_read_the_same_file_at_once(mosaic: Mosaic) -> None:
+    windows = [PixelWindow(8 * index, 4 * index, 64, 64) for index in range(24)]
+    with ThreadPoolExecutor(8) as pool:
+        clips = list(pool.map(lambda window: clip_of(mosaic.ref.path, mosaic, window), windows))
+    image = orthoimage(SIZE)
+    for window, clip in zip(windows, clips):
+        np.testing.assert_array_equal(clip.bands, inside(image, window))
+
+
+# --- resampled -------------------------------------------------------------------------------------------------
+
+
+def scene_in_window() -> np.ndarray:
+    row, column = np.mgrid[80:144, 96:160]
+    return scene(ORIGIN[0] + (column + 0.5) * 0.1, ORIGIN[1] - (row + 0.5) * 0.1)
+
+
+@pytest.mark.parametrize("times", [2, 5])
+def test_a_finer_source_is_averaged(make_raster: MakeRaster, mosaic: Mosaic, times: int) -> None:
+    image = (100 + 30 * texture((256 * times, 256 * times), 0.5)).astype(np.float32)
+    clip = clip_of(make_raster("source.tif", image, gsd=0.1 / times), mosaic)
+    assert clip.resampled
+    assert (clip.offset_x, clip.offset_y) == (0, 0)
+    averaged = image.reshape(256, times, 256, times).mean(axis=(1, 3))
+    np.testing.assert_allclose(clip.bands[0], inside(averaged), atol=0.01)
+
+
+def test_a_finer_8_bit_source_is_averaged_to_8_bit(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    image = orthoimage((512, 512), 3)
+    clip = clip_of(make_raster("source.tif", image, gsd=0.05), mosaic)
+    assert clip.bands.dtype == np.uint8
+    averaged = image.reshape(3, 256, 2, 256, 2).mean(axis=(2, 4))
+    np.testing.assert_allclose(clip.bands, inside(averaged), atol=0.51)
+
+
+@pytest.mark.parametrize("gsd", [0.12, 0.2, 0.25])
+def test_a_coarser_source_is_interpolated_by_cubic_convolution(
+    make_raster: MakeRaster, mosaic: Mosaic, gsd: float
+) -> None:
+    clip = clip_of(scene_raster(make_raster, gsd, side_m=12.0), mosaic)
+    assert clip.resampled
+    # Linear interpolation is off by up to (pi gsd / 3.1 m)^2 / 2 of 90: 0.67, 1.8, 2.9.
+    np.testing.assert_allclose(clip.bands[0], scene_in_window(), atol=40 * (np.pi * gsd / 3.1) ** 3)
+
+
+@pytest.mark.parametrize(
+    ("turn_deg", "mirror"),
+    [(0, (1, -1)), (0, (-1, 1)), (0, (-1, -1)), (7, (1, 1)), (90, (1, 1)), (-135, (1, 1)), (30, (1, -1))],
+    ids=["south-up", "mirrored", "upside down", "turned by 7", "turned by 90", "turned by -135", "turned and south-up"],
+)
+def test_a_turned_or_mirrored_source_is_warped(
+    make_raster: MakeRaster, mosaic: Mosaic, turn_deg: float, mirror: tuple[int, int]
+) -> None:
+    path = scene_raster(make_raster, 0.1, turn_deg, mirror)
+    assert describe(RasterRef(path)).grid is None
+    clip = clip_of(path, mosaic)
+    assert clip.resampled
+    np.testing.assert_allclose(clip.bands[0], scene_in_window(), atol=1.5)
+
+
+@pytest.mark.parametrize(
+    ("system", "gsd", "side_m"),
+    [(32634, 0.1, 12.0), (3857, 0.14, 14.0), (4326, 1.2e-6, 1.5e-4), (3035, 0.05, 10.0)],
+    ids=["next UTM zone", "web mercator", "degrees", "LAEA, finer"],
+)
+def test_a_source_in_another_system_is_warped(
+    make_raster: MakeRaster, mosaic: Mosaic, system: int, gsd: float, side_m: float
+) -> None:
+    clip = clip_of(scene_raster(make_raster, gsd, system=system, side_m=side_m), mosaic)
+    assert clip.resampled
+    # Half an eighth of a pixel is what GDAL's warper allows itself: 1.5 of 120 a metre x 0.0125 m.
+    np.testing.assert_allclose(clip.bands[0], scene_in_window(), atol=3.0)
+
+
+def test_the_detail_of_a_turned_source_of_the_same_pixel_size_is_not_averaged_away(
+    make_raster: MakeRaster, mosaic: Mosaic
+) -> None:
+    image = orthoimage(SIZE, 1, beta=1.0, dtype=np.float32)[0]
+    south_up = (ORIGIN[0] + 0.05, 0.1, 0.0, ORIGIN[1] - 25.55, 0.0, 0.1)  # half a pixel off in both axes
+    turned = clip_of(make_raster("source.tif", image[::-1], geotransform=south_up), mosaic).bands[0]
+    averaged = sum(inside(np.roll(image, (down, right), (0, 1))) for down in (0, 1) for right in (0, 1)) / 4
+    assert np.diff(turned).var() > 1.2 * np.diff(averaged).var()
+
+
+def test_gaps_of_a_warped_source_count(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    image = orthoimage((512, 512), 3)
+    image[:, 160:288, 192:200] = 0  # 4 columns of the window
+    with pytest.raises(NotCoveredError, match=r"6.25% of the pixels of gap.tif are invalid .* 0.1% are allowed"):
+        clip_of(make_raster("gap.tif", image, gsd=0.05, nodata=0), mosaic)
+    image = orthoimage((512, 512), 3)
+    image[:, 180:184, 220:224] = 0  # 4 pixels of the window
+    clip = clip_of(make_raster("spots.tif", image, gsd=0.05, nodata=0), mosaic)
+    assert clip.invalid_share == 4 / 4096
+    hole = np.zeros((64, 64), bool)
+    hole[10:12, 14:16] = True
+    averaged = inside(image.reshape(3, 256, 2, 256, 2).mean(axis=(2, 4)))
+    np.testing.assert_allclose(clip.bands[:, ~hole], averaged[:, ~hole], atol=0.51)
+    for band, filled in zip(averaged, clip.bands):
+        np.testing.assert_allclose(filled[hole], band[~hole].mean(), atol=1.5)
+
+
+def test_nodata_in_one_band_of_a_warped_source_stays_valid(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    image = orthoimage((512, 512), 3)
+    image[2, ::2, 1::2] = 0  # a quarter of the blue pixels, one in each pixel of the window
+    clip = clip_of(make_raster("source.tif", image, gsd=0.05, nodata=0), mosaic)
+    assert clip.invalid_share == 0
+    averaged = image.reshape(3, 256, 2, 256, 2).mean(axis=(2, 4))
+    np.testing.assert_allclose(clip.bands, inside(averaged), atol=0.51)
+
+
+def test_a_warped_source_that_ends_in_the_window_does_not_cover_it(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    with pytest.raises(NotCoveredError, match=r"source.tif"):
+        clip_of(scene_raster(make_raster, 0.2, side_m=6.0), mosaic)

@@ -1,0 +1,376 @@
+"""The curve is that of ``pywt.wavedec2`` in float64, and what Pyka's papers say about it holds."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+import pywt
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import ndimage
+from seam_inspector.plugin.imagery import limits as imagery_limits
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.wavelets import (
+    FLOAT32_WAVELETS,
+    Curve,
+    clip_curves,
+    component_products,
+    detail_components,
+)
+
+from tests.numbers.synthetic import decompose, luminance, orthoimage, texture, wavedec, without_mean
+
+WEIGHTS = (0.299, 0.587, 0.114)
+NEGLIGIBLE = 1e-25
+"""Of the total variance: rounding of float64, also that of PyWavelets."""
+ORTHONORMAL = [wavelet for wavelet in imagery_limits.WAVELETS if wavelet != "dmey"]
+"""dmey's published coefficients are orthonormal to 0.2 % only."""
+
+
+def shares(curve: Curve) -> np.ndarray:
+    return np.array([*curve.detail, curve.background])
+
+
+def curve_of(band: np.ndarray, wavelet: str = "coif3", levels: int = 3) -> Curve:
+    ((curve,), _) = clip_curves(band[np.newaxis], wavelet, levels)
+    return curve
+
+
+def assert_curve(curve: Curve, band: np.ndarray, wavelet: str, levels: int) -> None:
+    """Every share to 1e-7 of the variance, every component to 1e-4 of itself, as the design promises."""
+    expected = decompose(band, wavelet, levels)
+    assert len(curve.detail) == levels
+    np.testing.assert_allclose(shares(curve), expected.shares, rtol=0, atol=1e-7)
+    matters = expected.shares > NEGLIGIBLE
+    matters[-1] &= expected.coarse.size > 1  # a single pixel less its mean is 0
+    np.testing.assert_allclose(shares(curve)[matters], expected.shares[matters], rtol=1e-4, atol=0)
+    assert (np.abs(shares(curve)[expected.shares < NEGLIGIBLE]) < 1e-20).all()
+    assert curve.variance == pytest.approx(expected.energy / band.size, rel=1e-7)
+
+
+def smooth_clips(shape: tuple[int, int]) -> dict[str, np.ndarray]:
+    """Clips with next to no detail, which is where a difference of two energies has no digits left."""
+    y, x = np.mgrid[: shape[0], : shape[1]] / np.array(shape).reshape(2, 1, 1)
+    waves = np.sin(2 * np.pi * x) + 0.7 * np.cos(2 * np.pi * (2 * y + x))
+    return {
+        "blurred noise": ndimage.gaussian_filter(texture(shape, 0, seed=1), 6, mode="wrap"),
+        "blurred noise far from 0": 1e6 + ndimage.gaussian_filter(texture(shape, 0, seed=2), 4, mode="wrap"),
+        "waves": waves,
+        "waves in 16 bit": np.round(30000 + 9000 * waves).astype(np.uint16),
+        "plane": 3 * x + 5 * y,
+        "plane in 8 bit": np.round(250 * (x + y) / 2).astype(np.uint8),
+        "one step": np.where(x < 0.5, 7.0, 9.0),
+        "one bright pixel": ((x == 0) & (y == 0)) * 200.0,
+    }
+
+
+# --- equal to PyWavelets ---------------------------------------------------------------------------------------
+
+
+def test_the_wavelets_are_the_orthogonal_ones_of_pywavelets() -> None:
+    discrete = pywt.wavelist(kind="discrete")
+    assert sorted(imagery_limits.WAVELETS) == sorted(name for name in discrete if pywt.Wavelet(name).orthogonal)
+
+
+@pytest.mark.parametrize("wavelet", imagery_limits.WAVELETS)
+def test_curve_with_every_wavelet(wavelet: str) -> None:
+    clips = [
+        (orthoimage((64, 200), 1)[0], 3),
+        (np.round(60000 + texture((72, 136), 1.0)).astype(np.uint16), 2),
+        ((1e6 + 3 * texture((64, 64), 2.0)).astype(np.float32), 6),
+        (0.2 + 0.1 * texture((66, 90), 0.5), 1),
+    ]
+    for band, levels in clips:
+        assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
+
+
+@pytest.mark.parametrize("wavelet", imagery_limits.WAVELETS)
+def test_curve_of_smooth_clips_with_every_wavelet(wavelet: str) -> None:
+    for band in smooth_clips((64, 96)).values():
+        assert_curve(curve_of(band, wavelet, 4), band, wavelet, 4)
+
+
+@pytest.mark.parametrize("wavelet", ["haar", "db2", "coif3", "sym20", "db38", "coif17", "dmey"])
+@pytest.mark.parametrize("levels", range(1, 9))
+def test_curve_at_every_level(wavelet: str, levels: int) -> None:
+    for band in (orthoimage((256, 512), 1)[0], 500 + texture((256, 256), 4.0)):
+        assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
+
+
+@settings(max_examples=300)
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    wavelet=st.sampled_from(imagery_limits.WAVELETS),
+    levels=st.integers(1, 6),
+    height=st.integers(1, 12),
+    width=st.integers(1, 12),
+    beta=st.floats(0, 5),
+    dtype=st.sampled_from([np.uint8, np.uint16, np.int16, np.int32, np.float32, np.float64]),
+    contrast=st.floats(0.1, 60),
+    offset=st.sampled_from([0, 100, 30000, 60000, 1e6]),
+)
+def test_curve_of_any_clip(
+    seed: int,
+    wavelet: str,
+    levels: int,
+    height: int,
+    width: int,
+    beta: float,
+    dtype: type,
+    contrast: float,
+    offset: float,
+) -> None:
+    side = 2**levels
+    shape = (side * max(height, -(-64 // side)), side * max(width, -(-64 // side)))
+    values = offset + contrast * texture(shape, beta, seed)
+    if np.dtype(dtype).kind in "iu":
+        values = np.round(values).clip(np.iinfo(dtype).min, np.iinfo(dtype).max)
+    band = values.astype(dtype)
+    if band.min() == band.max():
+        assert curve_of(band, wavelet, levels).variance == 0
+    else:
+        assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
+
+
+LARGE = (1024, 1024)
+LARGE_CLIPS = {
+    "8 bit": lambda: np.round(128 + 40 * texture(LARGE, 2.0)).clip(0, 255).astype(np.uint8),
+    "8 bit, dark": lambda: np.round(12 + 4 * texture(LARGE, 2.2)).clip(0, 255).astype(np.uint8),
+    "8 bit, half of it saturated": lambda: np.round(250 + 60 * texture(LARGE, 2.0)).clip(0, 255).astype(np.uint8),
+    "12 bit": lambda: np.round(600 + 150 * texture(LARGE, 2.3)).clip(0, 4095).astype(np.uint16),
+    "16 bit": lambda: np.round(30000 + 9000 * texture(LARGE, 2.5)).clip(0, 65535).astype(np.uint16),
+    "16 bit, little contrast far from 0": lambda: np.round(60000 + 3 * texture(LARGE, 2.0)).astype(np.uint16),
+    "32 bit": lambda: np.round(1e8 + 300 * texture(LARGE, 2.0)).astype(np.int32),
+    "float32": lambda: (0.3 + 0.1 * texture(LARGE, 2.0)).astype(np.float32),
+    "float64 far from 0": lambda: 1e6 + 3 * texture(LARGE, 2.5),
+    "too smooth for float32": lambda: (100 + 30 * texture(LARGE, 4.0)).astype(np.float32),
+}
+
+
+@pytest.mark.parametrize("kind", LARGE_CLIPS)
+def test_curve_of_a_standard_window(kind: str) -> None:
+    band = LARGE_CLIPS[kind]()
+    assert_curve(curve_of(band, "coif3", 3), band, "coif3", 3)
+
+
+@pytest.mark.parametrize("wavelet", ["db2", "db6", "sym8", "coif1"])
+@pytest.mark.parametrize("beta", [1.5, 2.5])
+def test_curve_of_a_standard_window_with_other_wavelets(wavelet: str, beta: float) -> None:
+    assert wavelet in FLOAT32_WAVELETS
+    band = np.round(128 + 40 * texture(LARGE, beta, seed=7)).clip(0, 255).astype(np.uint8)
+    assert_curve(curve_of(band, wavelet, 4), band, wavelet, 4)
+
+
+# --- bands together --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("bands", [3, 4, 5])
+@pytest.mark.parametrize("wavelet", ["coif3", "haar", "dmey"])
+def test_luminance_is_that_of_the_mixed_bands(bands: int, wavelet: str) -> None:
+    clip = orthoimage((96, 128), bands)
+    curves, coarse = clip_curves(clip, wavelet, 3, WEIGHTS)
+    assert len(curves) == len(coarse) == bands + 1
+    for curve, band in zip(curves, [*clip, luminance(clip)]):
+        assert_curve(curve, band, wavelet, 3)
+
+
+def nearly_grey(shape: tuple[int, int], rest: float) -> np.ndarray:
+    """Three lively bands whose luminance is a faint texture of the contrast ``rest`` on a constant."""
+    red, green = 40 * texture(shape, 1.0, seed=1), 40 * texture(shape, 1.0, seed=2)
+    faint = rest * texture(shape, 1.5, seed=3)
+    return np.stack([red, green, (100 + faint - 0.299 * red - 0.587 * green) / 0.114])
+
+
+@pytest.mark.parametrize("rest", [10, 1, 0.1, 1e-3, 1e-5])
+def test_luminance_of_bands_that_nearly_cancel(rest: float) -> None:
+    clip = nearly_grey((128, 96), rest)
+    assert_curve(clip_curves(clip, "coif3", 3, WEIGHTS)[0][-1], luminance(clip), "coif3", 3)
+
+
+@pytest.mark.parametrize("rest", [10, 1])
+def test_luminance_of_bands_that_nearly_cancel_in_a_standard_window(rest: float) -> None:
+    clip = nearly_grey(LARGE, rest).astype(np.float32)
+    assert_curve(clip_curves(clip, "coif3", 3, WEIGHTS)[0][-1], luminance(clip), "coif3", 3)
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from(imagery_limits.WAVELETS), st.integers(1, 4), st.floats(-1, 1))
+def test_inner_products_of_two_clips(seed: int, wavelet: str, levels: int, alike: float) -> None:
+    shape = (80, 64)
+    one = texture(shape, 1.5, seed)
+    other = alike * one + (1 - abs(alike)) * texture(shape, 1.0, seed + 1)
+    pair = np.stack([300 + 40 * one, 9000 + 7 * other])
+    products = component_products(pair, wavelet, levels, [(0, 1), (1, 0)])
+    first, second = (decompose(band, wavelet, levels) for band in pair)
+    scale = np.sqrt(first.energy * second.energy)
+    np.testing.assert_allclose(products.own[0], first.products(first), rtol=1e-7, atol=1e-9 * first.energy)
+    np.testing.assert_allclose(products.own[1], second.products(second), rtol=1e-7, atol=1e-9 * second.energy)
+    np.testing.assert_allclose(products.cross[0], first.products(second), atol=1e-9 * scale)
+    np.testing.assert_allclose(products.cross[1], products.cross[0], atol=1e-9 * scale)
+    np.testing.assert_allclose(products.own_totals, [first.energy, second.energy])
+    np.testing.assert_allclose(
+        products.cross_totals, without_mean(pair[0]).ravel() @ without_mean(pair[1]).ravel(), atol=1e-9 * scale
+    )
+
+
+@pytest.mark.parametrize("levels", [1, 2, 3, 4])
+@pytest.mark.parametrize("wavelet", ["haar", "coif3", "sym5"])
+def test_coarse_components_hold_the_coefficients_of_pywavelets(levels: int, wavelet: str) -> None:
+    clip = orthoimage((64, 96), 2)
+    coarse = clip_curves(clip, wavelet, levels)[1]
+    for band, found in zip(clip, coarse):
+        expected = decompose(band, wavelet, levels).coarse
+        assert found.shape == expected.shape
+        np.testing.assert_allclose(np.sort(found - found.mean(), axis=None), np.sort(expected, axis=None), atol=1e-4)
+
+
+# --- directions ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("wavelet", ["coif3", "db4"])
+def test_directional_components_are_those_of_pywavelets(wavelet: str) -> None:
+    band = orthoimage((256, 192), 1)[0].astype(np.float64)
+    found = list(detail_components(band[np.newaxis], wavelet, 3))
+    for directions, level in zip(found, reversed(wavedec(band, wavelet, 3)[1:])):
+        for mine, theirs in zip(directions[:, 0], level):
+            np.testing.assert_allclose(mine, theirs, atol=1e-9)
+    energies = [np.sum(directions**2) for directions in found]
+    curve = curve_of(band, wavelet)
+    np.testing.assert_allclose(np.array(energies) / band.size, np.array(curve.detail) * curve.variance, rtol=1e-6)
+
+
+@pytest.mark.parametrize("direction", ["horizontal", "vertical", "diagonal"])
+def test_edges_are_found_in_their_direction(direction: str) -> None:
+    row, column = np.mgrid[:64, :64]
+    stripes = {"horizontal": row, "vertical": column, "diagonal": row + column}[direction] % 2
+    (finest,) = detail_components(stripes[np.newaxis].astype(np.uint8), "haar", 1)
+    energies = dict(zip(("horizontal", "vertical", "diagonal"), np.sum(finest[:, 0] ** 2, axis=(1, 2))))
+    assert energies.pop(direction) == pytest.approx(64 * 64 / 4)
+    assert max(energies.values()) < 1e-9
+
+
+# --- facts -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("wavelet", ["coif3", "haar", "db20"])
+def test_white_noise(wavelet: str) -> None:
+    noise = np.random.default_rng(5).standard_normal((512, 512))
+    expected = np.array([3 / 4, 3 / 16, 3 / 64, 1 / 64])
+    sampling_error = np.sqrt(2 / expected) / 512  # of a sum of squares of that many of the coefficients
+    assert (np.abs(shares(curve_of(noise, wavelet)) / expected - 1) < 5 * sampling_error).all()
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from(ORTHONORMAL), st.integers(1, 5), st.floats(0, 4))
+def test_shares_add_up_to_one(seed: int, wavelet: str, levels: int, beta: float) -> None:
+    curve = curve_of(texture((96, 64), beta, seed), wavelet, levels)
+    assert shares(curve).sum() == pytest.approx(1, abs=1e-9)
+    assert (shares(curve) >= 0).all()
+
+
+@given(st.sampled_from(imagery_limits.WAVELETS), st.floats(0.01, 100), st.floats(-1e4, 1e4), st.booleans())
+def test_a_linear_tone_change_leaves_the_curve(wavelet: str, gain: float, shift: float, negative: bool) -> None:
+    band = texture((64, 64), 1.5)
+    toned = shift + (-gain if negative else gain) * band
+    np.testing.assert_allclose(shares(curve_of(toned, wavelet)), shares(curve_of(band, wavelet)), rtol=1e-6)
+
+
+@given(st.sampled_from(imagery_limits.WAVELETS), st.integers(1, 4), st.integers(-3, 3), st.integers(-3, 3))
+def test_moving_by_whole_coarse_pixels_leaves_the_curve(wavelet: str, levels: int, down: int, right: int) -> None:
+    band = orthoimage((64, 96), 1)[0]
+    moved = np.roll(band, (down * 2**levels, right * 2**levels), (0, 1))
+    here, there = curve_of(band, wavelet, levels), curve_of(moved, wavelet, levels)
+    np.testing.assert_allclose(shares(there), shares(here), rtol=1e-9)
+
+
+def test_a_blend_of_two_sources_loses_what_they_do_not_share() -> None:
+    common = texture((128, 128), 1.5)
+    one, other = (100 + 30 * common + 20 * texture((128, 128), 0.5, seed=seed) for seed in (1, 2))
+    products = component_products(np.stack([one, other]), "coif3", 3, [(0, 1)])
+    mean = products.own.sum(axis=0) / 2
+    correlation = products.cross[0] / mean
+    blended = curve_of((one + other) / 2)
+    np.testing.assert_allclose(shares(blended) * blended.variance * one.size, mean * (1 + correlation) / 2, rtol=1e-9)
+    assert 0.1 < correlation[0] < correlation[1] < correlation[2] < 0.95
+
+
+@pytest.mark.parametrize("value", [0, 255, 60000, 0.1, 1e6, -3.3])
+@pytest.mark.parametrize("shape", [(64, 72), LARGE])
+@pytest.mark.parametrize("wavelet", ["coif3", "dmey"])
+def test_a_constant_clip_has_no_variance_and_no_shares(value: float, shape: tuple[int, int], wavelet: str) -> None:
+    dtypes: Sequence[type] = (np.float32, np.float64) if value % 1 else (np.int32, np.float32)
+    for dtype in dtypes:
+        curve = curve_of(np.full(shape, value, dtype), wavelet)
+        assert curve.variance == 0
+        assert np.isnan(shares(curve)).all()
+
+
+def test_a_constant_band_does_not_spoil_the_others() -> None:
+    clip = orthoimage((64, 64), 3)
+    clip[1] = 77
+    curves = clip_curves(clip, "coif3", 3, WEIGHTS)[0]
+    assert curves[1].variance == 0
+    for index in (0, 2):
+        assert_curve(curves[index], clip[index], "coif3", 3)
+    assert_curve(curves[3], luminance(clip), "coif3", 3)
+
+
+# --- settings --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("wavelet", "levels", "sentence"),
+    [
+        ("bior2.2", 3, "'bior2.2' is not orthogonal, so the shares .* do not add up"),
+        ("rbio3.1", 3, "'rbio3.1' is not orthogonal"),
+        ("nonsense", 3, "no discrete wavelet 'nonsense'; use an orthogonal one such as coif3"),
+        ("", 3, "no discrete wavelet"),
+        ("mexh", 3, "no discrete wavelet 'mexh'"),
+        ("coif3", 0, "0 levels asked for; the decomposition has 1 to 8"),
+        ("coif3", -1, "-1 levels"),
+        ("coif3", 9, "9 levels asked for; the decomposition has 1 to 8"),
+    ],
+)
+def test_other_settings_are_refused_with_the_reason(wavelet: str, levels: int, sentence: str) -> None:
+    band = texture((512, 512), 1.0)
+    with pytest.raises(SettingsError, match=sentence):
+        clip_curves(band[np.newaxis], wavelet, levels)
+    with pytest.raises(SettingsError, match=sentence):
+        component_products(band[np.newaxis], wavelet, levels)
+    with pytest.raises(SettingsError, match=sentence):
+        next(detail_components(band[np.newaxis], wavelet, levels))
+
+
+# --- any memory layout, any thread -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("side", [96, 1024])
+def test_the_layout_in_memory_does_not_matter(side: int) -> None:
+    clip = orthoimage((side, side), 3)
+    by_pixel = np.ascontiguousarray(np.moveaxis(clip, 0, -1))
+    spread = np.zeros((3, 2 * side, 3 * side), np.uint8)
+    spread[:, ::2, 1::3] = clip
+    expected, coarse = clip_curves(clip, "coif3", 3, WEIGHTS)
+    for view in (np.moveaxis(by_pixel, -1, 0), spread[:, ::2, 1::3], np.asfortranarray(clip), clip[:, ::-1][:, ::-1]):
+        before = view.copy()
+        curves, found = clip_curves(view, "coif3", 3, WEIGHTS)
+        assert curves == expected
+        np.testing.assert_array_equal(found, coarse)
+        np.testing.assert_array_equal(view, before)
+
+
+def test_a_read_only_clip_is_measured() -> None:
+    clip = orthoimage((64, 64), 1)
+    clip.setflags(write=False)
+    assert_curve(clip_curves(clip, "coif3", 3)[0][0], clip[0], "coif3", 3)
+
+
+def test_threads_do_not_get_in_each_others_way() -> None:
+    clips = [orthoimage((64 * (1 + seed % 3), 128), 3, seed) for seed in range(24)]
+    wavelets = ["coif3", "db4", "sym8"]
+
+    def measure(index: int) -> list[Curve]:
+        return clip_curves(clips[index], wavelets[index % len(wavelets)], 3, WEIGHTS)[0]
+
+    with ThreadPoolExecutor(8) as pool:
+        assert list(pool.map(measure, range(len(clips)))) == [measure(index) for index in range(len(clips))]

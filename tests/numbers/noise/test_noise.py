@@ -1,0 +1,222 @@
+"""Random noise of a clip: curve, kurtosis, sigma and verdict against PyWavelets, scipy and known noise."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import stats
+from seam_inspector.plugin.imagery.band_names import judged_band
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.wavelets import detail_components
+from seam_inspector.plugin.noise.measure.band_noise import (
+    BandNoise,
+    NoiseVerdict,
+    check_noise_settings,
+    measure_noise,
+    noise_verdict,
+)
+from seam_inspector.plugin.noise.measure.hole_filling import filled
+
+from tests.numbers.synthetic import decompose, luminance, orthoimage, texture, wavedec
+
+RGB = ("red", "green", "blue")
+WORDS = ["low", "moderate", "strong"]
+
+
+def measured(band: np.ndarray, **options: object) -> BandNoise:
+    return measure_noise(band[np.newaxis], ("band_1",), **options)["band_1"]  # type: ignore[arg-type]
+
+
+def noise(sigma: float, shape: tuple[int, int] = (512, 512), seed: int = 1) -> np.ndarray:
+    return np.random.default_rng(seed).normal(0, sigma, shape)
+
+
+# --- the components --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("wavelet", ["coif3", "db4", "db3", "haar", "sym5"])
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float64])
+def test_components_are_those_of_pywavelets_at_their_places(wavelet: str, dtype: type) -> None:
+    bands = orthoimage((256, 192), bands=2, dtype=dtype)
+    for index, band in enumerate(bands):
+        expected = wavedec(band, wavelet, 3)[:0:-1]
+        scale = max(float(np.abs(diagonal).max()) for *_, diagonal in expected)
+        for level, ours in zip(expected, detail_components(bands, wavelet, 3)):
+            for theirs, component in zip(level, ours[:, index]):
+                assert np.allclose(component, theirs, atol=1e-5 * scale)
+
+
+# --- the curve, kurtosis and sigma -----------------------------------------------------------------------------
+
+
+def test_figures_are_those_of_pywavelets_and_scipy() -> None:
+    bands = orthoimage((512, 512))
+    found = measure_noise(bands, RGB)
+    assert list(found) == ["luminance", *RGB]
+    for name, band in zip(found, [luminance(bands), *bands]):
+        ours = found[name]
+        assert np.allclose([*ours.curve.detail, ours.curve.background], decompose(band).shares, atol=1e-7)
+        expected = [stats.kurtosis(part, fisher=False) for part in decompose(band).details]
+        assert ours.kurtosis == pytest.approx(expected, rel=1e-4)
+        finest_diagonal = wavedec(band, "coif3", 1)[1][2]
+        assert ours.sigma == pytest.approx(stats.median_abs_deviation(finest_diagonal.ravel(), center=lambda x, axis: 0)
+                                           / stats.norm.ppf(0.75), rel=1e-3)
+
+
+@settings(max_examples=12, deadline=None)
+@given(sigma=st.floats(0.5, 500), seed=st.integers(0, 99))
+def test_gaussian_noise_has_kurtosis_three_and_its_sigma(sigma: float, seed: int) -> None:
+    found = measured(noise(sigma, seed=seed))
+    assert found.sigma == pytest.approx(sigma, rel=0.02)
+    for level, kurtosis in enumerate(found.kurtosis, 1):
+        assert kurtosis == pytest.approx(3, abs=6 * np.sqrt(24 / (3 * 512 * 512 / 4**level)))
+    assert found.curve.detail == pytest.approx((3 / 4, 3 / 16, 3 / 64), rel=0.05)
+    assert found.verdict == NoiseVerdict.STRONG
+
+
+def test_kurtosis_of_edges_is_far_above_three() -> None:
+    field = np.zeros((256, 256))
+    field[:, 101:] = 80
+    assert min(k for k in measured(field + noise(0.3, (256, 256))).kurtosis if k is not None) > 20
+
+
+@settings(max_examples=10, deadline=None)
+@given(beta=st.floats(2.3, 4.0), seed=st.integers(0, 50))
+def test_natural_textures_rise_with_their_power_law(beta: float, seed: int) -> None:
+    found = measured(texture((512, 512), beta, seed))
+    rises = np.divide(found.curve.detail[1:], found.curve.detail[:-1])
+    # The finest level holds the corners of the spectrum beyond Nyquist's circle, and the wavelet leaks a little.
+    assert rises == pytest.approx([2 ** (beta - 2)] * 2, rel=0.2)
+    assert found.verdict == NoiseVerdict.LOW
+
+
+@pytest.mark.parametrize("beta", [2.0, 2.5, 3.0])
+def test_the_power_law_holds_in_the_mean(beta: float) -> None:
+    details = np.mean([measured(texture((512, 512), beta, seed)).curve.detail for seed in range(6)], axis=0)
+    assert details[1:] / details[:-1] == pytest.approx([2 ** (beta - 2)] * 2, rel=0.06)
+
+
+@pytest.mark.parametrize("beta", [0.5, 1.0, 1.5])
+def test_below_two_they_fall(beta: float) -> None:
+    assert measured(texture((256, 256), beta, 3)).verdict == NoiseVerdict.STRONG
+
+
+# --- the verdict -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("detail", "verdict", "noted"),
+    [
+        ((1, 2, 3), "low", False),
+        ((2, 1, 3), "moderate", False),
+        ((3, 2, 1), "strong", False),
+        ((2, 2, 3), "moderate", False),
+        ((1, 3, 2), "moderate", True),
+        ((3, 2, 1, 4), "strong", False),
+        ((3, 2, 4, 1), "moderate", False),
+        ((1, 2, 3, 2), "moderate", True),
+        ((1, 2), "low", False),
+        ((2, 1), "moderate", False),
+    ],
+)
+def test_verdicts(detail: tuple[float, ...], verdict: str, noted: bool) -> None:
+    found, note = noise_verdict(detail)
+    assert found.value == verdict
+    assert (note is not None) == noted
+
+
+@pytest.mark.parametrize("beta", [2.6, 3.2])
+def test_growing_noise_goes_from_low_to_moderate_to_strong(beta: float) -> None:
+    clean = 128 + 25 * texture((512, 512), beta, 5)
+    verdicts = [
+        measured(np.rint(clean + noise(sigma)).clip(0, 255).astype(np.uint8)).verdict.value
+        for sigma in np.geomspace(0.05, 40, 60)
+    ]
+    places = [WORDS.index(verdict) for verdict in verdicts]
+    assert places == sorted(places)
+    assert set(places) == {0, 1, 2}
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
+@pytest.mark.parametrize("sigma", [2, 5, 10, 20])
+def test_sigma_recovers_what_was_added_to_a_smooth_image(sigma: float, dtype: type) -> None:
+    smooth = 128 + 15 * texture((512, 512), 4, 2)
+    values = smooth + noise(sigma)
+    pixels = values.astype(dtype) if dtype is np.float32 else np.rint(values).clip(0, 255).astype(dtype)
+    assert measured(pixels).sigma == pytest.approx(sigma, rel=0.05)
+
+
+def test_the_bands_and_the_luminance_agree_on_the_verdict() -> None:
+    clean = np.stack([120 + 25 * texture((512, 512), 2.8, seed) for seed in (1, 1, 1)])
+    for sigma, verdict in ((0, NoiseVerdict.LOW), (25, NoiseVerdict.STRONG)):
+        found = measure_noise(clean + np.stack([noise(sigma, seed=seed) for seed in range(3)]), RGB)
+        assert {one.verdict for one in found.values()} == {verdict}
+    assert judged_band(found) == "luminance"
+
+
+def test_twelve_bits_in_sixteen_and_a_linear_tone_change_leave_the_curve() -> None:
+    fine = np.rint(2000 + 300 * texture((256, 256), 2.5, 4)).astype(np.uint16)
+    a, b = measured(fine), measured(fine.astype(np.float64) * 0.25 + 40)
+    assert a.curve.detail == pytest.approx(b.curve.detail, rel=1e-6)
+    assert a.kurtosis == pytest.approx(b.kurtosis, rel=1e-4)
+    assert a.sigma == pytest.approx(4 * b.sigma, rel=1e-4)  # type: ignore[operator]
+
+
+def test_a_constant_band_has_no_figures_and_says_why() -> None:
+    found = measure_noise(np.full((1, 64, 64), 7, np.uint8), ("band_1",), raster="flat.tif")["band_1"]
+    assert (found.verdict, found.sigma, set(found.kurtosis)) == (NoiseVerdict.NOT_MEASURABLE, None, {None})
+    assert "flat.tif has no variance" in str(found.note)
+
+
+@pytest.mark.parametrize(("wavelet", "levels"), [("bior2.2", 3), ("none", 3), ("coif3", 1), ("coif3", 9)])
+def test_settings_that_make_no_sense_are_refused(wavelet: str, levels: int) -> None:
+    with pytest.raises(SettingsError):
+        check_noise_settings(wavelet, levels)
+
+
+# --- filled pixels ---------------------------------------------------------------------------------------------
+
+
+@settings(max_examples=8, deadline=None)
+@given(
+    beta=st.floats(1.8, 2.8), side=st.integers(3, 110), column=st.integers(0, 390), row=st.integers(0, 390),
+    seed=st.integers(0, 20),
+)
+def test_a_filled_hole_does_not_disturb_the_curve(beta: float, side: int, column: int, row: int, seed: int) -> None:
+    clean = 100 + 20 * texture((512, 512), beta, seed)
+    mask = np.zeros(clean.shape, bool)
+    mask[row : row + side, column : column + side] = True
+    spoilt = np.where(mask, -1e6, clean)
+    whole, holed = measured(clean), measured(filled(spoilt[np.newaxis], mask)[0], masked=mask)
+    assert holed.curve.detail == pytest.approx(whole.curve.detail, rel=0.02 + 1.2 * mask.mean())
+    assert holed.sigma == pytest.approx(whole.sigma, rel=0.02)
+    assert holed.kurtosis == pytest.approx(whole.kurtosis, rel=0.06)
+
+
+def test_filling_keeps_valid_pixels_their_type_and_their_range() -> None:
+    bands = orthoimage((97, 130), bands=2)
+    mask = np.random.default_rng(0).random((97, 130)) < 0.6
+    result = filled(bands, mask)
+    assert result.dtype == np.uint8
+    assert (result[:, ~mask] == bands[:, ~mask]).all()
+    for before, after in zip(bands, result):
+        assert before[~mask].min() <= after.min() <= after.max() <= before[~mask].max()
+    assert filled(bands, np.zeros_like(mask)) is bands
+
+
+def test_filling_does_not_look_at_what_it_replaces() -> None:
+    bands = orthoimage((64, 64), bands=1).astype(np.float64)
+    mask = np.zeros((64, 64), bool)
+    mask[20:40, 10:30] = True
+    expected = filled(bands, mask)
+    bands[:, mask] = np.nan
+    assert np.array_equal(filled(bands, mask), expected)
+
+
+def test_a_plane_is_filled_as_a_plane() -> None:
+    rows, columns = np.mgrid[:128, :128]
+    plane = (2.0 * rows + 3.0 * columns)[np.newaxis]
+    mask = np.zeros((128, 128), bool)
+    mask[50:70, 40:60] = True
+    assert np.abs(filled(plane, mask) - plane).max() < 25  # of 635, and of 100 across the hole

@@ -1,0 +1,267 @@
+"""Noise of whole images: which windows are chosen, how two groups are paired, and what masks do."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.drawn_windows import DrawnWindow
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.noise.measure import group_noise, window_plan
+from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
+from seam_inspector.plugin.noise.measure.noise_requests import GroupedImage, Plan, describe_images
+from seam_inspector.plugin.noise.measure.window_choice import choose_windows
+
+from tests.numbers.synthetic import ORIGIN, decompose, orthoimage, texture, wkt, write_raster
+
+MakeRaster = Callable[..., str]
+
+
+def images(paths: Sequence[str], group: int = 1) -> list[GroupedImage]:
+    found, notices = describe_images([RasterRef(path) for path in paths], group)
+    assert notices == []
+    return found
+
+
+def measure(plan: Plan, levels: int = 3) -> list[ClipNoise]:
+    with ThreadPoolExecutor(2) as executor:
+        return [one for clips in group_noise.measure_requests(plan.requests, "coif3", levels, executor, 3)
+                for one in clips]
+
+
+def chosen(path: str, levels: int = 3) -> list[PixelWindow]:
+    pixels = Pixels(RasterRef(path))
+    return choose_windows(pixels, pixels.image(), levels)
+
+
+def grey(side: tuple[int, int] = (512, 512), seed: int = 0) -> np.ndarray:
+    return orthoimage(side, bands=1, seed=seed)
+
+
+# --- the choice ------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def large(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A virtual raster of 20 000 x 12 000 px: one tile over and over, its right third saturated."""
+    folder = tmp_path_factory.mktemp("large")
+    tile = grey((1000, 1000))
+    bright = np.full_like(tile, 255)
+    sources = {name: write_raster(folder / f"{name}.tif", array, origin=(0, 0)) for name, array in
+               (("tile", tile), ("bright", bright))}
+    boxes = []
+    for row in range(12):
+        for column in range(20):
+            name = "bright" if column >= 14 else "tile"
+            boxes.append(
+                f'<SimpleSource><SourceFilename relativeToVRT="0">{sources[name]}</SourceFilename><SourceBand>1'
+                f'</SourceBand><SrcRect xOff="0" yOff="0" xSize="1000" ySize="1000"/><DstRect xOff="{1000 * column}" '
+                f'yOff="{1000 * row}" xSize="1000" ySize="1000"/></SimpleSource>'
+            )
+    path = folder / "large.vrt"
+    path.write_text(
+        '<VRTDataset rasterXSize="20000" rasterYSize="12000"><GeoTransform>0,0.1,0,0,0,-0.1</GeoTransform>'
+        f'<VRTRasterBand dataType="Byte" band="1">{"".join(boxes)}</VRTRasterBand></VRTDataset>'
+    )
+    return path
+
+
+def test_up_to_25_windows_of_1024_are_spread_and_the_least_saturated_come_first(large: Path) -> None:
+    found = chosen(str(large))
+    assert len(found) == 25
+    assert {(window.width, window.height) for window in found} == {(1024, 1024)}
+    assert not any(a.shared_pixels(b) for i, a in enumerate(found) for b in found[:i])
+    assert all(window.column + window.width <= 14_500 for window in found)  # a third of the raster is saturated
+    for edge in (range(3500), range(4500, 8000), range(9000, 12000)):  # of rows: all of the height is seen
+        assert any(window.row + 512 in edge for window in found)
+
+
+def test_a_large_raster_is_looked_at_by_few_pixels(large: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[int] = []
+    real = Pixels.read
+
+    def counted(self: Pixels, window: PixelWindow, shrink: int = 1) -> tuple[np.ndarray, np.ndarray | None]:
+        bands, invalid = real(self, window, shrink)
+        read.append(bands.size)
+        return bands, invalid
+
+    monkeypatch.setattr(Pixels, "read", counted)
+    chosen(str(large))
+    assert sum(read) <= 100 * 128 * 128  # of 240 million pixels
+    assert len(read) <= 100
+
+
+def test_saturated_windows_are_taken_when_there_are_no_others(make_raster: MakeRaster) -> None:
+    pixels = np.full((300, 300), 255, np.uint8)
+    assert len(chosen(make_raster("white.tif", pixels))) == 1
+
+
+def test_invalid_parts_are_avoided(make_raster: MakeRaster) -> None:
+    pixels = grey((1500, 2600))
+    pixels[:, :, :1400] = 0
+    for window in chosen(make_raster("half.tif", pixels, nodata=0)):
+        assert window.column >= 1400
+
+
+@pytest.mark.parametrize(("side", "expected"), [(1023, 512), (300, 256), (64, 64)])
+def test_small_rasters_get_smaller_windows(make_raster: MakeRaster, side: int, expected: int) -> None:
+    assert {window.width for window in chosen(make_raster("small.tif", grey((side, side))))} == {expected}
+
+
+def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeRaster) -> None:
+    tiny = make_raster("tiny.tif", grey((60, 200)))
+    empty = make_raster("empty.tif", np.zeros((200, 200), np.uint8), nodata=0)
+    plan = window_plan.plan_chosen(images([tiny, empty]), 3)
+    assert plan.requests == ()
+    said = [str(notice) for notice in plan.notices]
+    assert said[0].startswith("tiny.tif has no valid part of 64 x 64 px")
+    assert said[1].startswith("empty.tif has no valid part of 64 x 64 px")
+
+
+# --- one group -------------------------------------------------------------------------------------------------
+
+
+def test_a_photograph_without_a_place_on_the_map_is_measured(tmp_path: Path) -> None:
+    pixels = orthoimage((256, 256))
+    memory = gdal.GetDriverByName("MEM").Create("", 256, 256, 3, gdal.GDT_Byte)
+    memory.WriteArray(pixels)
+    path = str(tmp_path / "photo.png")
+    gdal.GetDriverByName("PNG").CreateCopy(path, memory)
+    (image,) = images([path])
+    assert image.image.ground_sample_distance is None
+    (whole,) = measure(window_plan.plan_chosen([image], 3))
+    assert whole.bands["red"].curve.detail == pytest.approx(decompose(pixels[0]).shares[:3], abs=1e-6)
+    drawn = DrawnWindow(7, (64.2, -191.9, 191.7, -64.1), "")  # as QGIS shows such a picture: rows run down from 0
+    (part,) = measure(window_plan.plan_drawn([image], [drawn], 3))
+    assert (part.window_id, part.part.window) == (7, PixelWindow(64, 64, 128, 128))
+    expected = decompose(pixels[1, 64:192, 64:192]).shares[:3]
+    assert part.bands["green"].curve.detail == pytest.approx(expected, abs=1e-6)
+
+
+def test_drawn_windows_come_over_from_another_system_and_those_outside_are_said(make_raster: MakeRaster) -> None:
+    path = make_raster("a.tif", grey())
+    extent = (ORIGIN[0] + 10, ORIGIN[1] - 30, ORIGIN[0] + 30, ORIGIN[1] - 10)
+    from seam_inspector.plugin.imagery.reference_systems import extent_on
+
+    inside = DrawnWindow(1, extent_on(extent, wkt(32633), wkt(4326)), wkt(4326))
+    outside = DrawnWindow(2, (0, 0, 1, 1), wkt(32633))
+    plan = window_plan.plan_drawn(images([path]), [inside, outside], 3)
+    assert [request.window_id for request in plan.requests] == [1]
+    assert abs(plan.requests[0].parts[0].window.column - 100) <= 8
+    assert [str(notice) for notice in plan.notices] == [
+        "Window 2 lies on none of the rasters; draw it on one of them."
+    ]
+
+
+def test_a_window_with_too_many_invalid_pixels_says_so_and_costs_nothing_else(make_raster: MakeRaster) -> None:
+    pixels = grey()
+    pixels[0, :100, :100] = 0
+    path = make_raster("holes.tif", pixels, nodata=0)
+    windows = [DrawnWindow(i, (ORIGIN[0] + x, ORIGIN[1] - 25.6, ORIGIN[0] + x + 25.6, ORIGIN[1]), wkt(32633))
+               for i, x in ((1, 0.0), (2, 25.6))]
+    first, second = measure(window_plan.plan_drawn(images([path]), windows, 3))
+    assert first.bands == {}
+    assert "of the pixels of holes.tif are invalid" in str(first.reason)
+    assert second.bands
+
+
+# --- two groups ------------------------------------------------------------------------------------------------
+
+
+def test_the_same_pixels_are_left_out_of_both(make_raster: MakeRaster) -> None:
+    pixels = grey()
+    holes = np.ones((512, 512), bool)
+    holes[200:260, 300:360] = False
+    first = make_raster("first.tif", pixels)
+    second = make_raster("second.tif", np.where(holes, pixels, 255).astype(np.uint8), valid=holes)
+    window = DrawnWindow(1, (ORIGIN[0], ORIGIN[1] - 51.2, ORIGIN[0] + 51.2, ORIGIN[1]), wkt(32633))
+    plan = window_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3)
+    assert plan.requests[0].paired
+    a, b = measure(plan)
+    assert [one.part.member.group for one in (a, b)] == [1, 2]
+    assert a.paired
+    assert a.bands == b.bands  # nothing of what differs is in them
+    (alone,) = measure(window_plan.plan_drawn(images([first]), [window], 3))
+    assert a.bands["band_1"].curve.detail != alone.bands["band_1"].curve.detail
+    assert a.bands["band_1"].curve.detail == pytest.approx(alone.bands["band_1"].curve.detail, rel=0.03)
+
+
+def test_masks_go_over_to_other_pixel_sizes(make_raster: MakeRaster) -> None:
+    fine = grey((1024, 1024))
+    coarse = fine.reshape(1, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8)
+    holes = np.ones((1024, 1024), bool)
+    holes[401, 601] = False
+    first = make_raster("fine.tif", fine, gsd=0.1, valid=holes)
+    second = make_raster("coarse.tif", coarse, gsd=0.2)
+    plan = window_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    notice = window_plan.pixel_size_notice(plan)
+    assert notice is not None
+    assert "0.1 m and 0.2 m" in str(notice)
+    (request,) = plan.requests
+    assert request.paired
+    sides = [part.window.width for part in request.parts]
+    assert sides == [1024, 512]
+    masks = group_noise._joined_masks(request.parts, [~holes, np.zeros((512, 512), bool)])
+    assert np.argwhere(masks[0]).tolist() == [[401, 601]]
+    assert np.argwhere(masks[1]).tolist() == [[200, 300]]
+    masks = group_noise._joined_masks(request.parts, [np.zeros((1024, 1024), bool), masks[1]])
+    assert np.argwhere(masks[0]).tolist() == [[400, 600], [400, 601], [401, 600], [401, 601]]
+
+
+def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster: MakeRaster) -> None:
+    pixels = grey()
+    holes = np.ones((512, 512), bool)
+    holes[:200, :200] = False
+    first, second = make_raster("first.tif", pixels), make_raster("second.tif", pixels, valid=holes)
+    window = DrawnWindow(1, (ORIGIN[0], ORIGIN[1] - 51.2, ORIGIN[0] + 51.2, ORIGIN[1]), wkt(32633))
+    a, b = measure(window_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3))
+    assert a.bands
+    assert not a.paired  # so it was measured with all its pixels
+    assert "15.26% of the pixels of second.tif are invalid" in str(b.reason)
+
+
+def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeRaster) -> None:
+    first = make_raster("first.tif", grey((1100, 2300)))
+    second = make_raster("second.tif", grey((1100, 1100), seed=3), origin=(ORIGIN[0] + 120, ORIGIN[1]))
+    plan = window_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    assert [request.paired for request in plan.requests] == [True]
+    ours, theirs = (part.window for part in plan.requests[0].parts)
+    assert ours.column - theirs.column == 1200
+    assert ours.row == theirs.row
+
+
+def test_groups_without_common_ground_are_measured_apart_and_that_is_said(make_raster: MakeRaster) -> None:
+    first = make_raster("first.tif", grey())
+    second = make_raster("second.tif", grey(seed=3), origin=(ORIGIN[0] + 900, ORIGIN[1]))
+    plan = window_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    assert [request.paired for request in plan.requests] == [False, False]
+    assert [request.window_id for request in plan.requests] == [1, 2]
+    assert "no common ground" in str(plan.notices[-1])
+
+
+def test_noise_tells_two_cameras_of_the_same_ground_apart(make_raster: MakeRaster) -> None:
+    random = np.random.default_rng(3)
+    ground = 120 + 25 * texture((1100, 1100), 2.7, 8)
+    clean = make_raster("digital.tif", np.rint(ground).clip(0, 255).astype(np.uint8))
+    film = np.rint(ground + random.normal(0, 6, ground.shape)).clip(0, 255).astype(np.uint8)
+    a, b = measure(window_plan.plan_chosen([*images([clean]), *images([make_raster("film.tif", film)], 2)], 3))
+    assert [one.bands["band_1"].verdict.value for one in (a, b)] == ["low", "strong"]
+    assert b.bands["band_1"].sigma == pytest.approx(6, rel=0.08)
+
+
+def test_the_work_stops_when_it_is_cancelled(make_raster: MakeRaster) -> None:
+    plan = window_plan.plan_chosen(images([make_raster("a.tif", grey((2100, 2100)))]), 3)
+    assert len(plan.requests) == 4
+    taken: list[object] = []
+    with ThreadPoolExecutor(1) as executor:
+        for clips in group_noise.measure_requests(plan.requests, "coif3", 3, executor, 2, lambda: len(taken) >= 1):
+            taken.append(clips)
+    assert len(taken) == 1
+    assert window_plan.plan_chosen(images([plan.requests[0].parts[0].member.image.ref.path]), 3, lambda: True) == Plan(
+        (), ()
+    )

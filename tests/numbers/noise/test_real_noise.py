@@ -1,0 +1,72 @@
+"""Random noise and radiometry of real images: a scanned frame, a drone photo, production orthoimages, two mosaics."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.seamlines import find_seams
+from seam_inspector.plugin.noise.measure import group_noise, window_plan
+from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
+from seam_inspector.plugin.noise.measure.noise_requests import describe_images
+from seam_inspector.plugin.radiometry.measure.assessment import Assessment, assess
+from seam_inspector.plugin.radiometry.measure.rules import default_rules
+
+from tests.numbers.synthetic import decompose, luminance, read_pixels
+
+
+def check(*paths: Path, most: int = 3) -> list[ClipNoise]:
+    images, notices = describe_images([RasterRef(str(path)) for path in paths], 1)
+    assert notices == []
+    plan = window_plan.plan_chosen(images, 3)
+    return [one for request in plan.requests[:most] for one in group_noise.measure_request(request, "coif3", 3)]
+
+
+def verdicts(results: list[ClipNoise]) -> set[str]:
+    return {result.bands["luminance"].verdict.value for result in results}
+
+
+def test_the_scanned_frame(data_folder: Path) -> None:
+    path = data_folder / "fiducials" / "unbc" / "15BCC02013_114.jpg"
+    results = check(path)
+    assert verdicts(results) == {"low"}  # 42 um a pixel and JPEG: the film's grain is averaged away
+    window = results[1].part.window
+    pixels = read_pixels(str(path), window.column, window.row, window.width, window.height)
+    expected = decompose(luminance(pixels)).shares[:3]
+    assert results[1].bands["luminance"].curve.detail == pytest.approx(expected, abs=1e-6)
+
+
+def test_the_drone_photo_and_the_production_orthoimages(data_folder: Path) -> None:
+    assert verdicts(check(data_folder / "noise" / "seneca" / "IMG_0460.jpg")) == {"low"}
+    sharp = check(*sorted((data_folder / "seams" / "packo").glob("*.tif")))
+    assert verdicts(sharp) == {"low"}
+    kurtoses = [result.bands["luminance"].kurtosis[0] for result in sharp]
+    assert int(np.argmax(kurtoses)) == 2  # type: ignore[arg-type]  # the blurred one: its few edges stand out most
+
+
+def test_brightons_orthoimages_are_noisy_in_every_window(data_folder: Path) -> None:
+    assert verdicts(check(data_folder / "seams" / "brighton" / "mosaic_hardseam.tif", most=4)) == {"strong"}
+
+
+def test_feathering_halves_brightons_steps_and_takes_a_tenth_of_the_contrast_beside_them(data_folder: Path) -> None:
+    folder = data_folder / "seams" / "brighton"
+    layer = ogr.Open(str(folder / "seamlines.gpkg"))
+    lines = [bytes(feature.GetGeometryRef().ExportToWkb()) for feature in layer.GetLayer("seamlines")]
+    found: list[Assessment] = []
+    for name in ("mosaic_hardseam.tif", "mosaic_feather0p4m.tif"):
+        pixels = Pixels(RasterRef(str(folder / name)))
+        image = pixels.image()
+        result = assess(pixels, image, image.whole, default_rules(), find_seams(lines, 0.03))
+        assert result is not None
+        found.append(result)
+    figures = [
+        {(one.rule.check, one.band): one.value for one in result.findings if one.value is not None} for result in found
+    ]
+    hard, feathered = figures
+    for band in ("red", "green", "blue"):
+        assert feathered["seam_step", band] < 0.6 * hard["seam_step", band]
+        assert feathered["contrast", band] < hard["contrast", band]
+        assert feathered["seam_contrast", band] < 0.9 * hard["seam_contrast", band]

@@ -1,0 +1,178 @@
+"""Templates, correlation and surface against scikit-image, numpy and themselves."""
+from __future__ import annotations
+
+import math
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from seam_inspector.plugin.imagery.errors import PhotoError
+from seam_inspector.plugin.photos.measure.correlation import Field, correlate, peaks
+from seam_inspector.plugin.photos.measure.correlation_surface import (
+    SurfaceError,
+    extremum,
+    fit_surface,
+    surface_extremum,
+)
+from seam_inspector.plugin.photos.measure.mark_templates import (
+    MarkKind,
+    MarkShape,
+    all_shapes,
+    chosen_shapes,
+    cut_out,
+    draw,
+)
+from seam_inspector.plugin.photos.measure.measuring_marks import Found, Lost, Surface, Template, Window, measure
+from skimage.feature import match_template
+
+from tests.numbers.photos.photos import SAMPLES, Look, figure
+from tests.numbers.synthetic import texture
+
+
+@pytest.mark.parametrize(("shape", "size"), [((60, 71), (9, 12)), ((33, 40), (33, 7)), ((50, 50), (5, 5))])
+def test_correlation_is_scikit_images(shape: tuple[int, int], size: tuple[int, int]) -> None:
+    image = 100 + 30 * texture(shape, 1.5, 1)
+    template = image[3 : 3 + size[0], 5 : 5 + size[1]][: size[0], : size[1]] if size[0] < shape[0] else image[:, 5:12]
+    expected = match_template(image, template)
+    assert np.allclose(correlate(image, template), expected, atol=1e-9)
+    assert np.allclose(Field(image, np.float32).correlate(template), expected, atol=1e-3)
+
+
+def test_correlation_does_not_see_tone() -> None:
+    image, template = texture((50, 60), 1.5, 1), texture((9, 9), 1.5, 2)
+    assert np.allclose(correlate(image, template), correlate(40 * image + 900, 3 - 0.2 * template) * -1, atol=1e-9)
+
+
+def test_a_flat_image_and_a_template_without_room_correlate_with_nothing() -> None:
+    template = texture((9, 9), 1.5, 2)
+    assert not correlate(np.full((30, 30), 7.0), template).any()
+    assert not correlate(texture((30, 30)), np.ones((5, 5))).any()
+    assert correlate(np.zeros((5, 5)), template).size == 0
+
+
+def test_peaks_are_the_highest_and_apart() -> None:
+    field = np.zeros((40, 40))
+    for row, column, value in ((5, 5, 0.9), (6, 6, 0.8), (20, 30, -0.7), (30, 10, 0.5), (35, 35, 0.2)):
+        field[row, column] = value
+    found = [(peak.row, peak.column, peak.value) for peak in peaks(field, 3, 0.4, 5)]
+    assert found == [(5, 5, 0.9), (20, 30, -0.7), (30, 10, 0.5)]
+
+
+coefficients = st.tuples(*[st.floats(-1, 1)] * 3, *[st.floats(0.05, 2)] * 2, st.floats(-0.9, 0.9), st.booleans())
+
+
+@given(coefficients, st.sampled_from([1, 2, 3]))
+def test_a_surface_of_the_second_degree_is_found_again(values: tuple[float, ...], reach: int) -> None:
+    a0, a1, a2, a3, a5, mix, up = values
+    a4 = 2 * mix * math.sqrt(a3 * a5)  # an extremum for any mix between -1 and 1
+    given_terms = np.array([a0, a1, a2, a3, a4, a5]) * (1 if up else -1)
+    y, x = np.mgrid[-reach : reach + 1, -reach : reach + 1]
+    field = sum(c * t for c, t in zip(given_terms, (np.ones(x.shape), x, y, x * x, x * y, y * y)))
+    made = fit_surface(field)
+    assert made == pytest.approx(given_terms, abs=1e-9)
+    expected = np.linalg.solve([[2 * a3, a4], [a4, 2 * a5]], [-a1, -a2])
+    if np.abs(expected).max() > reach:
+        with pytest.raises(SurfaceError, match="outside"):
+            surface_extremum(made, reach)
+    else:
+        x0, y0, is_maximum = surface_extremum(made, reach)
+        assert (x0, y0) == pytest.approx(expected, abs=1e-6)
+        assert is_maximum is not up
+
+
+@pytest.mark.parametrize(("terms", "words"), [
+    ((0, 0, 0, 1, 0, -1), "saddle"), ((1, 0, 0, 0, 0, 0), "flat"), ((1, 0.3, 0, 0, 0, -1), "flat"),
+    ((0, 3, 0, -1, 0, -1), "outside"),
+])
+def test_what_is_no_extremum_is_a_failure(terms: tuple[float, ...], words: str) -> None:
+    with pytest.raises(SurfaceError, match=words):
+        surface_extremum(np.array(terms, float), 1)
+
+
+def test_a_minimum_is_no_peak() -> None:
+    y, x = np.mgrid[-3:4, -3:4]
+    with pytest.raises(SurfaceError, match="saddle"):
+        extremum((x * x + y * y).astype(float), 3, 3)
+    assert extremum(-(x - 0.25) ** 2.0 - (y + 0.4) ** 2.0, 3, 3) == pytest.approx((3.25, 2.6))
+
+
+@pytest.mark.parametrize("shape", all_shapes())
+def test_a_drawn_mark_is_the_area_that_it_covers(shape: MarkShape) -> None:
+    look = Look(shape.kind.value, 21, 2.1, shape.diagonal, shape.interrupted)
+    sized = MarkShape(shape.kind, 21, shape.diagonal, shape.interrupted, softness=0.35)
+    offset = (0.3, -0.2)
+    drawn = draw(sized, offset)
+    half = sized.margin
+    fine = (np.arange((2 * half + 1) * SAMPLES) + 0.5) / SAMPLES - half - 0.5
+    u, v = np.meshgrid(fine - offset[0], fine - offset[1])
+    covered = figure(look, u, v, math.radians(45) if shape.diagonal else 0.0).astype(float)
+    covered = covered.reshape(2 * half + 1, SAMPLES, 2 * half + 1, SAMPLES).mean(axis=(1, 3))
+    if shape.kind is MarkKind.RING_WITH_CROSS:  # its arms are thinner than its ring
+        assert match_template(np.pad(covered, 2), drawn).max() > 0.9
+    else:
+        assert np.abs(covered - drawn).mean() < 0.03
+        assert np.corrcoef(covered.ravel(), drawn.ravel())[0, 1] > 0.96
+
+
+@pytest.mark.parametrize("shape", all_shapes())
+def test_a_drawn_mark_is_symmetric(shape: MarkShape) -> None:
+    drawn = draw(MarkShape(shape.kind, 20, shape.diagonal, shape.interrupted))
+    assert np.allclose(drawn, drawn[::-1, ::-1])
+    assert 0 <= drawn.min() < 0.01
+    assert drawn.max() <= 1
+
+
+def test_shapes_are_chosen_by_words() -> None:
+    assert chosen_shapes(None, None, None) == all_shapes()
+    assert {(one.kind, one.diagonal) for one in chosen_shapes("cross", True, None)} == {(MarkKind.CROSS, True)}
+    assert [one.interrupted for one in chosen_shapes("ring with cross", None, True)] == [True, True]
+    assert [one.kind for one in chosen_shapes("dot", True, True)] == [MarkKind.DOT]
+
+
+def window(pixels: np.ndarray) -> Window:
+    return Window(pixels, 100, 200)
+
+
+@pytest.mark.parametrize(("surface", "offset"), list(product(Surface, ((0.0, 0.0), (0.31, -0.44), (-0.5, 0.2)))))
+def test_a_mark_is_measured_where_it_is(surface: Surface, offset: tuple[float, float]) -> None:
+    shape = MarkShape(MarkKind.RING_WITH_DOT, 20, softness=1.0)
+    pixels = 30 + 50 * draw(shape, offset, margin=40) + 0.2 * np.arange(81)
+    found = measure(window(pixels), (140.5, 240.5), 5, Template(shape, 1), 0.5, surface)
+    assert isinstance(found, Found)
+    tolerance = 0.01 if surface is Surface.CORRELATION else 0.2
+    assert (found.column, found.row) == pytest.approx((140.5 + offset[0], 240.5 + offset[1]), abs=tolerance)
+
+
+def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
+    shape = MarkShape(MarkKind.RING_WITH_CROSS, 20, softness=0.8)
+    template, one = Template(shape, 1), draw(shape, margin=50)
+    two = one + np.roll(one, 30, axis=1)
+    noise = 0.05 * texture(one.shape, 0, 1)
+    halved = one.copy()
+    halved[:, 51:] = np.roll(one, 4, axis=0)[:, 51:]  # a torn film
+
+    def reason(pixels: np.ndarray) -> str:
+        made = measure(window(pixels), (150.5, 250.5), 8, template, 0.5, Surface.CORRELATION)
+        assert isinstance(made, Lost), made
+        return str(made.reason)
+
+    assert "two places look nearly alike" in reason(two + noise)
+    assert "correlation is" in reason(noise)
+    assert "differ by" in reason(halved + noise)
+    small = measure(window(one[:9, :9]), (104.5, 204.5), 2, template, 0.5, Surface.CORRELATION)
+    assert isinstance(small, Lost)
+    assert "larger than" in str(small.reason)
+
+
+def test_a_cut_out_has_the_centre_of_its_symmetry() -> None:
+    mark = draw(MarkShape(MarkKind.CROSS, 20, softness=1.0), (0.25, -0.3), margin=30)
+    made = cut_out(mark[8:55, 12:58])
+    assert made.centre == pytest.approx((30.75 - 12, 30.2 - 8), abs=0.03)
+    plain = cut_out(texture((20, 30), 1.5, 3))
+    assert plain.centre == (15, 10)
+    with pytest.raises(PhotoError, match="needs at least"):
+        cut_out(mark[:4, :20])
+    with pytest.raises(PhotoError, match="alike"):
+        cut_out(np.zeros((20, 20)))

@@ -1,0 +1,325 @@
+"""Figures of radiometric acceptance against numpy, GDAL and images whose figures are known."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from osgeo import gdal
+from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.seamlines import Seam
+from seam_inspector.plugin.radiometry.measure import image_statistics
+from seam_inspector.plugin.radiometry.measure.assessment import Assessment, RuleFinding, assess
+from seam_inspector.plugin.radiometry.measure.image_statistics import ImageStatistics, stream
+from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet, default_rules
+from seam_inspector.plugin.radiometry.measure.uniform_areas import sample_areas
+
+from tests.numbers.synthetic import ORIGIN, orthoimage, texture, write_raster
+
+MakeRaster = Callable[..., str]
+
+
+def checked(path: str, window: PixelWindow | None = None, rules: RuleSet | None = None, **options: Any) -> Assessment:
+    pixels = Pixels(RasterRef(path))
+    image = pixels.image()
+    result = assess(pixels, image, window or image.whole, rules or default_rules(), **options)
+    assert result is not None
+    return result
+
+
+def finding(result: Assessment, check: str, band: str = "band_1") -> RuleFinding:
+    (found,) = [one for one in result.findings if (one.rule.check, one.band) == (check, band)]
+    return found
+
+
+def figure(result: Assessment, check: str, band: str = "band_1") -> float:
+    value = finding(result, check, band).value
+    assert value is not None
+    return value
+
+
+def streamed(path: str, given: tuple[float, float] | None = None) -> ImageStatistics:
+    pixels = Pixels(RasterRef(path))
+    image = pixels.image()
+    return stream(pixels, image, image.whole, given)
+
+
+def grey(level: float = 128, sigma: float = 8.0, side: int = 256, seed: int = 0) -> np.ndarray:
+    noise = np.random.default_rng(seed).normal(level, sigma, (side, side))
+    return np.rint(noise).clip(0, 255).astype(np.uint8)
+
+
+# --- histograms ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int16])
+@pytest.mark.parametrize("nodata", [None, 120])
+def test_histograms_are_numpys(
+    make_raster: MakeRaster, dtype: type, nodata: float | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(image_statistics, "MAX_BLOCK_PIXELS", 5000)
+    bands = orthoimage((211, 187), bands=2, dtype=dtype)
+    if dtype is np.int16:
+        bands -= 1500
+    bands[:, 20:60, 30:80] = 120
+    found = streamed(make_raster("a.tif", bands, nodata=nodata))
+    valid = np.ones(bands.shape[1:], bool) if nodata is None else ~(bands == nodata).all(axis=0)
+    for band, histogram in zip(bands, found.histograms.values()):
+        values, counts = np.unique(band[valid], return_counts=True)
+        seen = histogram.counts > 0
+        assert histogram.values[seen].tolist() == values.tolist()
+        assert histogram.counts[seen].tolist() == counts.tolist()
+        assert histogram.mean == pytest.approx(band[valid].mean())
+        assert histogram.deviation == pytest.approx(band[valid].std())
+        assert histogram.largest == band[valid].max()
+
+
+def test_the_histogram_is_gdals(make_raster: MakeRaster) -> None:
+    path = make_raster("a.tif", orthoimage((300, 200), bands=1))
+    dataset = gdal.Open(path)
+    expected = dataset.GetRasterBand(1).GetHistogram(-0.5, 255.5, 256, approx_ok=0)
+    assert streamed(path).histograms["band_1"].counts.tolist() == expected
+
+
+@settings(max_examples=30, deadline=None)
+@given(low=st.floats(-1e4, 0), extent=st.floats(0.1, 1e4), seed=st.integers(0, 99))
+def test_values_without_steps_are_counted_over_the_given_range(
+    low: float, extent: float, seed: int, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    band = np.random.default_rng(seed).uniform(low, low + extent, (64, 64))
+    band[0, :5] = np.nan
+    path = write_raster(tmp_path_factory.mktemp("float") / "a.tif", band)
+    histogram = streamed(path, (low, low + extent)).histograms["band_1"]
+    assert histogram.pixels == 64 * 64 - 5
+    assert histogram.mean == pytest.approx(np.nanmean(band), abs=extent / 65536)
+    assert histogram.deviation == pytest.approx(np.nanstd(band), abs=extent / 65536)
+
+
+def test_tails_peak_and_contrast_of_a_known_histogram(make_raster: MakeRaster) -> None:
+    values = np.full(100 * 100, 150, np.uint8)
+    values[:30], values[30:50], values[50:60] = 4, 5, 251
+    values[60:2060] = 100
+    result = checked(make_raster("a.tif", values.reshape(100, 100)))
+    assert figure(result, "clipped_low") == pytest.approx(0.003)  # values 0 to 4
+    assert figure(result, "clipped_high") == pytest.approx(0.001)  # values 251 to 255
+    assert figure(result, "peak") == pytest.approx((150 - 127.5) / 255)
+    assert figure(result, "contrast") == pytest.approx(values.std() / 255)
+    assert [finding(result, check).passed for check in ("clipped_low", "peak", "contrast")] == [True, True, False]
+
+
+def test_twelve_bits_in_sixteen_are_measured_on_their_own_range(make_raster: MakeRaster) -> None:
+    random = np.random.default_rng(0)
+    eight = random.normal(120, 30, (128, 128)).clip(8, 247)
+    twelve = np.rint(eight * 4095 / 255).astype(np.uint16)
+    a = checked(make_raster("8.tif", np.rint(eight).astype(np.uint8)))
+    b = checked(make_raster("12.tif", twelve))
+    assert b.available == (0, 4095)
+    assert "so the range is taken as 0 to 4095" in str(b.notices[0])
+    assert a.notices == ()
+    for check in ("peak", "contrast", "signal_to_noise"):
+        assert figure(b, check) == pytest.approx(figure(a, check), abs=0.03, rel=0.05)
+    assert checked(make_raster("n.tif", twelve, options=["NBITS=12"])).notices == ()
+
+
+# --- areas -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("level", "sigma"), [(128, 4.0), (100, 10.0), (150, 25.0), (128, 40.0)])
+def test_signal_to_noise_recovers_what_is_there(make_raster: MakeRaster, level: float, sigma: float) -> None:
+    ratio = figure(checked(make_raster("a.tif", grey(level, sigma))), "signal_to_noise")
+    assert ratio == pytest.approx(level / sigma, rel=0.1)  # the quietest quarter of equal areas: some 6 % more
+
+
+def test_noise_is_taken_where_it_is_uniform_and_of_mid_tone(make_raster: MakeRaster) -> None:
+    random = np.random.default_rng(1)
+    scene = 128 + 30 * texture((512, 512), 3.0, 2)  # without a uniform area of its own
+    scene[100:180, 100:180] = 120
+    scene[300:380, 300:380] = 40  # too dark
+    noisy = np.rint(scene + random.normal(0, np.where(scene == 40, 1.0, 6.0))).clip(0, 255).astype(np.uint8)
+    result = checked(make_raster("a.tif", noisy))
+    assert figure(result, "signal_to_noise") == pytest.approx(120 / 6, rel=0.15)
+
+
+def test_uniform_is_what_a_plane_an_edge_and_a_texture_are_not() -> None:
+    random = np.random.default_rng(2)
+    rows, columns = np.mgrid[:160, :160]
+    noise = random.normal(0, 2, (160, 160))
+    shares = []
+    for scene in (0 * rows, 0.5 * columns, 20.0 * (columns % 16 > 6), 8 * texture((160, 160), 2.5, 1)):
+        shares.append(sample_areas((scene + noise)[np.newaxis], None, 16).uniform.mean())
+    assert shares[0] == pytest.approx(0.99, abs=0.03)
+    assert max(shares[1:3]) == 0
+    assert shares[3] < 0.2
+
+
+def test_areas_leave_invalid_pixels_out_and_are_numpys() -> None:
+    bands = orthoimage((160, 128), bands=3)
+    invalid = np.zeros((160, 128), bool)
+    invalid[20, 40] = True
+    areas = sample_areas(bands, invalid, 16)
+    assert areas.means.shape == (79, 3)
+    parts = bands[:, :16, :16].astype(np.float64)
+    assert areas.means[0] == pytest.approx(parts.mean(axis=(1, 2)))
+    within = [np.mean([quadrant.var(ddof=1) for half in np.split(part, 2) for quadrant in np.split(half, 2, axis=1)])
+              for part in parts]
+    assert areas.noise[0] == pytest.approx(np.sqrt(within))
+
+
+@pytest.mark.parametrize(("cast", "passed"), [(0.0, True), (0.015, True), (0.03, False), (0.06, False)])
+def test_a_colour_cast_is_found_on_what_is_grey(make_raster: MakeRaster, cast: float, passed: bool) -> None:
+    random = np.random.default_rng(0)
+    scene = np.stack([np.full((256, 256), value, float) for value in (130, 130, 130)])
+    scene[:, 128:] = np.array([90.0, 140.0, 70.0])[:, np.newaxis, np.newaxis]  # grass
+    scene[0] += cast * 255
+    pixels = np.rint(scene + random.normal(0, 3, scene.shape)).clip(0, 255).astype(np.uint8)
+    result = checked(make_raster("a.tif", pixels))
+    assert figure(result, "colour_balance", "all") == pytest.approx(cast, abs=0.003)
+    assert finding(result, "colour_balance", "all").passed is passed
+
+
+# --- what can't be measured ------------------------------------------------------------------------------------
+
+
+def reasons(result: Assessment) -> dict[str, str]:
+    return {one.rule.check: str(one.reason) for one in result.findings if one.value is None}
+
+
+def test_without_uniform_or_grey_areas_it_says_so(make_raster: MakeRaster) -> None:
+    bands = np.stack([np.rint(128 + 30 * texture((256, 256), 3.0, seed)) for seed in range(3)])
+    said = reasons(checked(make_raster("a.tif", bands.clip(0, 255).astype(np.uint8))))
+    assert set(said) == {"signal_to_noise", "colour_balance"}
+    assert said["signal_to_noise"].startswith("not measurable: fewer than 8 uniform mid-tone areas")
+    assert said["colour_balance"].startswith("not measurable: fewer than 8 uniform areas whose bands differ by less")
+
+
+def test_a_flat_image_has_no_infinite_signal_to_noise(make_raster: MakeRaster) -> None:
+    said = reasons(checked(make_raster("a.tif", np.full((100, 100), 128, np.uint8))))
+    assert said["signal_to_noise"].startswith("not measurable: the uniform areas do not vary at all")
+    assert said["colour_balance"] == "not measurable: it has no red, green and blue."
+
+
+def test_too_few_valid_pixels(make_raster: MakeRaster) -> None:
+    pixels = np.zeros((200, 200), np.uint8)
+    pixels[:40, :40] = 90
+    result = checked(make_raster("a.tif", pixels, nodata=0))
+    assert len(reasons(result)) == len(result.findings) == 6
+    assert set(reasons(result).values()) == {
+        "not measurable: 1600 pixels are valid and at least 4096 are needed; choose a larger part."
+    }
+
+
+def test_float_values_need_a_range_from_the_rules(make_raster: MakeRaster) -> None:
+    band = np.random.default_rng(0).normal(0.5, 0.05, (128, 128)).astype(np.float32)
+    path = make_raster("a.tif", band)
+    said = reasons(checked(path))
+    assert len(said) == 6
+    assert "values of type float32 have no range of their own; give 'value_range'" in said["contrast"]
+    result = checked(path, rules=RuleSet("own", default_rules().rules, (0.0, 1.0)))
+    assert figure(result, "contrast") == pytest.approx(band.std(), rel=1e-4)
+    assert figure(result, "signal_to_noise") == pytest.approx(10, rel=0.1)
+
+
+def test_a_rule_without_limit_is_measured_and_not_judged(make_raster: MakeRaster) -> None:
+    rules = RuleSet("own", (Rule("contrast", None, None, "nobody"),))
+    (found,) = checked(make_raster("a.tif", grey()), rules=rules).findings
+    assert found.passed is None
+    assert found.value == pytest.approx(8 / 255, rel=0.02)
+    assert str(found.reason) == "The rules set no limit; give one in the rules file."
+
+
+def test_windows_are_checked_for_themselves(make_raster: MakeRaster) -> None:
+    pixels = np.concatenate([grey(100, 5), grey(150, 20)], axis=1)
+    path = make_raster("a.tif", pixels)
+    left, right = (checked(path, PixelWindow(column, 0, 256, 256)) for column in (0, 256))
+    assert figure(left, "contrast") == pytest.approx(pixels[:, :256].std() / 255)
+    assert figure(right, "signal_to_noise") == pytest.approx(7.5, rel=0.1)
+
+
+def test_it_stops_when_told_to(make_raster: MakeRaster) -> None:
+    pixels = Pixels(RasterRef(make_raster("a.tif", grey(side=1500))))
+    image = pixels.image()
+    told: list[float] = []
+    assert assess(pixels, image, image.whole, default_rules(), progress=lambda share: bool(told.append(share))) is None
+    assert len(told) == 1
+    assert 0 < told[0] < 1
+
+
+# --- seams -----------------------------------------------------------------------------------------------------
+
+
+def seam(*places: tuple[float, float], number: int = 1) -> Seam:
+    """Through columns and rows of a raster of 0.1 m pixels."""
+    return Seam(number, np.array([(ORIGIN[0] + 0.1 * column, ORIGIN[1] - 0.1 * row) for column, row in places]))
+
+
+@pytest.mark.parametrize("step", [-20, 0, 7, 30])
+@pytest.mark.parametrize("slant", [0, 40])
+def test_the_step_at_a_seam_is_what_was_put_there(make_raster: MakeRaster, step: int, slant: int) -> None:
+    rows, columns = np.mgrid[:300, :300]
+    right = columns + 0.5 > 150 + slant * (rows + 0.5) / 300
+    pixels = np.rint(120 + np.random.default_rng(0).normal(0, 6, (300, 300)) + step * right).astype(np.uint8)
+    pixels[0, 0] = 200  # the largest value
+    result = checked(make_raster("a.tif", pixels), seams=[seam((150, 0), (150 + slant, 300))])
+    assert figure(result, "seam_step") == pytest.approx(abs(step) / 200, abs=0.004)
+    assert finding(result, "seam_step").passed is None  # the order sets no limit
+    assert result.seams[0].stations == 18
+    assert figure(result, "seam_contrast") == pytest.approx(6 / 255, rel=0.05)
+
+
+def test_a_feather_of_two_pixels_and_an_object_on_the_seam_do_not_hide_it(make_raster: MakeRaster) -> None:
+    columns = np.broadcast_to(np.arange(300) + 0.5, (300, 300))
+    pixels = 100 + 30 * np.clip((columns - 148) / 4, 0, 1)
+    pixels = np.rint(pixels)
+    pixels[100:160, 150:180] = 250  # a roof that ends at the seam
+    result = checked(make_raster("a.tif", pixels.astype(np.uint8)), seams=[seam((150, 0), (150, 300))])
+    assert figure(result, "seam_step") == pytest.approx(30 / 250, abs=0.004)
+
+
+def test_the_worst_seam_counts_and_invalid_sides_do_not(make_raster: MakeRaster) -> None:
+    pixels = np.full((300, 600), 100, np.uint8)
+    pixels[:, 150:] = 110
+    pixels[:, 300:] = 150
+    pixels[:, 450:] = 0
+    seams = [seam((x, 0), (x, 300), number=i) for i, x in enumerate((150, 300, 450, 5000), 1)]
+    result = checked(make_raster("a.tif", pixels, nodata=0), seams=seams)
+    assert {one.contrasts for one in result.seams} == {(0.0,)}
+    assert [(one.seam_id, one.steps) for one in result.seams] == [(1, (10.0,)), (2, (40.0,))]  # seams run down: left
+    assert figure(result, "seam_step") == pytest.approx(40 / 150)
+
+
+def test_no_seam_on_the_raster(make_raster: MakeRaster) -> None:
+    path = make_raster("a.tif", grey())
+    for seams in ([], [seam((900, 0), (900, 300))], [seam((10, 10), (50, 10))]):
+        said = reasons(checked(path, seams=seams))
+        assert said["seam_step"] == "not measurable: no seam runs across valid pixels of it for 64 px or more."
+    assert "seam_step" not in {one.rule.check for one in checked(path).findings}
+
+
+def test_seams_on_a_rotated_raster_are_refused(make_raster: MakeRaster) -> None:
+    path = make_raster("r.tif", grey(), geotransform=(0, 0.1, 0.02, 0, 0.02, -0.1))
+    assert figure(checked(path), "contrast") > 0
+    with pytest.raises(RasterError, match="rotated"):
+        checked(path, seams=[seam((0, 0), (0, 300))])
+
+
+def test_memory_stays_flat(tmp_path: Path) -> None:
+    """Both hold the same few blocks and areas, though one has 36 times as many pixels."""
+    import tracemalloc
+
+    peaks = []
+    for side in (1024, 6144):
+        path = write_raster(tmp_path / f"{side}.tif", np.tile(grey(side=512), (side // 512, side // 512)))
+        pixels = Pixels(RasterRef(path))
+        image = pixels.image()
+        tracemalloc.start()
+        stream(pixels, image, image.whole)
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+    assert peaks[1] < 1.5 * peaks[0]

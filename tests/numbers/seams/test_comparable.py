@@ -1,0 +1,172 @@
+"""Which rasters of a window can be compared, and the reason where none can."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import RasterRef, describe_mosaic
+from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, inspect_window, window_request
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
+
+from tests.numbers.seams.inspecting import (
+    FAR_AWAY,
+    SIZE,
+    MakeRaster,
+    assert_not_comparable,
+    block_of,
+    inspect,
+    mosaic_of,
+    softened,
+)
+from tests.numbers.synthetic import ORIGIN, orthoimage
+
+# --- bands that fit and bands that don't -----------------------------------------------------------------------
+
+
+def test_one_band(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 1, dtype=np.uint16)
+    result = inspect(block_of(mosaic_of(make_raster, softened(scene, 1)), make_raster("a.tif", scene)))
+    assert [list(clip.curves) for clip in result.clips] == [["band_1"], ["band_1"]]
+    assert result.judgement.verdict is Verdict.SIGNIFICANT
+
+
+def test_near_infrared_is_compared_where_both_have_it(make_raster: MakeRaster) -> None:
+    rgb, nir = [gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand], [gdal.GCI_Undefined]
+    scene = orthoimage(SIZE, 4)
+    mosaic = mosaic_of(make_raster, scene, colours=rgb + nir)
+    four = make_raster("four.tif", scene, colours=rgb + nir)
+    three = make_raster("three.tif", scene[:3], colours=rgb)
+    result = inspect(block_of(mosaic, four, three))
+    assert list(result.clips[0].curves) == ["luminance", "red", "green", "blue", "nir"]
+    assert list(result.clips[2].curves) == ["luminance", "red", "green", "blue"]
+    assert [pair.source for pair in result.pairs if pair.band == "nir"] == ["four.tif"]
+    assert result.notices == ()
+    fewer = inspect(block_of(describe_mosaic(RasterRef(three)), four))
+    assert list(fewer.clips[1].curves) == ["luminance", "red", "green", "blue", "nir"]
+    assert "nir" not in [pair.band for pair in fewer.pairs]
+
+
+def test_infrared_is_no_part_of_the_luminance(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 4)
+    four = [gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand, gdal.GCI_Undefined]
+    mosaic = mosaic_of(make_raster, np.concatenate([scene[:3], 255 - scene[3:]]), colours=four)
+    result = inspect(block_of(mosaic, make_raster("a.tif", scene, colours=four)))
+    assert result.judgement.ratios.detail == (1.0, 1.0, 1.0)
+
+
+def test_a_source_of_one_band_takes_no_part_in_a_coloured_mosaic(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 3)
+    mosaic, colour = mosaic_of(make_raster, scene), make_raster("colour.tif", scene)
+    grey = make_raster("grey.tif", scene[0])
+    result = inspect(block_of(mosaic, grey, colour))
+    assert [clip.raster for clip in result.clips] == ["mosaic.tif", "colour.tif"]
+    assert [str(notice) for notice in result.notices] == [
+        "grey.tif has no luminance (its bands: band_1); choose sources with the mosaic's bands."
+    ]
+    assert result.judgement.verdict is Verdict.PRESERVED
+    alone = inspect(block_of(mosaic, grey))
+    assert alone.judgement.verdict is Verdict.NOT_COMPARABLE
+    assert "grey.tif has no luminance" in str(alone.judgement.reason)
+    other_way = inspect(block_of(describe_mosaic(RasterRef(grey)), colour))
+    assert "colour.tif has no band_1 (its bands: red, green, blue)" in str(other_way.judgement.reason)
+
+
+def test_a_source_of_another_bit_depth_is_compared(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 3)
+    mosaic = mosaic_of(make_raster, scene)
+    deep = make_raster("deep.tif", scene.astype(np.uint16) * 257)
+    real = make_raster("real.tif", (scene / 255).astype(np.float32))
+    ratios = [pair.ratios.detail for pair in inspect(block_of(mosaic, deep, real)).pairs]
+    assert len(ratios) == 8
+    for ratio in ratios:
+        assert ratio == pytest.approx((1, 1, 1), rel=1e-4)
+
+
+def test_a_source_of_another_pixel_size_is_marked(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 3)
+    fine = np.kron(scene, np.ones((1, 2, 2), np.uint8))
+    block = block_of(mosaic_of(make_raster, scene), make_raster("fine.tif", fine, gsd=0.05))
+    result = inspect(block)
+    assert all(pair.resampled for pair in result.pairs)
+    assert result.judgement.ratios.detail == pytest.approx((1, 1, 1), rel=1e-4)
+
+
+# --- windows that can't be compared ----------------------------------------------------------------------------
+
+
+def test_a_rectangle_that_is_no_window_gives_its_reason(make_raster: MakeRaster) -> None:
+    block = block_of(mosaic_of(make_raster, orthoimage(SIZE)), make_raster("a.tif", orthoimage(SIZE)))
+    request = window_request(block, 3, FAR_AWAY, InspectionSettings())
+    result = inspect_window(request)
+    assert_not_comparable(result, "The window lies outside the mosaic; draw it on the mosaic.")
+    assert (result.window_id, result.window, result.clips, result.pairs) == (3, None, (), ())
+    assert_not_comparable(inspect(block, PixelWindow(10, 10, 40, 100)), "covers 40 x 100 px of the mosaic")
+
+
+def test_a_window_without_sources_has_the_mosaics_curve_all_the_same(make_raster: MakeRaster) -> None:
+    mosaic = mosaic_of(make_raster, orthoimage(SIZE))
+    beside = make_raster("beside.tif", orthoimage(SIZE), origin=(ORIGIN[0] + 20.0, ORIGIN[1]))
+    result = inspect(block_of(mosaic, beside))
+    assert_not_comparable(result, "No source covers the window; add the orthoimages that overlap it")
+    assert [clip.role for clip in result.clips] == ["mosaic"]
+
+
+def test_gaps_of_the_mosaic(make_raster: MakeRaster) -> None:
+    image = orthoimage(SIZE)
+    image[:, :120] = 0
+    block = block_of(mosaic_of(make_raster, image, nodata=0), make_raster("a.tif", orthoimage(SIZE)))
+    assert_not_comparable(inspect(block), "18.75% of the pixels of mosaic.tif are invalid in the window")
+
+
+def test_gaps_of_the_sources_are_a_reason_only_where_no_source_is_left(make_raster: MakeRaster) -> None:
+    scene, gap = orthoimage(SIZE), orthoimage(SIZE)
+    gap[:, 100:200] = 0
+    mosaic, good = mosaic_of(make_raster, scene), make_raster("good.tif", scene)
+    holed = make_raster("holed.tif", gap, nodata=0)
+    assert_not_comparable(inspect(block_of(mosaic, holed)), "of the pixels of holed.tif are invalid")
+    result = inspect(block_of(mosaic, holed, good))
+    assert result.judgement.verdict is Verdict.PRESERVED
+    assert result.notices == ()  # that a source has an edge is nothing to report
+
+
+def test_a_damaged_source_is_named_and_the_others_count(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE)
+    mosaic, good = mosaic_of(make_raster, scene), make_raster("good.tif", scene)
+    cut = Path(make_raster("cut.tif", scene))
+    block = block_of(mosaic, str(cut), good)
+    cut.write_bytes(cut.read_bytes()[: cut.stat().st_size // 10])
+    result = inspect(block)
+    assert result.judgement.verdict is Verdict.PRESERVED
+    assert ["cut.tif" in str(notice) for notice in result.notices] == [True]
+    cut.unlink()
+    assert "does not exist" in str(inspect(block).notices[0])
+
+
+def test_a_mosaic_that_went_away(make_raster: MakeRaster) -> None:
+    block = block_of(mosaic_of(make_raster, orthoimage(SIZE)), make_raster("a.tif", orthoimage(SIZE)))
+    Path(block.mosaic.ref.path).unlink()
+    assert_not_comparable(inspect(block), "mosaic.tif does not exist")
+
+
+def test_constant_images(make_raster: MakeRaster) -> None:
+    scene, flat = orthoimage(SIZE), np.full((3, *SIZE), 80, np.uint8)
+    source, constant = make_raster("source.tif", scene), make_raster("flat.tif", flat)
+    uniform = mosaic_of(make_raster, flat, "uniform.tif")
+    assert_not_comparable(inspect(block_of(uniform, source)), "The mosaic has no variance in the window")
+    mosaic = mosaic_of(make_raster, scene)
+    assert_not_comparable(inspect(block_of(mosaic, constant)), "flat.tif has no variance in the window")
+    result = inspect(block_of(mosaic, constant, source))
+    assert result.judgement.verdict is Verdict.PRESERVED
+    assert [str(notice).split(" ")[0] for notice in result.notices] == ["flat.tif"]
+
+
+def test_a_source_without_the_finest_detail(make_raster: MakeRaster) -> None:
+    blocks = np.kron(orthoimage((128, 128), 1), np.ones((1, 2, 2), np.uint8))
+    mosaic = mosaic_of(make_raster, orthoimage(SIZE, 1))
+    result = inspect(block_of(mosaic, make_raster("enlarged.tif", blocks)), wavelet="haar")
+    assert result.judgement.verdict is Verdict.NOT_COMPARABLE
+    assert "No source has detail at level 1" in str(result.judgement.reason)
+    assert [ratio is None for ratio in result.judgement.ratios.detail] == [True, False, False]

@@ -1,0 +1,157 @@
+"""Which source a mosaic follows and where it mixes two, on mosaics made from known cuts; and their composite."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.causes import MIN_CAUSE_FIT, MIN_MIXED_SHARE
+from seam_inspector.plugin.seams.measure.composite import follows_at, make_composite
+from seam_inspector.plugin.seams.measure.followed_source import FollowedSource, follow, high_pass, refined
+from seam_inspector.plugin.seams.measure.tone import Tone
+
+from benchmarks.scenes import cut, feather
+from tests.numbers.synthetic import orthoimage
+
+SHAPE = (320, 384)
+
+
+@pytest.fixture(scope="module")
+def sources() -> list[np.ndarray]:
+    """Four images of one scene, each with its own noise, tone and place, (3, rows, columns) 8 bit."""
+    scene = orthoimage((SHAPE[0] + 8, SHAPE[1] + 8)).astype(np.float32)
+    rng = np.random.default_rng(5)
+    images = []
+    for number, (gain, bias) in enumerate([(1.0, 0.0), (0.95, 8.0), (1.04, -6.0), (0.9, 4.0)]):
+        placed = ndimage.shift(scene, (0, 0.8 * number, -0.6 * number), order=3)[:, 4:-4, 4:-4]
+        noisy = gain * placed + bias + rng.normal(0, 4, placed.shape)
+        images.append(np.clip(np.rint(noisy), 0, 255).astype(np.uint8))
+    return images
+
+
+@pytest.fixture(scope="module")
+def labels() -> np.ndarray:
+    """Three cells with a crooked border; the fourth source is not used."""
+    row, column = np.mgrid[: SHAPE[0], : SHAPE[1]]
+    border = 150 + 30 * np.sin(row / 25)
+    return np.where(column < border, 0, np.where(row < 140 + 10 * np.cos(column / 17), 1, 2)).astype(np.uint8)
+
+
+def followed(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> FollowedSource:
+    planes = [bands.mean(axis=0, dtype=np.float32) for bands in (mosaic, *sources)]
+    return follow(lambda start, stop: [high_pass(plane[start:stop]) for plane in planes], SHAPE, len(sources))
+
+
+def right(found: FollowedSource, labels: np.ndarray) -> float:
+    return float((found.labels == labels).mean())
+
+
+def test_high_pass_is_the_band_less_a_gaussian_of_about_2_px() -> None:
+    impulse = np.zeros((65, 65), np.float32)
+    impulse[32, 32] = 1
+    smooth = impulse - high_pass(impulse)
+    across = np.arange(65) - 32
+    assert smooth.sum() == pytest.approx(1, abs=1e-5)
+    assert (smooth.sum(axis=0) * across**2).sum() == pytest.approx(2.5, abs=1e-4)  # px squared along each axis
+
+
+@pytest.mark.parametrize("rows", [7, 128, 131, 300])
+def test_a_high_band_is_high_passed_as_a_whole(rows: int) -> None:
+    band = np.random.default_rng(rows).integers(0, 256, (rows, 40)).astype(np.uint8)
+    smooth = band.astype(np.float64)
+    for kernel in ([1, 2, 1], [1, 0, 2, 0, 1]):
+        for axis in (0, 1):
+            smooth = ndimage.correlate1d(smooth, np.array(kernel) / 4, axis, mode="nearest")
+    np.testing.assert_allclose(high_pass(band), band - smooth, atol=1e-4)
+
+
+def test_a_hard_cut_is_found(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    found = followed(cut(labels, sources), sources)
+    assert right(found, labels) >= 0.99
+    assert found.followed == (0, 2, 1)
+    assert found.unclear_share < 0.03
+    assert found.mixed_share < MIN_MIXED_SHARE
+    assert found.fit > 0.98
+    assert found.kept == pytest.approx(1, abs=0.01)
+    assert not found.unexplained.any()
+
+
+def tones(mosaic: np.ndarray) -> dict[str, np.ndarray]:
+    values = mosaic.astype(np.float32)
+    changed = {"gain": 0.6 * values + 20, "gamma 0.6": 255 * (values / 255) ** 0.6,
+               "gamma 1.6": 255 * (values / 255) ** 1.6}
+    return {name: np.clip(np.rint(one), 0, 255).astype(np.uint8) for name, one in changed.items()}
+
+
+@pytest.mark.parametrize("tone", ["gain", "gamma 0.6", "gamma 1.6"])
+def test_tones_do_not_change_what_is_followed(sources: list[np.ndarray], labels: np.ndarray, tone: str) -> None:
+    found = followed(tones(cut(labels, sources))[tone], sources)
+    assert right(found, labels) >= 0.99
+    assert found.mixed_share < MIN_MIXED_SHARE
+
+
+@pytest.mark.parametrize("sigma", [6.7, 13.3])
+def test_a_feather_is_found_as_a_mixture(sources: list[np.ndarray], labels: np.ndarray, sigma: float) -> None:
+    found = followed(feather(labels, sources, sigma), sources)
+    inner = ndimage.gaussian_filter((labels == 0).astype(np.float32), sigma)
+    zone = (inner > 0.2) & (inner < 0.8)
+    assert right(found, labels) >= 0.97
+    assert found.mixed_share > 0.5 * float(zone.mean())
+    assert found.clear[zone].mean() < 0.3
+    assert found.kept == pytest.approx(1, abs=0.03)  # what is no mixture has lost nothing
+
+
+def test_a_blur_is_no_mixture_and_less_is_kept(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    blurred = ndimage.gaussian_filter(cut(labels, sources).astype(np.float32), (0, 0.8, 0.8))
+    found = followed(blurred, sources)
+    assert right(found, labels) >= 0.97
+    assert found.mixed_share < MIN_MIXED_SHARE
+    assert found.kept is not None
+    assert found.kept < 0.8
+
+
+def test_a_stranger_is_not_explained(sources: list[np.ndarray]) -> None:
+    stranger = orthoimage(SHAPE, seed=99)[:, ::-1]
+    found = followed(stranger, sources)
+    assert found.fit < MIN_CAUSE_FIT
+    assert found.unexplained.mean() > 0.95
+
+
+def test_strips_and_odd_sizes_change_nothing() -> None:
+    rng = np.random.default_rng(3)
+    shape = (1062, 70)
+    planes = [rng.normal(120, 10, shape).astype(np.float32) for _ in range(2)]
+    mosaic = np.where(np.arange(shape[0])[:, np.newaxis] < 1021, planes[0], planes[1])
+    found = follow(lambda start, stop: [high_pass(plane[start:stop]) for plane in (mosaic, *planes)], shape, 2)
+    assert found.labels.shape == shape
+    assert float((found.labels == (mosaic == planes[1])).mean()) > 0.99
+
+
+def test_the_composite_of_a_hard_cut_is_the_mosaic(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    mosaic = cut(labels, sources)
+    rough = followed(mosaic, sources)
+    planes = {i: sources[i].mean(axis=0, dtype=np.float32) for i in rough.followed}
+    found = refined(rough, mosaic.mean(axis=0, dtype=np.float32), planes)
+    composite = make_composite(sources, ("red", "green", "blue"), found, [{}] * len(sources))
+    assert right(found, labels) > max(right(rough, labels), 0.995)
+    assert float((composite.bands == mosaic).all(axis=0).mean()) > 0.995
+
+
+def test_the_levelled_composite_has_the_mosaics_grey_values(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    found = followed(cut(labels, sources), sources)
+    levels = [{name: Tone(0.5 + 0.1 * i, 3.0 * i) for name in ("red", "green", "blue")} for i in range(len(sources))]
+    composite = make_composite(sources, ("red", "green", "blue"), found, levels)
+    for i in found.followed:
+        own = found.labels == i
+        np.testing.assert_array_equal(composite.bands[:, own], sources[i][:, own])
+        np.testing.assert_allclose(composite.levelled[:, own], (0.5 + 0.1 * i) * sources[i][:, own] + 3 * i, rtol=1e-6)
+
+
+def test_only_squares_of_one_source_count(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    found = followed(cut(labels, sources), sources)
+    whole = follows_at(found, 1, 3)
+    assert whole.any()
+    own = found.labels == 1
+    for row, column in np.argwhere(whole):
+        assert own[8 * row : 8 * row + 8, 8 * column : 8 * column + 8].all()

@@ -1,0 +1,251 @@
+"""From a mosaic, its sources and a rectangle to the result of a window."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe_mosaic
+from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.inspection import (
+    Block,
+    InspectionSettings,
+    Source,
+    inspect_window,
+    make_block,
+    window_request,
+)
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
+
+from tests.numbers.seams.inspecting import (
+    FAR_AWAY,
+    SIZE,
+    WINDOW,
+    MakeRaster,
+    block_of,
+    inside,
+    inspect,
+    mosaic_of,
+    softened,
+    templates,
+)
+from tests.numbers.synthetic import ORIGIN, decompose, luminance, orthoimage, write_raster
+
+# --- the block -------------------------------------------------------------------------------------------------
+
+
+def test_the_mosaic_among_its_sources_is_dropped_with_a_notice(make_raster: MakeRaster, tmp_path: Path) -> None:
+    image = orthoimage((64, 64))
+    mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image)
+    (tmp_path / "folder").mkdir()
+    otherwise = str(tmp_path / "folder" / ".." / "mosaic.tif")
+    for named in (mosaic.ref.path, otherwise):
+        block, notices = make_block(mosaic, [RasterRef(named), RasterRef(source)])
+        assert [kept.ref.path for kept in block.sources] == [source]
+        assert templates(notices) == [seams_messages.MOSAIC_AMONG_SOURCES.template]
+        assert str(notices[0]).startswith("mosaic.tif is the mosaic itself")
+    indexed = [Source(RasterRef(otherwise), mosaic.extent), Source(RasterRef(source), mosaic.extent)]
+    block, notices = make_block(mosaic, [], indexed)
+    assert [kept.ref.path for kept in block.sources] == [source]
+    assert templates(notices) == [seams_messages.MOSAIC_AMONG_SOURCES.template]
+
+
+def test_a_source_named_twice_takes_part_once(make_raster: MakeRaster, tmp_path: Path) -> None:
+    image = orthoimage((64, 64))
+    mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image)
+    (tmp_path / "link.tif").symlink_to(source)
+    names = [source, str(tmp_path / "." / "source.tif"), str(tmp_path / "link.tif")]
+    indexed = [Source(RasterRef(name), FAR_AWAY) for name in names]
+    block, notices = make_block(mosaic, [RasterRef(name) for name in names], indexed)
+    assert [kept.ref.path for kept in block.sources] == [source]
+    assert block.sources[0].extent == pytest.approx(mosaic.extent)
+    assert notices == []
+
+
+def test_what_is_no_source_is_left_out_and_the_rest_stays(make_raster: MakeRaster, tmp_path: Path) -> None:
+    image = orthoimage((64, 64))
+    mosaic = mosaic_of(make_raster, image)
+    (tmp_path / "notes.txt").write_text("not a raster")
+    bare, good = make_raster("bare.tif", image, system=None), make_raster("good.tif", image)
+    paths = [str(tmp_path / "gone.tif"), str(tmp_path / "notes.txt"), bare, good]
+    block, notices = make_block(mosaic, [RasterRef(path) for path in paths])
+    assert [kept.ref.name for kept in block.sources] == ["good.tif"]
+    sentences = [str(notice) for notice in notices]
+    assert "gone.tif is left out: " in sentences[0]
+    assert "does not exist" in sentences[0]
+    assert "notes.txt is left out: notes.txt is not a raster" in sentences[1]
+    assert "bare.tif is left out: bare.tif has no coordinate reference system" in sentences[2]
+    assert len(sentences) == 3
+
+
+def test_without_any_source_there_is_no_job(make_raster: MakeRaster) -> None:
+    mosaic = mosaic_of(make_raster, orthoimage((64, 64)))
+    with pytest.raises(SettingsError, match=r"No sources are given; choose the orthoimages .* or their index layer\."):
+        make_block(mosaic, [])
+    block, notices = make_block(mosaic, [mosaic.ref])  # something was named, so the windows say what is missing
+    assert block.sources == ()
+    assert len(notices) == 1
+
+
+def test_footprints_lie_in_the_mosaics_system(make_raster: MakeRaster) -> None:
+    mosaic = mosaic_of(make_raster, orthoimage(SIZE))
+    # 15 degrees east is 500 000 m in zone 33; the upper left corner lies at 45.1535 degrees north.
+    degrees = (15.0, 1.27e-6, 0.0, 45.1535, 0.0, -9e-7)
+    block = block_of(mosaic, make_raster("degrees.tif", orthoimage(SIZE), geotransform=degrees, system=4326))
+    xmin, ymin, xmax, ymax = block.sources[0].extent
+    assert xmin == pytest.approx(500000.0, abs=0.01)
+    assert xmax - xmin == pytest.approx(25.6, rel=0.01)
+    assert ymax - ymin == pytest.approx(25.6, rel=0.01)
+    assert ymax == pytest.approx(5000000, abs=20)
+
+
+# --- overlap ---------------------------------------------------------------------------------------------------
+
+
+def test_a_source_outside_the_window_is_never_opened(make_raster: MakeRaster) -> None:
+    image = orthoimage(SIZE)
+    mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image)
+    indexed = [Source(RasterRef(f"/nowhere/{number}.tif"), FAR_AWAY) for number in range(500)]
+    block, notices = make_block(mosaic, [RasterRef(source)], indexed)
+    assert notices == []
+    assert len(block.sources) == 501
+    result = inspect(block)
+    assert [clip.raster for clip in result.clips] == ["mosaic.tif", "source.tif"]
+    assert result.notices == ()
+    over = Source(RasterRef("/nowhere/over.tif"), mosaic.extent)
+    result = inspect(make_block(mosaic, [RasterRef(source)], [over])[0])
+    assert [str(notice) for notice in result.notices] == ["/nowhere/over.tif does not exist; check the path."]
+    assert result.source_count == 1
+
+
+@pytest.mark.parametrize("side", range(4), ids=["left", "bottom", "right", "top"])
+@pytest.mark.parametrize(
+    ("metres", "taken"), [(5.0, True), (0.0, True), (-0.1, True), (-0.25, False), (-3.0, False), (-50.0, False)]
+)
+def test_a_footprint_must_cover_the_window_but_for_a_pixel(side: int, metres: float, taken: bool) -> None:
+    """``metres`` is how far the source reaches beyond that side of the window; a pixel is 0.1 m."""
+    mosaic = a_mosaic()
+    extent = list(mosaic.grid.window_extent(WINDOW))
+    extent[side] += metres if side >= 2 else -metres
+    source = Source(RasterRef("/nowhere.tif"), tuple(extent))  # type: ignore[arg-type]
+    assert (source in Block(mosaic, (source,)).sources_over(WINDOW)) is taken
+
+
+def a_mosaic() -> Mosaic:
+    """One that is nowhere on disk."""
+    path = "/vsimem/seam_inspector_mosaic.tif"
+    if gdal.VSIStatL(path) is None:
+        write_raster(Path(path), orthoimage(SIZE))
+    return describe_mosaic(RasterRef(path))
+
+
+# --- one window ------------------------------------------------------------------------------------------------
+
+
+def test_the_result_of_a_window(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 3, seed=1)
+    images = {
+        "mosaic.tif": softened(scene, 0.6),
+        "a.tif": scene,
+        "b.tif": np.round(softened(scene, 0.3) * 0.8 + 20 + np.roll(orthoimage(SIZE, 3, seed=5), 3, 1) * 0.1).astype(
+            np.uint8
+        ),
+    }
+    mosaic = mosaic_of(make_raster, images["mosaic.tif"])
+    shifted = make_raster("b.tif", images["b.tif"], origin=(ORIGIN[0] + 0.02, ORIGIN[1] + 0.04))
+    result = inspect(block_of(mosaic, make_raster("a.tif", images["a.tif"]), shifted))
+
+    assert (result.window_id, result.window, result.source_count, result.notices) == (7, WINDOW, 2, ())
+    assert [(clip.raster, clip.role) for clip in result.clips] == [
+        ("mosaic.tif", "mosaic"),
+        ("a.tif", "source"),
+        ("b.tif", "source"),
+    ]
+    expected = {}
+    for clip in result.clips:
+        assert list(clip.curves) == ["luminance", "red", "green", "blue"]
+        pixels = inside(images[clip.raster])
+        for (band, curve), values in zip(clip.curves.items(), [luminance(pixels), *pixels]):
+            expected[clip.raster, band] = decompose(values)
+            shares = np.array([*curve.detail, curve.background])
+            np.testing.assert_allclose(shares, expected[clip.raster, band].shares, rtol=1e-4, atol=1e-7)
+            assert curve.variance == pytest.approx(values.var(), rel=1e-6)
+
+    assert [(pair.source, pair.band) for pair in result.pairs] == [
+        (source, band) for source in ("a.tif", "b.tif") for band in ("luminance", "red", "green", "blue")
+    ]
+    for pair in result.pairs:
+        own, other = expected["mosaic.tif", pair.band], expected[pair.source, pair.band]
+        ratios = own.shares / other.shares
+        assert (*pair.ratios.detail, pair.ratios.background) == pytest.approx(tuple(ratios), rel=1e-4)
+        similarity = np.corrcoef(own.coarse.ravel(), other.coarse.ravel())[0, 1]
+        assert pair.similarity == pytest.approx(similarity, abs=1e-6)
+        offset = (-0.2, 0.4) if pair.source == "b.tif" else (0, 0)
+        assert (pair.offset_x, pair.offset_y) == pytest.approx(offset, abs=1e-5)
+        assert not pair.resampled
+    assert 0.5 < result.pairs[4].similarity < 0.9999
+
+    of_sources = [expected[name, "luminance"].shares for name in ("a.tif", "b.tif")]
+    largest = np.max([expected["mosaic.tif", "luminance"].shares / shares for shares in of_sources], axis=0)
+    ratios = result.judgement.ratios
+    assert (*ratios.detail, ratios.background) == pytest.approx(tuple(largest), rel=1e-4)
+    assert result.judgement.reason is None
+
+
+@pytest.mark.parametrize(
+    ("sigma", "verdict"), [(0.0, Verdict.PRESERVED), (0.3, Verdict.REDUCED), (1.0, Verdict.SIGNIFICANT)]
+)
+def test_the_softer_the_mosaic_the_worse_the_verdict(make_raster: MakeRaster, sigma: float, verdict: Verdict) -> None:
+    scene = orthoimage(SIZE, 3)
+    mosaic = mosaic_of(make_raster, softened(scene, sigma) if sigma else scene)
+    result = inspect(block_of(mosaic, make_raster("source.tif", scene)))
+    assert result.judgement.verdict is verdict
+    assert result.judgement.reason is None
+
+
+def test_the_largest_loss_of_one_source_is_not_a_loss_against_every_source(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 3)
+    mosaic = mosaic_of(make_raster, softened(scene, 1.0))
+    sharp, soft = make_raster("sharp.tif", scene), make_raster("soft.tif", softened(scene, 1.0))
+    assert inspect(block_of(mosaic, sharp)).judgement.verdict is Verdict.SIGNIFICANT
+    assert inspect(block_of(mosaic, sharp, soft)).judgement.verdict is Verdict.PRESERVED
+
+
+def test_strangers_make_no_composite_to_be_judged_against(make_raster: MakeRaster) -> None:
+    mosaic = mosaic_of(make_raster, orthoimage(SIZE, 3))
+    block = block_of(mosaic, make_raster("stranger.tif", orthoimage(SIZE, 3)[:, ::-1, ::-1].copy()))
+    assert inspect(block).judgement.verdict is not Verdict.NOT_COMPARABLE
+    judgement = inspect(block, reference="composite").judgement
+    assert judgement.verdict is Verdict.NOT_COMPARABLE
+    assert "No source explains" in str(judgement.reason)
+
+
+def test_the_settings_are_those_of_the_request(make_raster: MakeRaster) -> None:
+    scene = orthoimage(SIZE, 1)
+    mosaic = mosaic_of(make_raster, softened(scene, 0.3))
+    block = block_of(mosaic, make_raster("source.tif", scene))
+    result = inspect(block, wavelet="db4", levels=5)
+    shares = decompose(inside(softened(scene, 0.3))[0], "db4", 5).shares
+    curve = result.clips[0].curves["band_1"]
+    np.testing.assert_allclose([*curve.detail, curve.background], shares, rtol=1e-4)
+    ratio = result.judgement.ratios.detail[0]
+    assert 0.5 < ratio < 0.99
+    assert inspect(block, wavelet="db4", levels=5, max_ratio=0.99).judgement.verdict is Verdict.SIGNIFICANT
+
+
+def test_settings_out_of_range_are_refused() -> None:
+    InspectionSettings().check()
+    for wrong in ({"wavelet": "bior2.2"}, {"levels": 0}, {"levels": 9}, {"max_ratio": 1.0}, {"reference": "x"}):
+        with pytest.raises(SettingsError):
+            InspectionSettings(**wrong).check()  # type: ignore[arg-type]
+
+
+def test_a_drawn_rectangle_is_snapped(make_raster: MakeRaster) -> None:
+    block = block_of(mosaic_of(make_raster, orthoimage(SIZE)), make_raster("a.tif", orthoimage(SIZE)))
+    xmin, ymin, xmax, ymax = block.mosaic.grid.window_extent(WINDOW)
+    request = window_request(block, 3, (xmin - 0.03, ymin - 0.12, xmax + 0.04, ymax + 0.31), InspectionSettings())
+    assert request.window == PixelWindow(64, 95, 64, 128)
+    assert inspect_window(request).window == request.window

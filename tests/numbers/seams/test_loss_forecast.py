@@ -1,0 +1,298 @@
+"""Windows without a mosaic: on whose pixels they lie, what is foretold of them, and why of some nothing is."""
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from scipy import ndimage
+from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
+from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.rasters import RasterRef, describe, describe_mosaic, read_clip
+from seam_inspector.plugin.seams.measure.inspection import (
+    InspectionSettings,
+    inspect_window,
+    make_block,
+    window_request,
+)
+from seam_inspector.plugin.seams.measure.loss_forecast import (
+    Forecast,
+    ForecastRequest,
+    forecast_request,
+    forecast_window,
+)
+from seam_inspector.plugin.seams.measure.source_images import gather_sources
+
+from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, texture, wkt
+
+MakeRaster = Callable[..., str]
+SIZE = (320, 256)
+ROTATED = (ORIGIN[0] - 5, 0.1, 0.001, ORIGIN[1] + 5, 0.001, -0.1)
+
+
+def box(column: float, row: float, width: float = 128, height: float = 128) -> Extent:
+    """A rectangle of pixels of 0.1 m."""
+    left, top = ORIGIN[0] + 0.1 * column, ORIGIN[1] - 0.1 * row
+    return left, top - 0.1 * height, left + 0.1 * width, top
+
+
+def forecast(*paths: str, extent: Extent | None = None, system: int = UTM33, **changed: Any) -> Forecast:
+    sources, _ = gather_sources([RasterRef(path) for path in paths], [], wkt(system))
+    given = {"wavelet": "coif3", "levels": 3, **changed}
+    return forecast_window(forecast_request(sources, 7, extent or box(64, 64), wkt(system), **given))
+
+
+def images(count: int = 2, shape: tuple[int, int] = SIZE) -> list[np.ndarray]:
+    """Orthoimages of one scene, each with its noise."""
+    scene = orthoimage(shape).astype(float)
+    noise = [np.random.default_rng(i).normal(0, 6, scene.shape) for i in range(count)]
+    return [(scene + one).clip(1, 254).astype(np.uint8) for one in noise]
+
+
+def assert_nothing_foretold(found: Forecast, reason: str) -> None:
+    assert reason in str(found.reason)
+    assert found.pairs == ()
+    assert found.expected == (None, None, None)
+
+
+def templates(notices: tuple[Message, ...]) -> list[str]:
+    return [str(notice) for notice in notices]
+
+
+# --- what is foretold ------------------------------------------------------------------------------------------
+
+
+def test_a_blended_mosaic_keeps_what_was_foretold(make_raster: MakeRaster) -> None:
+    a, b = (image.astype(np.float32) for image in images())
+    paths = [make_raster(name, image) for name, image in (("a.tif", a), ("b.tif", b))]
+    found = forecast(*paths)
+    mosaic = describe_mosaic(RasterRef(make_raster("mosaic.tif", (a + b) / 2)))
+    block, _ = make_block(mosaic, [RasterRef(path) for path in paths])
+    seen = inspect_window(window_request(block, 1, box(64, 64), InspectionSettings()))
+    contrast = [pair.change.contrast for pair in seen.pairs if pair.band == "luminance" and pair.change]
+    (pair,) = found.pairs
+    for level, ratio in enumerate(pair.feather.ratios):
+        of_a, of_b = (float(one[level] or math.nan) ** 2 for one in contrast)  # the mosaic's energy over each source's
+        assert 2 / (1 / of_a + 1 / of_b) == pytest.approx(ratio, rel=1e-3)
+    assert found.expected == pair.feather.ratios
+    assert seen.explanation is not None
+    assert seen.explanation.expected == pytest.approx(found.expected)
+
+
+def test_the_judged_band_is_the_luminance(make_raster: MakeRaster) -> None:
+    a, b = images()
+    found = forecast(make_raster("a.tif", a), make_raster("b.tif", b))
+    inner = np.s_[:, 64:192, 64:192]
+    energies = [[np.sum(part**2) for part in decompose(luminance(one[inner])).details] for one in (a, b)]
+    both = [np.sum(part**2) for part in decompose((luminance(a[inner]) + luminance(b[inner])) / 2).details]
+    expected = np.array(both) / np.mean(energies, axis=0)
+    assert found.expected == pytest.approx(expected.tolist(), rel=1e-4)
+    assert found.band == "luminance"
+
+
+def test_every_pair_in_the_order_of_the_sources(make_raster: MakeRaster) -> None:
+    names = ["c.tif", "a.tif", "b.tif"]
+    found = forecast(*(make_raster(name, image) for name, image in zip(names, images(3))))
+    assert [(pair.source, pair.other) for pair in found.pairs] == [
+        ("c.tif", "a.tif"), ("c.tif", "b.tif"), ("a.tif", "b.tif"),
+    ]
+    assert found.sources == 3
+    ratios = [pair.feather.ratios for pair in found.pairs]
+    assert found.expected == tuple(min(level) for level in zip(*ratios) if None not in level)
+
+
+@pytest.mark.parametrize(("x", "y"), [(1.4, -0.6), (0.0, 2.0)])
+def test_how_the_other_lies_on_the_source(make_raster: MakeRaster, x: float, y: float) -> None:
+    scene = 120 + 30 * texture(SIZE, 1.6)
+    moved = ndimage.shift(scene, (y, x), order=5, mode="wrap")
+    found = forecast(make_raster("a.tif", scene.astype(np.float32)), make_raster("b.tif", moved.astype(np.float32)))
+    (pair,) = found.pairs
+    assert pair.shift is not None
+    assert (pair.shift.x, pair.shift.y) == pytest.approx((x, y), abs=0.05)
+    assert found.band == "band_1"
+
+
+def test_a_pixel_grid_that_lies_beside_is_no_shift_on_the_ground(make_raster: MakeRaster) -> None:
+    """The same ground, sampled 0.3 px further right and 0.4 px further up: no pixel lies elsewhere."""
+    scene = 120 + 30 * texture(SIZE, 2.4)
+    moved = np.fft.ifft2(ndimage.fourier_shift(np.fft.fft2(scene), (0.4, -0.3))).real
+    paths = [
+        make_raster("a.tif", scene.astype(np.float32)),
+        make_raster("b.tif", moved.astype(np.float32), origin=(ORIGIN[0] + 0.03, ORIGIN[1] + 0.04)),
+    ]
+    for order in (paths, paths[::-1]):
+        (pair,) = forecast(*order).pairs
+        assert pair.shift is not None
+        assert (pair.shift.x, pair.shift.y) == pytest.approx((0, 0), abs=0.05)
+        assert not pair.resampled
+
+
+def test_strangers_have_no_shift(make_raster: MakeRaster) -> None:
+    paths = [make_raster(f"{seed}.tif", orthoimage(SIZE, seed=seed)) for seed in (1, 50)]
+    (pair,) = forecast(*paths).pairs
+    assert pair.shift is None
+    assert pair.feather.ratios[0] == pytest.approx(0.5, abs=0.05)
+
+
+def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_folder: Path) -> None:
+    folder = data_folder / "seams" / "brighton"
+    paths = [str(folder / f"DJI_{number}_ortho.tif") for number in ("0025", "0034")]
+    mosaic = describe_mosaic(RasterRef(str(folder / "mosaic_hardseam.tif")))
+    windows = [
+        PixelWindow(column, row, 256, 256)
+        for row in range(0, mosaic.grid.rows - 256, 256)
+        for column in range(0, mosaic.grid.columns - 256, 256)
+    ]
+    sources, _ = gather_sources([RasterRef(path) for path in paths], [], mosaic.wkt)
+    found = []
+    for number, window in enumerate(windows):
+        extent = mosaic.grid.window_extent(window)
+        one = forecast_window(forecast_request(sources, number, extent, mosaic.wkt, "coif3", 3))
+        if one.reason is not None:
+            continue
+        assert one.extent == pytest.approx(extent)
+        clips = [read_clip(RasterRef(path), mosaic, window).bands for path in paths]
+        planes = [luminance(bands) for bands in clips]
+        both, *own = (
+            np.array([np.sum(part**2) for part in decompose(plane).details]) for plane in (sum(planes) / 2, *planes)
+        )
+        np.testing.assert_allclose(one.expected, both / np.mean(own, axis=0), rtol=1e-4)
+        found.append(one)
+    assert len(found) >= 10
+    first = np.array([one.expected[0] for one in found], float)
+    assert 0.5 < np.median(first) < 0.65  # half of the finest detail would go: noise of two photos, 0.9 px apart
+    lengths = [one.pairs[0].shift.length for one in found if one.pairs[0].shift is not None]
+    assert 0.4 < np.median(lengths) < 1.8  # as measured on these images by others
+
+
+# --- whose pixels ----------------------------------------------------------------------------------------------
+
+
+def test_the_window_lies_on_the_first_of_sources_with_pixels_of_one_size(make_raster: MakeRaster) -> None:
+    a, b = images()
+    aside = make_raster("aside.tif", a, origin=(ORIGIN[0] + 0.04, ORIGIN[1]), gsd=0.1004)
+    plain = make_raster("plain.tif", b)
+    assert forecast(plain, aside).extent == pytest.approx(box(64, 64))
+    found = forecast(aside, plain).extent
+    assert found is not None
+    columns = (found[0] - ORIGIN[0] - 0.04) / 0.1004
+    assert columns == pytest.approx(round(columns), abs=1e-4)
+
+
+def test_the_finest_source_gives_the_pixels_whatever_the_order(make_raster: MakeRaster) -> None:
+    a, _ = images()
+    fine = make_raster("fine.tif", np.kron(a, np.ones((1, 2, 2), np.uint8)), gsd=0.05)
+    coarse = make_raster("coarse.tif", a)
+    for order in ((fine, coarse), (coarse, fine)):
+        found = forecast(*order, extent=box(64.5, 64.5))  # whole pixels of the finer one only
+        assert found.extent == pytest.approx(box(64.5, 64.5))
+        assert [pair.resampled for pair in found.pairs] == [True]
+
+
+def test_a_rotated_source_takes_part_but_gives_no_pixels(make_raster: MakeRaster) -> None:
+    a, b = images(shape=(512, 512))
+    turned, plain = make_raster("turned.tif", a, geotransform=ROTATED), make_raster("plain.tif", b)
+    found = forecast(turned, plain)
+    assert found.extent == pytest.approx(box(64, 64))
+    assert [(pair.source, pair.other, pair.resampled) for pair in found.pairs] == [("turned.tif", "plain.tif", True)]
+    assert_nothing_foretold(forecast(turned), "turned.tif is rotated, mirrored or south-up; warp it")
+
+
+def test_a_source_with_a_hole_gives_its_place_to_the_next(make_raster: MakeRaster) -> None:
+    first, second, third = images(3)
+    first[:, 100:110, 100:110] = 0
+    paths = [make_raster(f"{i}.tif", one, nodata=0) for i, one in enumerate((first, second, third))]
+    found = forecast(*paths)
+    assert [(pair.source, pair.other) for pair in found.pairs] == [("1.tif", "2.tif")]
+    assert found.notices == ()  # it merely does not cover the window
+    assert_nothing_foretold(forecast(*paths[:2]), "Only one source covers the window, so nothing will be feathered")
+
+
+def test_sources_in_another_reference_system(make_raster: MakeRaster, tmp_path: Path) -> None:
+    a, b = images(shape=(600, 600))
+    plain = make_raster("plain.tif", a, nodata=0)
+    other = str(tmp_path / "other.tif")
+    gdal.Warp(other, make_raster("b.tif", b, nodata=0), dstSRS="EPSG:32634", dstNodata=0, resampleAlg="cubic")
+    found = forecast(plain, other, extent=box(200, 200))
+    assert [pair.resampled for pair in found.pairs] == [True]
+    assert found.extent == pytest.approx(box(200, 200))
+    shift = found.pairs[0].shift
+    assert shift is not None
+    assert shift.length < 0.1
+    degrees = describe(RasterRef(other)).extent  # windows and footprints in that system, measured on the first's pixels
+    assert degrees[0] < found.extent[0]
+
+
+def test_indexed_sources_are_opened_only_where_they_cover_the_window(make_raster: MakeRaster) -> None:
+    a, b = (make_raster(f"{i}.tif", image) for i, image in enumerate(images()))
+    far = make_raster("far.tif", images()[0], origin=(ORIGIN[0] + 1000, ORIGIN[1]))
+    sources, _ = gather_sources([RasterRef(path) for path in (a, b, far)], [], wkt(UTM33))
+    request = forecast_request(sources, 1, box(64, 64), wkt(UTM33), "haar", 1)
+    assert [source.ref.path for source in request.sources] == [a, b]
+
+
+# --- of what nothing is foretold -------------------------------------------------------------------------------
+
+
+def test_without_sources_or_with_one(make_raster: MakeRaster) -> None:
+    path = make_raster("a.tif", images()[0])
+    assert_nothing_foretold(forecast(path, extent=box(900, 0)), "No source covers the window; add the orthoimages")
+    found = forecast(path)
+    assert_nothing_foretold(found, "Only one source covers the window, so nothing will be feathered there.")
+    assert found.sources == 1
+    assert found.extent == pytest.approx(box(64, 64))
+
+
+@pytest.mark.parametrize(
+    ("extent", "reason"),
+    [(box(64, 64, 40, 100), "40 x 100 px"), ((math.nan,) * 4, "No source covers the window"),
+     ((*box(64, 64)[:2], math.inf, math.inf), "No source covers the window")],
+)
+def test_windows_that_cant_be_measured(make_raster: MakeRaster, extent: Extent, reason: str) -> None:
+    paths = [make_raster(f"{i}.tif", image) for i, image in enumerate(images())]
+    assert_nothing_foretold(forecast(*paths, extent=extent), reason)
+
+
+def test_a_window_that_was_not_drawn_well_keeps_its_reason() -> None:
+    reason = Message("The window has no outline.")
+    request = ForecastRequest(3, (), None, wkt(UTM33), "coif3", 3, reason)
+    assert_nothing_foretold(forecast_window(request), str(reason))
+
+
+def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path: Path) -> None:
+    a, b = images()
+    good = [make_raster(f"{i}.tif", image) for i, image in enumerate((a, b))]
+    sources, _ = gather_sources([RasterRef(path) for path in good], [], wkt(UTM33))
+    grey = make_raster("grey.tif", a[0])
+    flat = make_raster("flat.tif", np.full_like(a, 9))
+    cut = make_raster("cut.tif", a, options=())
+    (tmp_path / "text.tif").write_text("no raster")
+    bad = [grey, flat, cut, str(tmp_path / "text.tif"), "/nowhere/lost.tif"]
+    added, _ = gather_sources([RasterRef(path) for path in (grey, flat, cut)], [], wkt(UTM33))
+    (tmp_path / "cut.tif").write_bytes((tmp_path / "cut.tif").read_bytes()[:60_000])
+    lost = [type(sources[0])(RasterRef(path), sources[0].extent) for path in bad[3:]]
+    for order in ([*sources, *added, *lost], [*lost, *reversed(added), *sources], [*added, *lost, *sources]):
+        found = forecast_window(forecast_request(order, 1, box(64, 64), wkt(UTM33), "coif3", 3))
+        assert [(pair.source, pair.other) for pair in found.pairs][-1] == ("0.tif", "1.tif")
+        assert found.reason is None
+        said = " ".join(templates(found.notices))
+        for words in ("grey.tif has no luminance", "flat.tif has no variance", "pixels of cut.tif can't be read",
+                      "text.tif is not a raster", "lost.tif does not exist"):
+            assert words in said
+        assert len(found.notices) == 5
+    alone = forecast_window(forecast_request([*lost, sources[0]], 1, box(64, 64), wkt(UTM33), "coif3", 3))
+    assert_nothing_foretold(alone, "Only one source can be compared here: text.tif is not a raster")
+    none = forecast_window(forecast_request(lost, 1, box(64, 64), wkt(UTM33), "coif3", 3))
+    assert_nothing_foretold(none, "No source can be compared here: text.tif is not a raster")
+
+
+def test_sources_without_detail(make_raster: MakeRaster) -> None:
+    coarse = np.kron(orthoimage((80, 64), bands=1), np.ones((1, 4, 4), np.uint8))
+    paths = [make_raster(f"{i}.tif", one) for i, one in enumerate((coarse, coarse[:, ::-1]))]
+    found = forecast(*paths, wavelet="haar")
+    assert "No source has detail at level 1" in str(found.reason)
+    assert found.expected[2] is not None

@@ -1,0 +1,216 @@
+"""From many requests to many results, on any executor."""
+from __future__ import annotations
+
+import pickle
+import threading
+from collections.abc import Iterator
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.seams.measure.inspection import (
+    Block,
+    InspectionSettings,
+    WindowRequest,
+    WindowResult,
+    inspect_window,
+    window_request,
+)
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
+
+from tests.numbers.seams.inspecting import (
+    FAR_AWAY,
+    SIZE,
+    MakeRaster,
+    assert_not_comparable,
+    block_of,
+    inspect,
+    mosaic_of,
+    softened,
+)
+from tests.numbers.synthetic import orthoimage, texture
+from tests.patience import PATIENCE_S
+
+# --- many windows ----------------------------------------------------------------------------------------------
+
+
+class Inline(Executor):
+    """Runs a task when it is submitted."""
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+
+class Stalled(Executor):
+    """Never gets to its tasks."""
+
+    def __init__(self) -> None:
+        self.futures: list[Future[Any]] = []
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        self.futures.append(Future())
+        return self.futures[-1]
+
+
+class Failing(Inline):
+    """One window of which raises what nobody foresaw."""
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        def task(request: WindowRequest) -> WindowResult:
+            if request.window_id == 2:
+                raise MemoryError("no room")
+            result: WindowResult = fn(request)
+            return result
+
+        return super().submit(task, *args, **kwargs)
+
+
+@pytest.fixture
+def block(make_raster: MakeRaster) -> Block:
+    """A mosaic with two sources."""
+    scene = orthoimage(SIZE, 3)
+    mosaic = mosaic_of(make_raster, softened(scene, 0.7))
+    return block_of(mosaic, make_raster("a.tif", scene), make_raster("b.tif", softened(scene, 0.3)))
+
+
+class Requests:
+    """Requests one after the other, and how many of them were taken."""
+
+    def __init__(self, block: Block, count: int) -> None:
+        self.taken = 0
+        self._block, self._count = block, count
+
+    def __iter__(self) -> Iterator[WindowRequest]:
+        for number in range(self._count):
+            self.taken += 1
+            window = PixelWindow(8 * (number % 20), 4 * number % 128, 64, 64)
+            extent = self._block.mosaic.grid.window_extent(window)
+            yield window_request(self._block, number, extent, InspectionSettings())
+
+
+def test_every_executor_gives_the_same_results_in_the_order_of_the_requests(block: Block) -> None:
+    alone = [inspect_window(request) for request in Requests(block, 30)]
+    assert [result.window_id for result in alone] == list(range(30))
+    assert {result.judgement.verdict for result in alone} <= {Verdict.SIGNIFICANT, Verdict.REDUCED}
+    assert list(inspect_windows(Requests(block, 30), Inline(), 4)) == alone
+    with ThreadPoolExecutor(4) as pool:
+        assert list(inspect_windows(Requests(block, 30), pool, 8)) == alone
+        assert list(inspect_windows(Requests(block, 3), pool, 100)) == alone[:3]
+        assert list(inspect_windows(Requests(block, 0), pool, 4)) == []
+
+
+def test_a_slow_window_does_not_change_the_order(block: Block) -> None:
+    others_done = threading.Event()
+
+    class FirstIsLast(ThreadPoolExecutor):
+        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+            def task(request: WindowRequest) -> WindowResult:
+                if request.window_id == 0:
+                    assert others_done.wait(PATIENCE_S)
+                if request.window_id == 3:
+                    others_done.set()
+                result: WindowResult = fn(request)
+                return result
+
+            return super().submit(task, *args, **kwargs)
+
+    with FirstIsLast(2) as pool:
+        results = inspect_windows(Requests(block, 8), pool, 4)
+        assert [result.window_id for result in results] == list(range(8))
+
+
+@pytest.mark.parametrize("ahead", [1, 2, 5])
+def test_no_more_windows_are_under_way_than_asked_for(block: Block, ahead: int) -> None:
+    requests = Requests(block, 12)
+    with ThreadPoolExecutor(2) as pool:
+        for yielded, result in enumerate(inspect_windows(requests, pool, ahead)):
+            assert result.window_id == yielded
+            assert requests.taken == min(yielded + ahead, 12)  # so the first comes before the last is thought of
+
+
+def test_a_window_that_fails_costs_no_other(block: Block) -> None:
+    results = list(inspect_windows(Requests(block, 5), Failing(), 2))
+    assert [result.window_id for result in results] == list(range(5))
+    failed = results.pop(2)
+    assert_not_comparable(failed, "The window could not be measured (MemoryError: no room); please report this.")
+    assert results == [inspect_window(request) for request in Requests(block, 5) if request.window_id != 2]
+
+
+def test_cancelling_keeps_what_is_ready(block: Block) -> None:
+    requests, seen = Requests(block, 50), []
+    for result in inspect_windows(requests, Inline(), 6, lambda: len(seen) >= 3):
+        seen.append(result.window_id)
+    assert seen == list(range(len(seen)))
+    assert requests.taken - 1 <= len(seen) <= 10  # all that were measured, and no new ones
+
+
+def test_cancelling_does_not_wait_for_windows_that_are_not_ready(block: Block) -> None:
+    executor, looks = Stalled(), []
+
+    def cancelled() -> bool:
+        looks.append(None)
+        return len(looks) > 4
+
+    assert list(inspect_windows(Requests(block, 50), executor, 3, cancelled)) == []
+    assert len(executor.futures) == 3
+    assert all(future.cancelled() for future in executor.futures)
+
+
+def test_cancelled_before_the_first(block: Block) -> None:
+    executor = Stalled()
+    assert list(inspect_windows(Requests(block, 50), executor, 3, lambda: True)) == []
+    assert executor.futures == []
+
+
+def test_whoever_stops_listening_leaves_nothing_running(block: Block) -> None:
+    class OneThenNone(Stalled):
+        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+            future = super().submit(fn, *args, **kwargs)
+            if len(self.futures) == 1:
+                future.set_result(fn(*args, **kwargs))
+            return future
+
+    executor = OneThenNone()
+    results = inspect_windows(Requests(block, 50), executor, 4)
+    assert next(results).window_id == 0
+    results.close()  # type: ignore[attr-defined]
+    assert len(executor.futures) == 4
+    assert all(future.cancelled() for future in executor.futures[1:])
+
+
+def test_requests_and_results_cross_processes(block: Block) -> None:
+    outside = window_request(block, 99, FAR_AWAY, InspectionSettings())
+    for request in (*Requests(block, 2), outside):
+        there = pickle.loads(pickle.dumps(request))
+        assert there == request
+        result = inspect_window(there)
+        back: WindowResult = pickle.loads(pickle.dumps(result))
+        assert back == result == inspect_window(request)
+        assert str(back.judgement.reason) == str(result.judgement.reason)
+        assert not any(isinstance(value, gdal.Dataset) for value in vars(request).values())
+
+
+def test_a_result_is_small_whatever_the_window(make_raster: MakeRaster) -> None:
+    """10,000 results must not hold 10,000 clips."""
+    scene = (100 + 20 * texture((512, 512), 1.5)).astype(np.float32)
+    block = block_of(mosaic_of(make_raster, scene), make_raster("a.tif", scene))
+    small, large = (len(pickle.dumps(inspect(block, PixelWindow(0, 0, side, side)))) for side in (64, 512))
+    assert large < small + 200 < 5000
+
+
+def test_reasons_can_be_translated_before_their_values_are_put_in(block: Block) -> None:
+    reason = window_request(block, 1, FAR_AWAY, InspectionSettings()).reason
+    assert isinstance(reason, Message)
+    assert reason.worded(lambda template: template.replace("mosaic", "mozaika")) == str(reason).replace(
+        "mosaic", "mozaika"
+    )

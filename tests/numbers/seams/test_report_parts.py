@@ -1,0 +1,163 @@
+"""What a report's sections are made of: the part that lost most, the map sketch, the overview, contrast from pairs."""
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from osgeo import gdal
+from scipy.ndimage import gaussian_filter
+from seam_inspector.plugin.imagery import rasters
+from seam_inspector.plugin.imagery.band_names import judged_band
+from seam_inspector.plugin.imagery.rasters import RasterRef, describe_mosaic, read_overview
+from seam_inspector.plugin.seams.measure.greatest_loss import greatest_loss
+from seam_inspector.plugin.seams.measure.window_records import PairRecord, contrast_of
+from seam_inspector.plugin.seams.report.map_sketch import SketchBackground, SketchShape, map_sketch
+
+from tests.numbers.synthetic import ORIGIN, orthoimage, texture
+
+MakeRaster = Callable[..., str]
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+# --- the part that lost most -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("row", "column"), [(0, 0), (96, 208), (352, 352), (200, 40)])
+def test_the_blurred_part_is_found(row: int, column: int) -> None:
+    scene = 120 + 30 * texture((512, 512), 1.2)
+    mosaic = scene.copy()
+    mosaic[row : row + 160, column : column + 160] = gaussian_filter(scene, 1.2)[row : row + 160, column : column + 160]
+    noise = np.random.default_rng(2).normal(0, 1, (2, 512, 512))
+    sources = [np.rint(scene + noise[0]), np.rint(0.8 * scene + noise[1])]
+    found = greatest_loss(np.rint(mosaic), sources, 160)
+    assert np.abs(np.subtract(found, (row, column))).max() <= 16
+
+
+@given(st.integers(64, 300), st.integers(64, 300), st.integers(64, 160), st.booleans())
+def test_the_part_lies_inside(rows: int, columns: int, side: int, with_source: bool) -> None:
+    random = np.random.default_rng(rows)
+    mosaic, source = random.integers(0, 255, (2, rows, columns)).astype(np.uint8)
+    side = min(side, rows, columns)
+    row, column = greatest_loss(mosaic, [source] if with_source else [], side)
+    assert 0 <= row <= rows - side
+    assert 0 <= column <= columns - side
+
+
+# --- the map sketch --------------------------------------------------------------------------------------------
+
+
+def shape(x: float, y: float, label: str = "1", side: float = 100, anchor: str = "") -> SketchShape:
+    return SketchShape((x, y, x + side, y + side), "#d55e00", label, f"tip <{label}>", anchor)
+
+
+def boxes(svg: str) -> list[tuple[float, ...]]:
+    """Left, top, width and height in mm of the shapes, in the order they are drawn."""
+    root = ElementTree.fromstring(svg)
+    found = [one for one in root.iter(f"{SVG}rect") if one.get("fill-opacity")]
+    return [tuple(float(one.get(name, "")) for name in ("x", "y", "width", "height")) for one in found]
+
+
+def millimetres_per_metre(svg: str) -> float:
+    """By the scale bar."""
+    root = ElementTree.fromstring(svg)
+    bar = sum(float(one.get("width", "")) for one in root.iter(f"{SVG}rect") if one.get("height") == "1.4")
+    words = next(one.text or "" for one in root.iter(f"{SVG}text") if re.fullmatch(r"[\d.e+]+ k?m", one.text or ""))
+    number, unit = words.split()
+    return bar / (float(number) * (1000 if unit == "km" else 1))
+
+
+@pytest.mark.parametrize(
+    ("step", "metres"), [(1000.0, (1.0, 1.0)), (0.01, (78000.0, 111000.0)), (2e5, (0.3048, 0.3048))]
+)
+def test_the_sketch_is_to_scale_and_north_is_up(step: float, metres: tuple[float, float]) -> None:
+    side = step / 4
+    svg = map_sketch([shape(0, 0, "sw", side), shape(step, 2 * step, "ne", side)], "N", *metres)
+    south_west, north_east = boxes(svg)
+    scale = millimetres_per_metre(svg)
+    assert north_east[0] - south_west[0] == pytest.approx(step * metres[0] * scale, rel=0.01)
+    assert south_west[1] - north_east[1] == pytest.approx(2 * step * metres[1] * scale, rel=0.01)
+    assert south_west[2:] == pytest.approx((side * metres[0] * scale, side * metres[1] * scale), rel=0.01)
+    width, height = map(float, re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups())  # type: ignore[union-attr]
+    assert width <= 170.01
+    assert height <= 132
+
+
+def test_tiny_windows_are_seen_and_labels_do_not_cover_each_other() -> None:
+    svg = map_sketch([shape(20 * i, 0, str(i)) for i in range(200)] + [shape(5e4, 4e4, "far", anchor="w")], "N")
+    assert min(min(box[2:]) for box in boxes(svg)) >= 1.59
+    root = ElementTree.fromstring(svg)
+    labels = [one.text for one in root.iter(f"{SVG}text") if one.get("paint-order")]
+    assert 0 < len(labels) < 20
+    assert "far" in labels
+    assert [one.get("href") for one in root.iter(f"{SVG}a")] == ["#w"]
+    assert "tip &lt;far&gt;" in svg
+
+
+def test_one_tall_window_leaves_room_for_the_scale() -> None:
+    svg = map_sketch([SketchShape((0, 0, 10, 5000), "#000", "1", "")], "N")
+    width = float(re.search(r'viewBox="0 0 (\S+) ', svg)[1])  # type: ignore[index]
+    assert width == 60
+    (box,) = boxes(svg)
+    assert box[0] + box[2] / 2 == pytest.approx(30)
+    assert millimetres_per_metre(svg) == pytest.approx(box[3] / 5000, rel=0.02)
+
+
+def test_the_background_lies_where_its_pixels_do() -> None:
+    shapes = [shape(0, 0), shape(900, 900)]
+    background = SketchBackground(b"jpeg", (0, 0, 1000, 500))
+    root = ElementTree.fromstring(map_sketch(shapes, "N", background=background))
+    image = next(root.iter(f"{SVG}image"))
+    x, y, width, height = (float(image.get(name, "")) for name in ("x", "y", "width", "height"))
+    first, last = boxes(map_sketch(shapes, "N"))
+    assert (x, y + height) == pytest.approx((first[0], first[1] + first[3]), abs=0.02)
+    assert x + width == pytest.approx(last[0] + last[2], abs=0.02)
+    assert width == pytest.approx(2 * height, abs=0.02)
+
+
+# --- the overview ----------------------------------------------------------------------------------------------
+
+
+def test_the_overview_is_a_small_picture_of_the_place(make_raster: MakeRaster) -> None:
+    pixels = orthoimage((400, 600))
+    pixels[..., :100] = 0
+    mosaic = describe_mosaic(RasterRef(make_raster("mosaic.tif", pixels, nodata=0)))
+    left, top = ORIGIN
+    found = read_overview(mosaic, (left - 50, top - 20, left + 30, top + 50), 150)
+    assert found is not None
+    bands, valid, extent = found
+    assert extent == pytest.approx((left, top - 20, left + 30, top))
+    assert bands.shape == (3, 100, 150)
+    assert not valid[:, :49].any()
+    assert valid[:, 51:].all()
+    assert read_overview(mosaic, (left + 100, top, left + 200, top + 10), 150) is None
+
+
+def test_a_huge_file_without_overviews_is_not_read(make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rasters, "MAX_OVERVIEW_PIXELS", 20_000)
+    path = make_raster("mosaic.tif", orthoimage((400, 600)))
+    mosaic = describe_mosaic(RasterRef(path))
+    assert read_overview(mosaic, mosaic.extent, 100) is None
+    dataset = gdal.Open(path, gdal.GA_Update)
+    dataset.BuildOverviews("AVERAGE", [4])
+    del dataset
+    assert read_overview(mosaic, mosaic.extent, 100) is not None
+
+
+# --- contrast from pairs ---------------------------------------------------------------------------------------
+
+
+def test_contrast_is_the_composites_else_the_largest_of_the_sources() -> None:
+    rows = [("a", "luminance", 0.4), ("b", "luminance", 0.7), ("b", "red", 3.0), ("c", "luminance", None)]
+    pairs = [PairRecord(source, band, None, contrast) for source, band, contrast in rows]
+    assert contrast_of(pairs) == 0.7
+    assert contrast_of([*pairs, PairRecord("composite", "luminance", None, 0.5)]) == 0.5
+    assert contrast_of([*pairs, PairRecord("composite", "luminance", None, None)]) == 0.7
+    assert contrast_of([PairRecord("a", "band_1", None, 0.2)]) == 0.2
+    assert contrast_of([]) is None
+    assert judged_band(["red", "luminance"]) == "luminance"
+    assert judged_band(["nir", "red"]) == "nir"

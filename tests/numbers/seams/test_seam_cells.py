@@ -1,0 +1,93 @@
+"""Seam cells become labels: which source by its name, which pixels by arithmetic."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN, Cell, cell_labels, cells_over
+
+GRID = Grid(500000.0, 5000000.0, 0.1, 0.2, 1000, 800)
+WINDOW = PixelWindow(100, 200, 64, 48)
+NAMES = ["west.tif", "east.tif"]
+
+
+def place(column: float, row: float) -> tuple[float, float]:
+    """The map point at a place of the window's pixels."""
+    return GRID.left + (WINDOW.column + column) * 0.1, GRID.top - (WINDOW.row + row) * 0.2
+
+
+def cell(source: str, *corners: tuple[float, float]) -> Cell:
+    """A polygon by places of the window's pixels."""
+    points = ", ".join(f"{x!r} {y!r}" for x, y in (place(*corner) for corner in (*corners, corners[0])))
+    outline = ogr.CreateGeometryFromWkt(f"POLYGON(({points}))")
+    west, east, south, north = outline.GetEnvelope()
+    return Cell(source, bytes(outline.ExportToWkb()), (west, south, east, north))
+
+
+def box(source: str, left: float, top: float, right: float, bottom: float) -> Cell:
+    return cell(source, (left, top), (right, top), (right, bottom), (left, bottom))
+
+
+def labels(*cells: Cell) -> np.ndarray:
+    return cell_labels(cells, NAMES, GRID, WINDOW)
+
+
+def test_pixels_take_the_place_of_their_cells_source() -> None:
+    found = labels(box("west.tif", -50, -50, 20, 100), box("east.tif", 20, -50, 40, 30))
+    expected = np.full((48, 64), UNKNOWN)
+    expected[:, :20] = 0
+    expected[:30, 20:40] = 1
+    np.testing.assert_array_equal(found, expected)
+    assert found.dtype == np.uint8
+
+
+def test_a_pixel_belongs_to_the_cell_that_holds_its_centre() -> None:
+    found = labels(cell("west.tif", (0, 0), (64, 0), (0, 48)), cell("east.tif", (64, 0), (64, 48), (0, 48)))
+    row, column = np.mgrid[:48, :64] + 0.5
+    west = column / 64 + row / 48
+    sure = np.abs(west - 1) > 0.01
+    np.testing.assert_array_equal(found[sure], (west > 1)[sure])
+    assert not (found == UNKNOWN).any()
+
+
+@pytest.mark.parametrize("name", ["west.tif", "west", "WEST.TIF", "/block/images/west.tif", "C:\\block\\west.jp2"])
+def test_a_source_may_be_named_with_or_without_folder_and_ending(name: str) -> None:
+    assert (labels(box(name, 0, 0, 64, 48)) == 0).all()
+
+
+@pytest.mark.parametrize("name", ["north.tif", "west_2.tif", "wes", "255"])
+def test_a_cell_of_a_source_that_takes_no_part_says_nothing(name: str) -> None:
+    assert (labels(box(name, 0, 0, 64, 48)) == UNKNOWN).all()
+    known = labels(box("east", 0, 0, 64, 48), box(name, 10, 10, 20, 20))
+    assert (known == 1).all()
+
+
+def test_names_with_dots_keep_them() -> None:
+    found = cell_labels([box("a.2.tif", 0, 0, 64, 48)], ["a.1.tif", "a.2.tif"], GRID, WINDOW)
+    assert (found == 1).all()
+
+
+def test_without_cells_nothing_is_known() -> None:
+    assert labels().shape == (48, 64)
+    assert (labels() == UNKNOWN).all()
+
+
+def test_cells_with_holes_and_several_parts() -> None:
+    ring = box("west", 0, 0, 40, 40)
+    hole = ogr.CreateGeometryFromWkb(ring.wkb).Difference(
+        ogr.CreateGeometryFromWkb(box("west", 10, 10, 20, 20).wkb)
+    )
+    parts = hole.Union(ogr.CreateGeometryFromWkb(box("west", 50, 0, 64, 48).wkb))
+    found = labels(Cell("west", bytes(parts.ExportToWkb()), ring.extent))
+    expected = np.full((48, 64), UNKNOWN)
+    expected[:40, :40] = 0
+    expected[10:20, 10:20] = UNKNOWN
+    expected[:, 50:] = 0
+    np.testing.assert_array_equal(found, expected)
+
+
+def test_only_cells_over_a_rectangle_matter() -> None:
+    over, beside = box("west", 10, 10, 20, 20), box("west", 64, 0, 80, 48)  # touches it
+    far = box("east", 300, 300, 310, 310)
+    assert cells_over([over, beside, far], GRID.window_extent(WINDOW)) == (over,)

@@ -1,0 +1,178 @@
+"""The ROC curve of an observer's verdicts, against scipy and against what its definitions say."""
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy import stats
+from seam_inspector.plugin.seams.measure import threshold_calibration
+from seam_inspector.plugin.seams.measure.threshold_calibration import (
+    Verdicts,
+    area_interval,
+    calibrate,
+    step_at,
+    wanted_verdicts,
+)
+
+VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
+
+
+def normal_verdicts(visible: int, invisible: int, apart: float = 1.5, seed: int = 1) -> Verdicts:
+    """Values around 0.5 where a loss is visible, ``apart`` standard deviations higher where it is not."""
+    random = np.random.default_rng(seed)
+    low, high = random.normal(0.5, 0.15, visible), random.normal(0.5 + 0.15 * apart, 0.15, invisible)
+    return Verdicts("ratio_1", tuple(low.tolist()), tuple(high.tolist()))
+
+
+@given(VALUES, VALUES)
+def test_the_area_is_mann_whitneys(visible: list[float], invisible: list[float]) -> None:
+    found = calibrate(Verdicts("ratio_1", tuple(visible), tuple(invisible)))
+    statistic = stats.mannwhitneyu(invisible, visible).statistic
+    assert found.area is not None
+    assert found.area.value == pytest.approx(statistic / (len(visible) * len(invisible)))
+    assert 0 <= found.area.low <= found.area.high <= 1
+    x, y = zip((0, 0), *((1 - step.specificity, step.sensitivity) for step in found.steps))
+    assert sum((y[i] + y[i + 1]) / 2 * (x[i + 1] - x[i]) for i in range(len(x) - 1)) == pytest.approx(found.area.value)
+
+
+@given(VALUES, VALUES)
+def test_no_threshold_beats_the_best_one(visible: list[float], invisible: list[float]) -> None:
+    verdicts = Verdicts("ratio_1", tuple(visible), tuple(invisible))
+    best = calibrate(verdicts).best
+    tried = [step_at(verdicts, threshold) for threshold in np.linspace(-0.025, 2.025, 83)]
+    highest = max(step.youden for step in tried)
+    assert (best.youden if best else 0) == pytest.approx(max(highest, 0))
+    if best:
+        at_best = step_at(verdicts, best.threshold)
+        assert (at_best.flagged_visible, at_best.flagged_invisible) == (best.flagged_visible, best.flagged_invisible)
+
+
+@given(VALUES, VALUES)
+def test_a_threshold_stays_below_what_can_be_set(visible: list[float], invisible: list[float]) -> None:
+    verdicts = Verdicts("ratio_1", tuple(visible), tuple(invisible))
+    best = calibrate(verdicts, most=1.0).best
+    below = [step_at(verdicts, threshold).youden for threshold in np.arange(0, 1, 0.025)]
+    assert (best.youden if best else 0) == pytest.approx(max(*below, 0))
+    assert best is None or best.threshold < 1
+
+
+def test_the_interval_is_that_of_scipys_bootstrap() -> None:
+    verdicts = normal_verdicts(30, 60)
+    found = calibrate(verdicts).area
+
+    def area(visible: np.ndarray, invisible: np.ndarray, axis: int = -1) -> np.ndarray:
+        return np.mean(visible[..., :, np.newaxis] < invisible[..., np.newaxis, :], axis=(-1, -2))
+
+    groups = verdicts.visible, verdicts.invisible
+    with_scipy = stats.bootstrap(groups, area, method="percentile", n_resamples=4000, batch=500, random_state=1)
+    assert found is not None
+    assert (found.low, found.high) == pytest.approx(tuple(with_scipy.confidence_interval), abs=0.01)
+
+
+def test_the_same_verdicts_give_the_same_numbers() -> None:
+    assert calibrate(normal_verdicts(20, 30)) == calibrate(normal_verdicts(20, 30))
+
+
+def test_the_interval_holds_the_true_area() -> None:
+    true = stats.norm.cdf(1.5 / math.sqrt(2))
+    held = 0
+    for seed in range(100):
+        area = calibrate(normal_verdicts(25, 40, seed=seed)).area
+        assert area is not None
+        held += area.low <= true <= area.high
+    assert held >= 88  # 95 expected, give or take chance
+
+
+@pytest.mark.parametrize(("visible", "invisible"), [(4, 50), (50, 4), (0, 0)])
+def test_too_few_verdicts_give_words_and_no_number(visible: int, invisible: int) -> None:
+    found = calibrate(normal_verdicts(visible, invisible))
+    assert (found.steps, found.area, found.best, found.best_range, found.wanted) == ((), None, None, None, None)
+    (notice,) = found.notices
+    assert f"{visible} visible and {invisible} invisible" in str(notice)
+    assert "judge more windows" in str(notice)
+
+
+def test_verdicts_fully_apart_are_no_certainty() -> None:
+    found = calibrate(Verdicts("ratio_1", (0.1, 0.2, 0.3, 0.35, 0.4), (0.62, 0.7, 0.8, 0.9, 1.2)), most=1.0)
+    assert found.area is not None
+    assert found.best is not None
+    assert found.area.value == found.area.high == 1
+    assert found.area.low < 0.75  # ten verdicts: far from sure
+    assert 0.4 < found.best.threshold < 0.62
+    assert found.best.threshold == 0.5  # of all in the gap's middle the one with the fewest decimals
+    assert "resampling" in str(found.notices[0])
+
+
+def test_a_measure_that_tells_nothing_says_so() -> None:
+    found = calibrate(normal_verdicts(40, 40, apart=0))
+    assert found.area is not None
+    assert found.area.low < 0.5 < found.area.high
+    assert any("0.5 is a guess" in str(notice) for notice in found.notices)
+
+
+def test_losses_above_what_can_be_set_are_told() -> None:
+    verdicts = Verdicts("ratio_1", (0.5, 1.1, 1.2, 1.25, 1.3), (0.9, 1.5, 1.6, 1.7, 1.8))
+    found = calibrate(verdicts, most=1.0)
+    assert found.best is not None
+    assert found.best.threshold == pytest.approx(0.7, abs=0.1)  # flags one visible loss and none in vain
+    assert (found.best.flagged_visible, found.best.flagged_invisible) == (1, 0)
+    assert any("below 1" in str(notice) for notice in found.notices)
+    none = calibrate(Verdicts("ratio_1", (1.1, 1.2, 1.3, 1.4, 1.5), (1.6, 1.7, 1.8, 1.9, 2.0)), most=1.0)
+    assert none.best is None
+    assert none.best_range is None
+    assert any("no threshold" in str(notice) for notice in none.notices)
+
+
+# --- how many verdicts are enough ------------------------------------------------------------------------------
+
+
+def hanley_mcneil(area: float, visible: int, invisible: int) -> float:
+    """The standard error as Hanley and McNeil 1982 write it."""
+    q1, q2 = area / (2 - area), 2 * area**2 / (1 + area)
+    spread = area * (1 - area) + (visible - 1) * (q1 - area**2) + (invisible - 1) * (q2 - area**2)
+    return math.sqrt(spread / (visible * invisible))
+
+
+@given(st.floats(0.2, 0.8), st.integers(200, 2000))
+def test_the_score_interval_is_hanley_and_mcneils_with_many_verdicts(area: float, count: int) -> None:
+    low, high = area_interval(area, count, count)
+    reach = 1.96 * hanley_mcneil(area, count, count)
+    assert (low, high) == pytest.approx((area - reach, area + reach), abs=0.15 * reach)
+
+
+@given(st.floats(0, 1), st.integers(5, 300), st.integers(5, 300))
+def test_the_score_interval_holds_the_area(area: float, visible: int, invisible: int) -> None:
+    low, high = area_interval(area, visible, invisible)
+    assert 0 <= low <= area <= high <= 1
+    assert high - low > 0
+    mirrored = area_interval(1 - area, visible, invisible)
+    assert mirrored == pytest.approx((1 - high, 1 - low), abs=1e-9)
+
+
+@given(st.floats(0.5, 1), st.integers(5, 60), st.integers(5, 60))
+def test_wanted_verdicts_are_just_enough(area: float, visible: int, invisible: int) -> None:
+    wanted = wanted_verdicts(area, visible, invisible)
+    low, high = area_interval(area, *wanted)
+    assert high - low <= 0.1
+    assert min(wanted) >= 5
+    if min(wanted) > 8:
+        fewer = [max(5, int(count * 0.85)) for count in wanted]
+        low, high = area_interval(area, *fewer)
+        assert high - low > 0.1
+        assert wanted[0] / sum(wanted) == pytest.approx(visible / (visible + invisible), abs=0.07)
+
+
+def test_thousands_of_verdicts_take_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    tables = []
+    resample = threshold_calibration._resample
+
+    def kept(random: np.random.Generator, counts: np.ndarray, size: int) -> np.ndarray:
+        tables.append(size * len(counts) * 8)
+        return resample(random, counts, size)
+
+    monkeypatch.setattr(threshold_calibration, "_resample", kept)
+    assert calibrate(normal_verdicts(1000, 3000)).area is not None
+    assert max(tables) <= 10e6  # bytes: resamples come in parts

@@ -1,0 +1,106 @@
+"""Grey values before and after: gain, bias, gamma and clipping against numpy, scipy and what was done."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import stats
+from seam_inspector.plugin.seams.measure.causes import MIN_CLIPPED_SHARE
+from seam_inspector.plugin.seams.measure.tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
+
+from tests.numbers.synthetic import orthoimage
+
+LEVELS = 3
+SIDE = 256
+EVERYWHERE = np.ones((SIDE >> LEVELS, SIDE >> LEVELS), bool)
+
+
+@pytest.fixture(scope="module")
+def band() -> np.ndarray:
+    """8 bit, (256, 256)."""
+    pixels: np.ndarray = orthoimage((SIDE, SIDE))[1]
+    return pixels
+
+
+def fit(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray = EVERYWHERE) -> Tone:
+    means = [coarse_means(band, LEVELS)[np.newaxis] for band in (mosaic, source)]
+    (tone,) = fit_tones(*means, where, [(source[np.newaxis], (1.0,))])
+    assert tone is not None
+    return tone
+
+
+def test_coarse_means_are_means_of_squares(band: np.ndarray) -> None:
+    by_loops = [[band[r : r + 8, c : c + 8].mean() for c in range(0, SIDE, 8)] for r in range(0, SIDE, 8)]
+    np.testing.assert_allclose(coarse_means(band, LEVELS), by_loops, rtol=1e-5)
+
+
+@settings(max_examples=25, deadline=None)
+@given(gain=st.floats(-2, 2).filter(lambda gain: abs(gain) > 0.05), bias=st.floats(-100, 100))
+def test_a_line_is_recovered(band: np.ndarray, gain: float, bias: float) -> None:
+    tone = fit(gain * band.astype(np.float32) + bias, band)
+    assert (tone.gain, tone.bias) == pytest.approx((gain, bias), rel=1e-3, abs=0.01)
+    assert tone.gamma == 1
+
+
+def test_with_gaussian_noise_it_is_the_least_squares_line(band: np.ndarray) -> None:
+    noise = np.random.default_rng(1).normal(0, 16, band.shape).astype(np.float32)
+    mosaic = 0.7 * band + 12 + noise
+    x, y = (coarse_means(one, LEVELS).ravel() for one in (band, mosaic))
+    slope, intercept = np.polyfit(x.astype(float), y.astype(float), 1)
+    tone = fit(mosaic, band)
+    assert tone.gain == pytest.approx(slope, rel=0.01)
+    assert tone.bias == pytest.approx(intercept, abs=1)
+    assert tone.gamma == 1
+
+
+def test_a_quarter_of_foreign_content_does_not_turn_the_line(band: np.ndarray) -> None:
+    mosaic = 0.7 * band.astype(np.float32) + 12
+    mosaic[:, : SIDE // 4] = 250 - band[:, : SIDE // 4]
+    x, y = (coarse_means(one, LEVELS).ravel() for one in (band, mosaic))
+    robust = stats.theilslopes(y[::4], x[::4])
+    assert fit(mosaic, band).gain == pytest.approx(0.7, rel=1e-3)
+    assert abs(robust.slope - 0.7) < abs(np.polyfit(x, y, 1)[0] - 0.7)  # that least squares would have been turned
+    own = EVERYWHERE & (np.arange(SIDE >> LEVELS) >= (SIDE >> LEVELS) // 4)
+    assert fit(mosaic, band, own).gain == pytest.approx(0.7)
+
+
+@pytest.mark.parametrize("gamma", [0.5, 0.6, 0.8, 1.25, 1.6, 2.2])
+def test_a_power_function_is_recovered(band: np.ndarray, gamma: float) -> None:
+    mosaic = np.rint(255 * (band / 255) ** gamma).astype(np.uint8)
+    assert fit(mosaic, band).gamma == pytest.approx(gamma, abs=0.05)
+
+
+def test_a_gain_is_no_gamma_when_rounded(band: np.ndarray) -> None:
+    assert fit(np.rint(0.6 * band + 20).astype(np.uint8), band).gamma == 1
+
+
+def test_nothing_is_made_up_where_there_is_nothing_to_fit(band: np.ndarray) -> None:
+    flat = np.full_like(band, 90)
+    means = [coarse_means(one, LEVELS)[np.newaxis] for one in (band, flat)]
+    pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,))]
+    assert fit_tones(means[0], means[1], EVERYWHERE, pixels) == [None]
+    assert fit_tones(means[1], means[0], EVERYWHERE, pixels) == [None]
+    assert fit_tones(means[0], means[0], np.zeros_like(EVERYWHERE), pixels) == [None]
+
+
+@pytest.mark.parametrize("share", [0.01, 0.03, 0.1])
+def test_clipped_share_is_what_was_clipped(share: float) -> None:
+    values = np.random.default_rng(2).normal(120, 25, (SIDE, SIDE))
+    low, high = np.quantile(values, (share / 2, 1 - share / 2))
+    source = np.clip(np.rint(values), 0, 255).astype(np.uint8)
+    stretched = np.clip(np.rint((source - low) * 255 / (high - low)), 0, 255).astype(np.uint8)
+    assert clipped_share(stretched, source) == pytest.approx(share, abs=0.4 * share)  # whole values are coarse
+
+
+@pytest.mark.parametrize(("gain", "bias"), [(1.0, 0.0), (0.6, 20.0), (0.3, 5.0)])
+def test_a_narrower_histogram_is_not_clipped(band: np.ndarray, gain: float, bias: float) -> None:
+    assert clipped_share(np.rint(gain * band + bias).astype(np.uint8), band) < MIN_CLIPPED_SHARE
+
+
+def test_colour_shift_is_largest_over_smallest_gain() -> None:
+    assert colour_shift([0.8, 1.0, 0.9]) == pytest.approx(1.25)
+    assert colour_shift([1.0]) is None
+    assert colour_shift([1.0, 0.0]) is None

@@ -1,0 +1,243 @@
+"""Orthoimages: they lie where the vendor's RPC puts them, and terrain models that do not fit say so."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal, osr
+from scipy.ndimage import map_coordinates
+from seam_inspector.plugin.imagery.errors import CancelledError, RasterError, SeamInspectorError, SettingsError
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.sensors.measure.image_description import describe_image
+from seam_inspector.plugin.sensors.measure.models import rpc
+from seam_inspector.plugin.sensors.measure.orthorectification import (
+    Ortho,
+    OrthoRequest,
+    of_part,
+    orthorectify,
+    rpc_domain,
+)
+from seam_inspector.plugin.sensors.measure.terrain import load_terrain
+
+from tests.numbers.sensors.sensor_scenes import WGS84, made_pushbroom, made_rational
+from tests.numbers.synthetic import wkt
+
+MakeRaster = Callable[..., str]
+SIDE = 400
+RAMP = np.stack(np.meshgrid(np.arange(SIDE) + 0.5, np.arange(SIDE) + 0.5)).astype(np.float32)
+"""An image whose two bands are its own columns and rows: an orthoimage of it tells where each pixel came from."""
+
+
+def small_rpc() -> rpc.Rational:
+    """Quotients that see a patch of 400 x 400 px of about 0.5 m, with relief displacement."""
+    made = made_rational(3, 5, 0.002)
+    image = rpc.Scaling(np.array([200.0, 200.0]), np.array([200.0, 200.0]))
+    ground = rpc.Scaling(np.array([7.18, 43.67, 600.0]), np.array([0.00125, 0.0009, 300.0]))
+    numerators = made.numerators.copy()
+    numerators[3] = 0.9, 0.4
+    return replace(made, image=image, ground=ground, numerators=numerators)
+
+
+def terrain_file(path: Path, system: str | int = 4326, holes: bool = False, west: float = 7.17) -> str:
+    """Hills around the patch on 20 m meshes."""
+    step = 0.0002
+    y, x = np.mgrid[0:120, 0:120]
+    heights = (600 + 80 * np.sin(x / 9) * np.cos(y / 7)).astype(np.float32)
+    if holes:
+        heights[50:70, 45:60] = -9999
+    dataset = gdal.GetDriverByName("GTiff").Create(str(path), 120, 120, 1, gdal.GDT_Float32)
+    dataset.SetGeoTransform((west, step, 0, 43.682, 0, -step))
+    dataset.SetProjection(wkt(system))
+    dataset.GetRasterBand(1).SetNoDataValue(-9999)
+    dataset.GetRasterBand(1).WriteArray(heights)
+    dataset.FlushCache()
+    return str(path)
+
+
+@pytest.fixture
+def job(tmp_path: Path, make_raster: MakeRaster) -> Callable[..., Ortho]:
+    """Rectifies the ramp; parameters of the request by name."""
+    image = make_raster("image.tif", RAMP, geotransform=(0.0, 1.0, 0.0, 0.0, 0.0, 1.0), system=None)
+
+    def run(progress: Any = lambda share: None, cancelled: Any = lambda: False, **given: Any) -> Ortho:
+        model = given.pop("model", small_rpc())
+        domain = rpc_domain(small_rpc(), describe_image(RasterRef(image)))
+        dem = given.pop("dem", None)
+        defaults: dict[str, Any] = {
+            "image": RasterRef(image), "model": model, "wkt": WGS84, "domain": domain, "datum": "ellipsoid",
+            "dem": RasterRef(dem) if dem else None, "height": None, "output": tmp_path / "ortho.tif",
+            "resampling": "bilinear",
+        }  # fmt: skip
+        return orthorectify(OrthoRequest(**{**defaults, **given}), progress, cancelled)
+
+    return run
+
+
+def came_from(ortho: Ortho) -> tuple[np.ndarray, np.ndarray]:
+    """(n, 2) map coordinates of filled pixels and (n, 2) columns and rows that they were taken from."""
+    dataset = gdal.Open(str(ortho.path))
+    bands = dataset.ReadAsArray()
+    left, step, _, top, _, _ = dataset.GetGeoTransform()
+    row, column = np.nonzero((bands > 8).all(axis=0) & (bands < SIDE - 8).all(axis=0))
+    places = np.column_stack([left + (column + 0.5) * step, top - (row + 0.5) * step])
+    return places, bands[:, row, column].T
+
+
+def vendor_places(places: np.ndarray, system: str, dem: str, model: rpc.Rational, raised: float = 0.0) -> np.ndarray:
+    """Where an RPC sees map places over a terrain model, by PROJ and scipy."""
+    systems = [osr.SpatialReference(), osr.SpatialReference()]
+    systems[0].SetFromUserInput(system)
+    systems[1].ImportFromEPSG(4326)
+    for one in systems:
+        one.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    geographic = np.array(osr.CoordinateTransformation(*systems).TransformPoints(places.tolist()))[:, :2]
+    dataset = gdal.Open(dem)
+    left, step, _, top, _, down = dataset.GetGeoTransform()
+    heights = dataset.ReadAsArray().astype(float)
+    at = [(geographic[:, 1] - top) / down - 0.5, (geographic[:, 0] - left) / step - 0.5]
+    return model.project(np.column_stack([geographic, map_coordinates(heights, at, order=1) + raised]))
+
+
+def test_every_pixel_comes_from_where_the_model_sees_it(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    dem = terrain_file(tmp_path / "dem.tif")
+    shares: list[float] = []
+    ortho = job(progress=shares.append, dem=dem)
+    places, found = came_from(ortho)
+    assert len(places) > 0.6 * SIDE**2
+    assert np.abs(found - vendor_places(places, ortho.wkt, dem, small_rpc())).max() < 0.02
+    assert ortho.max_px < 1e-3
+    assert ortho.notices == ()
+    assert shares[-1] == pytest.approx(1)
+    assert shares == sorted(shares)
+
+
+def test_heights_above_sea_level_are_brought_to_the_ellipsoid(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    plain, named = terrain_file(tmp_path / "dem.tif"), terrain_file(tmp_path / "named.tif", "EPSG:4326+5773")
+    raised = load_terrain(RasterRef(plain), (7.17, 43.66, 7.19, 43.68), "egm96")
+    as_is = load_terrain(RasterRef(plain), (7.17, 43.66, 7.19, 43.68), "ellipsoid")
+    undulation = raised.heights - as_is.heights
+    assert undulation.min() > 45
+    assert undulation.max() < 55  # the geoid in southern France
+    for dem, datum in ((plain, "egm96"), (named, "auto")):
+        ortho = job(dem=dem, datum=datum)
+        places, found = came_from(ortho)
+        expected = vendor_places(places, ortho.wkt, plain, small_rpc(), float(undulation.mean()))
+        assert np.abs(found - expected).max() < 0.05
+        assert "converted to the ellipsoid" in str(ortho.notices[0])
+    assert "does not say what its heights refer to" in str(job(dem=plain, datum="auto").notices[0])
+    with pytest.raises(RasterError, match=r"PROJ has no grid .*AHD"):
+        job(dem=terrain_file(tmp_path / "ahd.tif", "EPSG:4326+5711"), datum="auto")
+
+
+def test_a_constant_height_is_a_plane(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    ortho = job(height=650.0, target_wkt="EPSG:4326", pixel_size=3e-6)
+    places, found = came_from(ortho)
+    expected = small_rpc().project(np.column_stack([places, np.full(len(places), 650.0)]))
+    assert np.abs(found - expected).max() < 0.02
+
+
+def test_crop_size_format_and_extent(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    dem = terrain_file(tmp_path / "dem.tif")
+    whole = job(dem=dem, target_wkt="EPSG:32632")
+    middle = [(whole.extent[i] + whole.extent[i + 2]) / 2 for i in (0, 1)]
+    extent = (middle[0] - 20, middle[1] - 10, middle[0] + 20, middle[1] + 10)
+    part = job(dem=dem, target_wkt="EPSG:32632", extent=extent, pixel_size=2.0, format="COG", output=tmp_path / "c.tif")
+    dataset = gdal.Open(str(part.path))
+    assert (dataset.RasterXSize, dataset.RasterYSize) in [(21, 11), (20, 10), (21, 10), (20, 11)]
+    assert dataset.GetGeoTransform()[1] == 2.0
+    assert dataset.GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE") == "COG"
+    for given, words in (
+        ({"extent": (0, 0, 10, 10), "target_wkt": "EPSG:32632"}, "extent lies outside"),
+        ({"pixel_size": 0.0}, r"pixel size is 0\.0"),
+        ({"pixel_size": 1e-9}, "choose larger pixels"),
+    ):
+        with pytest.raises(SettingsError, match=words):
+            job(dem=dem, **given)
+
+
+def test_a_parametric_model_goes_through_an_rpc(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    model = made_pushbroom(1)
+    height = 600.0
+    image = describe_image(RasterRef(str(tmp_path / "image.tif")))
+    domain = replace(rpc_domain(small_rpc(), image), heights=(500.0, 700.0))
+    ortho = job(model=model, domain=domain, height=height, target_wkt="EPSG:4326")
+    places, found = came_from(ortho)
+    expected = model.project(np.column_stack([places, np.full(len(places), height)]))
+    assert np.abs(found - expected).max() < 0.02
+    assert ortho.max_px < 1e-3
+
+
+def test_terrain_models_that_do_not_fit(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    with pytest.raises(RasterError, match="does not cover the image"):
+        job(dem=terrain_file(tmp_path / "away.tif", west=20.0))
+    with pytest.raises(SettingsError, match="No terrain model is given"):
+        job()
+    with pytest.raises(SettingsError, match="choose one of them"):
+        job(dem=terrain_file(tmp_path / "dem.tif"), height=3.0)
+    holed = job(dem=terrain_file(tmp_path / "holed.tif", holes=True))
+    assert 0.01 < holed.uncovered < 0.9
+    assert "has no heights under" in str(holed.notices[0])
+    filled = job(dem=terrain_file(tmp_path / "dem.tif"))
+    assert (gdal.Open(str(filled.path)).ReadAsArray()[0] > 0).sum() > len(came_from(holed)[0])
+
+
+def test_cancelling_leaves_nothing(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    with pytest.raises(CancelledError):
+        job(dem=terrain_file(tmp_path / "dem.tif"), cancelled=lambda: True)
+    assert not (tmp_path / "ortho.tif").exists()
+    with pytest.raises(SeamInspectorError, match="could not be written"):
+        job(dem=terrain_file(tmp_path / "dem.tif"), output=tmp_path / "nowhere" / "ortho.tif")
+
+
+# --- the real image --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("dem", ["N44E005.hgt", "N44E005_UTM.tif"])
+def test_pleiades_over_srtm_lies_where_the_vendors_rpc_puts_it(data_folder: Path, tmp_path: Path, dem: str) -> None:
+    folder = data_folder / "sensors" / "pleiades"
+    image = describe_image(RasterRef(str(folder / "left_image.tif")))
+    scene = rpc.read_rpc(folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML")
+    part, notice = of_part(scene, image)
+    assert "from column 5000 and row 5000" in str(notice)
+    request = OrthoRequest(
+        image.ref, part, WGS84, rpc_domain(part, image), RasterRef(str(folder / dem)), "ellipsoid", None,
+        tmp_path / "ortho.tif", "EPSG:32631", 0.5, resampling="cubic",
+    )  # fmt: skip
+    ortho = orthorectify(request)
+    dataset = gdal.Open(str(ortho.path))
+    pixels = dataset.ReadAsArray().astype(float)
+    left, step, _, top, _, _ = dataset.GetGeoTransform()
+    row, column = np.nonzero(pixels > 0)
+    places = np.column_stack([left + (column + 0.5) * step, top - (row + 0.5) * step])
+    seen = scene.project(_with_heights(places, folder / dem)) - 5000  # the crop starts at pixel 5000, 5000
+    inside = (seen > 4).all(axis=1) & (seen < 496).all(axis=1)
+    source = gdal.Open(image.ref.path).ReadAsArray().astype(float)
+    at = seen[inside][:, ::-1].T - 0.5
+    expected = map_coordinates(source, at, order=3)
+    gradients = np.column_stack([map_coordinates(part, at, order=1) for part in np.gradient(source)])
+    shift = np.linalg.lstsq(gradients, pixels[row, column][inside] - expected, rcond=None)[0]
+    assert np.abs(shift).max() < 0.1
+    assert ortho.max_px < 0.1
+    assert inside.sum() > 150_000
+
+
+def _with_heights(places: np.ndarray, dem: Path) -> np.ndarray:
+    """(n, 3) longitude, latitude and height of UTM places over a terrain model, by PROJ and scipy."""
+    dataset = gdal.Open(str(dem))
+    systems = {name: osr.SpatialReference() for name in ("utm", "geographic", "dem")}
+    systems["utm"].ImportFromEPSG(32631)
+    systems["geographic"].ImportFromEPSG(4326)
+    systems["dem"].ImportFromWkt(dataset.GetProjection())
+    for system in systems.values():
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    rows = places.tolist()
+    geographic = np.array(osr.CoordinateTransformation(systems["utm"], systems["geographic"]).TransformPoints(rows))
+    on_dem = np.array(osr.CoordinateTransformation(systems["utm"], systems["dem"]).TransformPoints(rows))
+    origin_x, step_x, _, origin_y, _, step_y = dataset.GetGeoTransform()
+    at = [(on_dem[:, 1] - origin_y) / step_y - 0.5, (on_dem[:, 0] - origin_x) / step_x - 0.5]
+    heights = map_coordinates(dataset.ReadAsArray().astype(float), at, order=1)
+    return np.column_stack([geographic[:, :2], heights])

@@ -1,0 +1,191 @@
+"""Blunders, how points lie, and the comparison of models with its recommendation."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.imagery.errors import SensorModelError
+from seam_inspector.plugin.sensors.measure.adjustment import adjust
+from seam_inspector.plugin.sensors.measure.comparison import CHECK_POINTS, LEAVE_ONE_OUT, candidates, compare
+from seam_inspector.plugin.sensors.measure.models import registry
+from seam_inspector.plugin.sensors.measure.models.registry import Wanted
+from seam_inspector.plugin.sensors.measure.point_heights import is_flat
+from seam_inspector.plugin.sensors.measure.point_layout import hull, layout, layout_warnings
+from seam_inspector.plugin.sensors.measure.points import split
+
+from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, made_pushbroom, made_rational, places, points
+
+SIGMA = 0.4
+
+
+@pytest.mark.parametrize(
+    ("wanted", "count"),
+    [
+        (Wanted(registry.POLYNOMIAL_3D, 1), 40),
+        (Wanted(registry.RATIONAL, 1), 60),
+        (Wanted(registry.DLT), 60),
+        (Wanted(registry.RPC_BIAS, bias="affine", rpc=made_rational(1, 7, 0.002)), 30),
+    ],
+)
+@pytest.mark.parametrize("seed", range(3))
+def test_thirty_per_cent_blunders_of_five_sigma_are_found(wanted: Wanted, count: int, seed: int) -> None:
+    random = np.random.default_rng(seed)
+    ground = places(count, seed)
+    truth = made_rational(1, 7, 0.0 if wanted.kind == registry.POLYNOMIAL_3D else 0.002)
+    if wanted.kind == registry.DLT:
+        truth = replace(truth, denominators=np.repeat(truth.denominators[:, :1], 2, axis=1))
+    image = truth.project(ground) + random.normal(0, SIGMA, (count, 2))
+    wrong = np.arange(count) < round(0.3 * count)
+    image[wrong] += 5 * SIGMA * random.choice([-1, 1], (count, 2))[wrong]
+    done = adjust(wanted, points(image, ground), robust=True)
+    assert done.blunder[wrong].mean() >= 0.85
+    assert done.blunder[~wrong].mean() <= 0.1
+    image[wrong] += 50 * SIGMA  # gross ones, all of them to one side
+    done = adjust(wanted, points(image, ground), robust=True)
+    assert done.blunder[wrong].all()
+    assert done.blunder[~wrong].mean() <= 0.1
+    assert np.abs(done.residuals_px[~wrong]).max() < 5 * SIGMA
+    assert done.control.count == count - done.blunder.sum()
+
+
+def test_a_good_set_loses_hardly_a_point_and_exact_points_none() -> None:
+    ground, random = places(80, 1), np.random.default_rng(1)
+    exact = made_rational(1, 2).project(ground)
+    assert not adjust(Wanted(registry.RATIONAL), points(exact, ground), robust=True).blunder.any()
+    noisy = exact + random.normal(0, SIGMA, exact.shape)
+    assert adjust(Wanted(registry.RATIONAL), points(noisy, ground), robust=True).blunder.sum() <= 3
+
+
+def test_a_blunder_among_the_check_points_is_flagged_and_not_counted() -> None:
+    ground, random = places(60, 1), np.random.default_rng(1)
+    image = made_rational(1, 2).project(ground) + random.normal(0, SIGMA, (60, 2))
+    image[50, 0] += 30
+    done = adjust(Wanted(registry.RATIONAL), points(image, ground, np.arange(60) >= 30), robust=True)
+    assert np.flatnonzero(done.blunder).tolist() == [50]
+    assert done.check.count == 29
+    plain = adjust(Wanted(registry.RATIONAL), points(image, ground, np.arange(60) >= 30))
+    assert plain.check.count == 30
+    assert plain.check.max_x is not None
+    assert done.check.max_x is not None
+    assert plain.check.max_x > 5 * done.check.max_x
+
+
+def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
+    ground = places(14, 4)
+    image = made_pushbroom(1).project(ground) + np.random.default_rng(4).normal(0, SIGMA, (14, 2))
+    image[3] += [8.0, -6.0]
+    done = adjust(Wanted(registry.PUSHBROOM, size=(COLUMNS, ROWS)), points(image, ground), robust=True)
+    assert done.blunder[3]
+    assert done.blunder.sum() <= 3
+
+
+# --- too few, on a line, in a corner ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("wanted", "unknowns", "fewest"),
+    [
+        *((Wanted(registry.POLYNOMIAL_2D, order), 2 * few, few) for order, few in ((1, 3), (2, 6), (3, 10))),
+        *((Wanted(registry.POLYNOMIAL_3D, order), 2 * few, few) for order, few in ((1, 4), (2, 10), (3, 20))),
+        *((Wanted(registry.RATIONAL, order), 2 * few, few) for order, few in ((1, 7), (2, 19), (3, 39))),
+        (Wanted(registry.DLT), 11, 6),
+        (Wanted(registry.DLT, dlt_xy=True), 12, 6),
+        (Wanted(registry.PUSHBROOM), None, 4),
+        (Wanted(registry.RPC_BIAS, bias="shift", rpc=made_rational(1, 2)), 2, 1),
+        (Wanted(registry.RPC_BIAS, bias="shift_drift", rpc=made_rational(1, 2)), 3, 2),
+        (Wanted(registry.RPC_BIAS, bias="affine", rpc=made_rational(1, 2)), 6, 3),
+    ],
+)
+def test_the_fewest_points_fit_and_one_less_is_refused_with_the_number(
+    wanted: Wanted, unknowns: int | None, fewest: int
+) -> None:
+    ground = places(fewest, 11)
+    image = made_rational(1, 2, 0.001).project(ground)
+    assert unknowns is None or wanted.unknowns == unknowns
+    done = adjust(wanted, points(image, ground))
+    assert done.control.count == fewest
+    with pytest.raises(SensorModelError, match=rf"There are {fewest - 1} control points .* at least {fewest};"):
+        adjust(wanted, points(image[1:], ground[1:]))
+
+
+def test_points_on_a_line_or_a_plane_are_refused() -> None:
+    ground = places(30, 1)
+    along = np.linspace(-0.1, 0.1, 30)
+    line = np.column_stack([MIDDLE[0] + along, MIDDLE[1] + along, ground[:, 2]])
+    flat = np.column_stack([ground[:, :2], np.full(30, 700.0)])
+    slope = np.column_stack([ground[:, :2], 700 + 1000 * (ground[:, 0] - MIDDLE[0])])
+    for wrong, words in ((line, "on one line"), (flat, "on one plane"), (slope, "on one plane")):
+        image = made_rational(1, 2).project(wrong)
+        for kind in (registry.RATIONAL, registry.POLYNOMIAL_3D, registry.DLT, registry.PUSHBROOM):
+            wanted = Wanted(kind)
+            with pytest.raises(SensorModelError, match=words):
+                adjust(wanted, points(image, wrong))
+    assert adjust(Wanted(registry.POLYNOMIAL_2D), points(made_rational(1, 2).project(flat), flat)).control.count == 30
+
+
+def test_layout_says_what_is_extrapolated() -> None:
+    box = (0.0, 0.0, 100.0, 50.0)
+    square = np.array([[0, 0], [100, 0], [100, 50], [0, 50], [50, 25.0]])
+    assert layout(square, box).extrapolated == pytest.approx(0)
+    assert layout_warnings(layout(square, box)) == []
+    assert len(hull(square)) == 4
+    corner = square / 4
+    assert layout(corner, box).extrapolated == pytest.approx(15 / 16)
+    assert "94%" in str(layout_warnings(layout(corner, box))[0])
+    line = np.column_stack([np.linspace(0, 100, 9), np.linspace(0, 50, 9) + np.tile([0.1, -0.1, 0], 3)])
+    assert "nearly on a line" in str(layout_warnings(layout(line, box))[0])
+
+
+def test_the_split_is_even_and_repeats() -> None:
+    ground = places(40, 1)
+    given = points(made_rational(1, 2).project(ground), ground)
+    parted = split(given, 0.25)
+    assert parted.check.sum() == 10
+    assert np.array_equal(parted.check, split(given, 0.25).check)
+    assert layout(given.image[~parted.check], (0, 0, COLUMNS, ROWS)).extrapolated < 0.4
+    checks = given.image[parted.check]
+    assert all((checks[:, axis] < half).sum() in range(3, 8) for axis, half in ((0, COLUMNS / 2), (1, ROWS / 2)))
+    assert not split(given, 0).check.any()
+
+
+# --- the comparison --------------------------------------------------------------------------------------------
+
+
+def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> None:
+    ground, random = places(60, 3), np.random.default_rng(3)
+    truth = made_pushbroom(0)
+    image = truth.project(ground) + random.normal(0, SIGMA, (60, 2))
+    few = points(image[:14], ground[:14])
+    models = candidates(None, 694e3, (COLUMNS, ROWS))
+    result = compare(few, models, robust=False, flat=is_flat(few))
+    assert result.method == LEAVE_ONE_OUT
+    assert result.recommended is not None
+    assert result.recommended.wanted.kind == registry.PUSHBROOM
+    assert result.recommended.errors is not None
+    assert result.recommended.errors.count == 14
+    refused = {row.wanted.name: str(row.reason) for row in result.rows if row.errors is None}
+    assert "needs at least 39" in refused["rational 3"]
+    many = points(image, ground, np.arange(60) >= 20)
+    rpc = adjust(Wanted(registry.RATIONAL, 3), points(truth.project(places(400, 9)) + 6, places(400, 9))).fit.model
+    models = [one for one in candidates(rpc, 694e3, None) if one.kind != registry.PUSHBROOM]  # type: ignore[arg-type]
+    result = compare(many, models, False, False)
+    assert result.method == CHECK_POINTS
+    assert result.recommended is not None
+    assert result.recommended.wanted.name == "rpc_bias shift"
+    assert "vendor's RPC" in str(result.reason)
+
+
+def test_plane_models_are_recommended_on_flat_terrain_only() -> None:
+    random = np.random.default_rng(2)
+    ground = places(40, 2)
+    for height, flat in ((0.05, True), (1500.0, False)):
+        ground[:, 2] = height * random.uniform(0, 1, 40)
+        given = points(made_rational(1, 3, 0).project(ground), ground, np.arange(40) >= 20)
+        assert is_flat(given) == flat
+        result = compare(given, [Wanted(registry.POLYNOMIAL_2D, 1), Wanted(registry.POLYNOMIAL_3D, 1)], False, flat)
+        assert result.recommended is not None
+        assert (result.recommended.wanted.kind == registry.POLYNOMIAL_3D) >= (not flat)
+    nothing = compare(given, [Wanted(registry.RATIONAL, 3)], False, False)
+    assert nothing.recommended is None
+    assert "No model could be fitted" in str(nothing.reason)

@@ -1,0 +1,208 @@
+"""Every sensor model: recovered from its own points, and on the geometry of real satellite images."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from seam_inspector.plugin.sensors.measure.adjustment import Adjustment, adjust
+from seam_inspector.plugin.sensors.measure.models import registry
+from seam_inspector.plugin.sensors.measure.models.bias import BiasedRpc
+from seam_inspector.plugin.sensors.measure.models.earth import geocentric
+from seam_inspector.plugin.sensors.measure.models.least_squares import Scaling
+from seam_inspector.plugin.sensors.measure.models.polynomials import Polynomial2D, Polynomial3D
+from seam_inspector.plugin.sensors.measure.models.rational import Dlt
+from seam_inspector.plugin.sensors.measure.models.registry import Wanted
+
+from tests.numbers.sensors.sensor_scenes import (
+    COLUMNS,
+    MIDDLE,
+    REACH,
+    ROWS,
+    made_pushbroom,
+    made_rational,
+    places,
+    pleiades_grid,
+    points,
+    ten_spread,
+    terms,
+)
+
+EXACT_PX = 1e-6
+IMAGE = Scaling(np.array([COLUMNS / 2, ROWS / 2]), np.array([COLUMNS / 2, ROWS / 2]))
+
+
+def judged(wanted: Wanted, image: np.ndarray, ground: np.ndarray, control: int) -> Adjustment:
+    """A fit to the first points, judged on the others."""
+    return adjust(wanted, points(image, ground, np.arange(len(image)) >= control))
+
+
+def largest_px(done: Adjustment) -> float:
+    return float(np.abs(done.residuals_px[done.points.check]).max())
+
+
+# --- its own points --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+@given(seed=st.integers(0, 10_000))
+def test_rational_recovers_itself(order: int, seed: int) -> None:
+    ground = places(120, seed)
+    done = judged(Wanted(registry.RATIONAL, order), made_rational(order, seed).project(ground), ground, 80)
+    assert done.fit.converged
+    assert largest_px(done) < EXACT_PX
+
+
+def test_the_terms_are_those_of_rpc00b() -> None:
+    model, ground = made_rational(3, 1), places(20, 2)
+    design = terms((ground - MIDDLE) / REACH, 20)
+    by_hand = model.image.back((design @ model.numerators) / (design @ model.denominators))
+    assert np.allclose(model.project(ground), by_hand, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("order", [1, 2, 3])
+@given(seed=st.integers(0, 10_000))
+def test_polynomial_3d_recovers_itself(order: int, seed: int) -> None:
+    ground, coefficients = places(60, seed), made_rational(order, seed).numerators
+    model = Polynomial3D(order, Scaling(MIDDLE, REACH), IMAGE, coefficients)
+    assert largest_px(judged(Wanted(registry.POLYNOMIAL_3D, order), model.project(ground), ground, 40)) < EXACT_PX
+
+
+@pytest.mark.parametrize("to_ground", [False, True])
+@pytest.mark.parametrize("order", [1, 2, 3])
+@given(seed=st.integers(0, 10_000))
+def test_polynomial_2d_recovers_itself_in_either_direction(order: int, to_ground: bool, seed: int) -> None:
+    ground, random = places(60, seed), np.random.default_rng(seed)
+    coefficients = random.uniform(-0.02, 0.02, ({1: 3, 2: 6, 3: 10}[order], 2))
+    coefficients[1:3] += [[1, 0], [0, -1]]
+    model = Polynomial2D(order, Scaling(MIDDLE[:2], REACH[:2]), IMAGE, coefficients, to_ground)
+    assert largest_px(judged(Wanted(registry.POLYNOMIAL_2D, order), model.project(ground), ground, 30)) < EXACT_PX
+
+
+@pytest.mark.parametrize("with_xy", [False, True])
+@given(seed=st.integers(0, 10_000))
+def test_dlt_recovers_itself(with_xy: bool, seed: int) -> None:
+    ground, random = places(40, seed), np.random.default_rng(seed)
+    a = np.array([0.01, 1.0, 0.05, 0.01, -0.01, 0.05, -1.0, 0.012, *random.uniform(-0.02, 0.02, 3), 0.0])
+    a[11] = 0.01 if with_xy else 0.0
+    image = Dlt(Scaling(MIDDLE, REACH), IMAGE, a).project(ground)
+    x, y = IMAGE.to(image).T
+    scaled = terms((ground - MIDDLE) / REACH, 4)
+    denominator = scaled @ [1, *a[8:11]]
+    assert np.allclose(x, scaled @ a[:4] / denominator, atol=1e-12)
+    assert np.allclose(y, scaled @ a[4:8] / denominator + a[11] * x * y, atol=1e-12)  # equation 4 as printed
+    assert largest_px(judged(Wanted(registry.DLT, dlt_xy=with_xy), image, ground, 20)) < EXACT_PX
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_pushbroom_recovers_itself(seed: int) -> None:
+    ground = places(120, seed)
+    done = judged(Wanted(registry.PUSHBROOM, size=(COLUMNS, ROWS)), made_pushbroom(seed).project(ground), ground, 60)
+    assert done.fit.converged
+    assert largest_px(done) < EXACT_PX
+
+
+@pytest.mark.parametrize(
+    ("kind", "count", "used"),
+    [("shift", 1, [0]), ("shift_drift", 2, [0, 2]), ("affine", 3, [0, 1, 2]), ("affine", 30, [0, 1, 2])],
+)
+@pytest.mark.parametrize("drifting", [0, 1])
+def test_rpc_bias_recovers_itself(kind: str, count: int, used: list[int], drifting: int) -> None:
+    ground, correction = places(60, 3), np.zeros((3, 2))
+    correction[0] = 12.5, -7.25
+    correction[used[1:], drifting] = 3.0
+    if kind == "affine":
+        correction[1:, 1 - drifting] = -2.0, 1.5
+    rpc = made_rational(3, 4, 0.002)
+    image = BiasedRpc(rpc, correction).project(ground)
+    assert largest_px(judged(Wanted(registry.RPC_BIAS, bias=kind, rpc=rpc), image, ground, count)) < EXACT_PX
+
+
+def test_residuals_in_metres_are_those_on_the_ground() -> None:
+    ground = places(40, 1)
+    image = made_rational(1, 1, 0.001).project(ground)
+    ground = ground.copy()
+    moved = np.zeros((40, 3))
+    moved[35, :2] = 3 / (111319.49 * np.cos(np.radians(ground[35, 1]))), -2 / 111132.95  # 3 m east, 2 m south
+    done = judged(Wanted(registry.RATIONAL), image, ground + moved, 30)
+    assert done.residuals_m[35] == pytest.approx([-3, 2], abs=0.02)  # model minus given
+    assert np.abs(np.delete(done.residuals_m, 35, axis=0)).max() < 1e-5
+
+
+def test_geocentric_coordinates_are_those_of_proj() -> None:
+    from osgeo import osr
+
+    systems = [osr.SpatialReference(), osr.SpatialReference()]
+    for system, code in zip(systems, (4979, 4978)):
+        system.ImportFromEPSG(code)
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    ground = np.array([[7.2, 43.7, 5000.0], [-120.0, -33.0, -20.0], [0.0, 89.0, 0.0]])
+    expected = np.array(osr.CoordinateTransformation(*systems).TransformPoints(ground.tolist()))
+    assert np.allclose(geocentric(ground), expected, rtol=0, atol=1e-6)
+
+
+# --- real geometry ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("order", "column", "row"), [(1, 12.375, 5.875), (2, 0.0845, 0.000795), (3, 1.075e-4, 1.105e-4)]
+)
+def test_rpcfit_scene(data_folder: Path, order: int, column: float, row: float) -> None:
+    folder = data_folder / "sensors" / "rpcfit"
+    parts = {name: np.load(folder / f"s1_{name}.npy") for name in ("train2d", "train3d", "test2d", "test3d")}
+    image = np.concatenate([parts["train2d"], parts["test2d"]])
+    ground = np.concatenate([parts["train3d"], parts["test3d"]])
+    done = judged(Wanted(registry.RATIONAL, order), image, ground, len(parts["train2d"]))
+    assert done.fit.converged
+    rmse = done.check.rmse_column, done.check.rmse_row
+    assert all(found is not None and found <= limit for found, limit in zip(rmse, (column, row)))
+
+
+def test_pleiades_grid_as_quotients_of_order_3(data_folder: Path) -> None:
+    grid = pleiades_grid(data_folder)
+    held_out = np.zeros(grid.shape[:3], bool)
+    held_out[:, 1::2, 1::2] = True
+    nodes = grid.reshape(-1, 5)
+    done = adjust(Wanted(registry.RATIONAL, 3), points(nodes[:, :2], nodes[:, 2:], held_out.ravel()))
+    assert largest_px(done) < 0.01
+
+
+def errors_px(wanted: Wanted, control: np.ndarray, grid: np.ndarray) -> float:
+    """Root mean square distance over the whole grid of a fit to (n, 5) nodes."""
+    nodes = grid[:, ::8, ::8].reshape(-1, 5)
+    both = np.concatenate([control, nodes])
+    done = judged(wanted, both[:, :2], both[:, 2:], len(control))
+    return float(np.sqrt(np.mean(np.sum(done.residuals_px[len(control) :] ** 2, axis=1))))
+
+
+def test_pushbroom_from_ten_exact_points_of_three_heights(data_folder: Path) -> None:
+    grid = pleiades_grid(data_folder)
+    random = np.random.default_rng(0)
+    errors = [errors_px(Wanted(registry.PUSHBROOM), ten_spread(grid, random), grid) for _ in range(12)]
+    assert max(errors) < 0.5
+    assert np.median(errors) < 0.02
+
+
+def test_with_noise_the_parametric_model_is_better_and_the_others_come_in_the_papers_order(data_folder: Path) -> None:
+    grid, random = pleiades_grid(data_folder), np.random.default_rng(1)
+    wanted = {
+        "pushbroom": Wanted(registry.PUSHBROOM),
+        "rational": Wanted(registry.RATIONAL, 1),
+        "dlt": Wanted(registry.DLT),
+        "polynomial_3d": Wanted(registry.POLYNOMIAL_3D, 1),
+        "polynomial_2d": Wanted(registry.POLYNOMIAL_2D, 1),
+    }
+    errors: dict[str, list[float]] = {name: [] for name in wanted}
+    for _ in range(50):
+        control = ten_spread(grid, random)
+        east, north, up = random.normal(0, 0.5, (3, 10))
+        control[:, 2] += east / (111319.49 * np.cos(np.radians(control[:, 3])))
+        control[:, 3] += north / 111132.95
+        control[:, 4] += up
+        for name, one in wanted.items():
+            errors[name].append(errors_px(one, control, grid))
+    medians = [float(np.median(errors[name])) for name in wanted]
+    assert medians == sorted(medians)
+    assert np.median(np.array(errors["pushbroom"]) / errors["rational"]) < 0.5

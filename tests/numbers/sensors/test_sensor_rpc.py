@@ -1,0 +1,223 @@
+"""RPC and model files: against GDAL's own transformer, to and fro, and the georeferencer's points."""
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.errors import SensorModelError
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.sensors.measure.adjustment import adjust
+from seam_inspector.plugin.sensors.measure.ground_system import GroundSystem
+from seam_inspector.plugin.sensors.measure.image_description import describe_image
+from seam_inspector.plugin.sensors.measure.models import registry, rpc
+from seam_inspector.plugin.sensors.measure.models.bias import BiasedRpc
+from seam_inspector.plugin.sensors.measure.models.model_file import FORMAT, ModelFile, load_model, save_model
+from seam_inspector.plugin.sensors.measure.models.registry import Wanted
+from seam_inspector.plugin.sensors.measure.models.rpc import Domain
+from seam_inspector.plugin.sensors.measure.models.sensor_model import SensorModel
+from seam_inspector.plugin.sensors.measure.point_files import image_coordinates, read_point_file
+
+from tests.numbers.sensors.sensor_scenes import (
+    COLUMNS,
+    MIDDLE,
+    ROWS,
+    WGS84,
+    made_pushbroom,
+    made_rational,
+    places,
+    points,
+)
+
+DOMAIN = Domain((0, COLUMNS), (0, ROWS), (0, 1200), (MIDDLE[0], MIDDLE[1]))
+UTM = "EPSG:32632"
+
+
+def by_gdal(folder: Path, write: bool, model: rpc.Rational | None, ground: np.ndarray) -> np.ndarray:
+    """Where GDAL sees (n, 3) ground by the RPC beside an image, in its pixels."""
+    if write:
+        gdal.GetDriverByName("GTiff").Create(str(folder / "image.tif"), 10, 10, 1).FlushCache()
+        assert model is not None
+        rpc.write_rpc(model, folder / "image_RPC.TXT")
+    dataset = gdal.Open(str(folder / "image.tif"))
+    assert dataset.GetMetadata("RPC")
+    transformer = gdal.Transformer(dataset, None, ["METHOD=RPC"])
+    seen, sound = transformer.TransformPoints(1, ground.tolist())
+    assert all(sound)
+    return np.array(seen)[:, :2]
+
+
+def fitted(kind: str) -> tuple[SensorModel, str]:
+    """A model of a kind, and the system it is in."""
+    ground = places(60, 2)
+    made = {
+        "pushbroom": made_pushbroom(1),
+        "rpc_bias": BiasedRpc(made_rational(3, 2, 0.002), np.array([[3.0, -4], [1.0, 2], [-2, 1]])),
+    }
+    if kind in made:
+        return made[kind], WGS84
+    if kind == "rational in UTM":
+        image = made_rational(1, 2, 0.002).project(ground)
+        given = points(image, GroundSystem(UTM).from_geographic(ground), None, UTM)
+        return adjust(Wanted(registry.RATIONAL), given).fit.model, UTM
+    image = made_rational(1, 2, 0.0 if "polynomial" in kind else 0.002).project(ground)
+    order = {"polynomial_3d": 2, "rational": 2}.get(kind, 1)
+    return adjust(Wanted(kind, order, dlt_xy=True), points(image, ground)).fit.model, WGS84
+
+
+KINDS = ("polynomial_3d", "rational", "dlt", "pushbroom", "rpc_bias", "rational in UTM")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path: Path) -> None:
+    model, wkt = fitted(kind)
+    domain = DOMAIN
+    if wkt == UTM:
+        middle = GroundSystem(UTM).from_geographic(MIDDLE[None])[0]
+        domain = Domain(DOMAIN.columns, DOMAIN.rows, DOMAIN.heights, (middle[0], middle[1]))
+    made = rpc.rpc_of(model, wkt, domain)
+    assert made.exact == (kind in ("polynomial_3d", "rational", "dlt"))
+    assert made.max_px < 0.005
+    ground = places(200, 8)
+    seen = model.project(GroundSystem(UTM).from_geographic(ground) if wkt == UTM else ground)
+    inside = (seen > 0).all(axis=1) & (seen[:, 0] < COLUMNS) & (seen[:, 1] < ROWS)
+    assert inside.sum() > 50
+    found = by_gdal(tmp_path, True, made.rpc, ground[inside])
+    assert np.abs(found - seen[inside]).max() < 0.01
+
+
+def test_a_plane_model_has_none() -> None:
+    ground = places(20, 1)
+    model = adjust(Wanted(registry.POLYNOMIAL_2D), points(made_rational(1, 2).project(ground), ground)).fit.model
+    with pytest.raises(SensorModelError, match="knows no heights"):
+        rpc.rpc_of(model, WGS84, DOMAIN)
+
+
+def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: Path) -> None:
+    folder = data_folder / "sensors" / "pleiades"
+    ground = np.array([[5.25, 44.15, 900.0], [5.3, 44.1, 1500.0], [5.2, 44.2, 400.0]])
+    dimap = rpc.read_rpc(folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML")
+    geom = rpc.read_rpc(folder / "left_image.geom")
+    assert np.abs(dimap.project(ground) - geom.project(ground)).max() < 1e-4
+    # GDAL's own reader of DIMAP wants the vendor's names beside the image.
+    name = "IMG_PHR1B_P_201308051042194_SEN_690908101-001_R1C1.TIF"
+    gdal.GetDriverByName("GTiff").Create(str(tmp_path / name), 10, 10, 1).FlushCache()
+    for kind in ("RPC", "DIM"):
+        vendor = folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML"
+        target = tmp_path / vendor.name.replace("RPC_", f"{kind}_", 1)
+        target.write_bytes(vendor.read_bytes())
+    dataset = gdal.Open(str(tmp_path / name))
+    transformer = gdal.Transformer(dataset, None, ["METHOD=RPC"])
+    seen, _ = transformer.TransformPoints(1, ground.tolist())
+    assert np.abs(np.array(seen)[:, :2] - dimap.project(ground)).max() < 1e-6
+    own = describe_image(RasterRef(str(data_folder / "sensors" / "worldview3" / "wv3_20.NTF")))
+    ntf = rpc.own_rpc(own)
+    assert ntf is not None
+    place = np.array([[float(ntf.ground.offset[0]), float(ntf.ground.offset[1]), 40.0]])
+    transformer = gdal.Transformer(gdal.Open(own.ref.path), None, ["METHOD=RPC"])
+    seen, _ = transformer.TransformPoints(1, place.tolist())
+    assert np.abs(np.array(seen)[:, :2] - ntf.project(place)).max() < 1e-6
+    beside = rpc.own_rpc(describe_image(RasterRef(str(folder / "left_image.tif"))))
+    assert beside is not None  # OSSIM's .geom
+
+
+def test_rpb_is_read(tmp_path: Path) -> None:
+    made, ground = made_rational(3, 3, 0.001), places(5, 1)
+    items = rpc.to_metadata(made)
+    names = {"LINE": "line", "SAMP": "samp", "LAT": "lat", "LONG": "long", "HEIGHT": "height"}
+    rows = []
+    for axis, name in names.items():
+        rows.append(f"\t{name}Offset = {items[f'{axis}_OFF']};\n\t{name}Scale = {items[f'{axis}_SCALE']};")
+    for name in ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN"):
+        axis, part = name.split("_")
+        values = ",\n".join(items[f"{name}_COEFF"].split())
+        rows.append(f"\t{names[axis]}{part.capitalize()}Coef = (\n{values});")
+    path = tmp_path / "image.RPB"
+    path.write_text("BEGIN_GROUP = IMAGE\n" + "\n".join(rows) + "\nEND_GROUP = IMAGE\nEND;\n")
+    assert np.abs(rpc.read_rpc(path).project(ground) - made.project(ground)).max() < 1e-6
+
+
+@pytest.mark.parametrize("content", ["", "LINE_OFF: 3\n", "<Rational_Function_Model></Rational_Function_Model>"])
+def test_a_file_that_is_no_rpc_is_refused(tmp_path: Path, content: str) -> None:
+    path = tmp_path / "wrong_RPC.TXT"
+    path.write_text(content)
+    with pytest.raises(SensorModelError, match=r"wrong_RPC\.TXT holds no complete RPC"):
+        rpc.read_rpc(path)
+    with pytest.raises(SensorModelError, match="does not exist"):
+        rpc.read_rpc(tmp_path / "lost.txt")
+
+
+# --- model files -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", [*KINDS, "polynomial_2d"])
+def test_a_model_file_gives_the_model_back(kind: str, tmp_path: Path) -> None:
+    model, wkt = fitted(kind)
+    path = tmp_path / "model.json"
+    save_model(ModelFile(model, wkt, DOMAIN, {"condition": np.float64(3), "sigma_px": float("nan")}), path)
+    again = load_model(path)
+    ground = places(20, 1)
+    assert np.array_equal(again.model.project(ground), model.project(ground))
+    assert (again.wkt, again.domain) == (wkt, DOMAIN)
+    assert again.facts == {"condition": 3.0, "sigma_px": None}
+    assert type(again.model) is type(model)
+
+
+def test_a_wrong_model_file_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "model.json"
+    model, wkt = fitted("rational")
+    save_model(ModelFile(model, wkt, DOMAIN, {}), path)
+    document = json.loads(path.read_text())
+    for change, words in (
+        ({"version": 99}, "is of version 99"),
+        ({"format": "other"}, "is no sensor model file"),
+        ({"model": "unknown"}, "is no sensor model file"),
+        ({"parameters": {}}, "is no sensor model file"),
+        ({"domain": {"columns": [1]}}, "is no sensor model file"),
+    ):
+        assert document["format"] == FORMAT
+        path.write_text(json.dumps({**document, **change}))
+        with pytest.raises(SensorModelError, match=words):
+            load_model(path)
+    path.write_text("no json")
+    with pytest.raises(SensorModelError, match="is no sensor model file"):
+        load_model(path)
+
+
+# --- the georeferencer's points --------------------------------------------------------------------------------
+
+OLD = "mapX,mapY,pixelX,pixelY,enable,dX,dY,residual\n{rows}"
+NEW = '#CRS: GEOGCRS["WGS 84",ID["EPSG",4326]]\nmapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n{rows}'
+ROWS_OF_FILE = "7.1,43.6,120.5,-30.25,1,0,0,0\n7.2,43.7,50,-60,0,0,0,0\n7.3,43.8,0,-1,1,0.1,0.2,0.3\n"
+
+
+@pytest.mark.parametrize(("layout", "wkt"), [(OLD, ""), (NEW, 'GEOGCRS["WGS 84",ID["EPSG",4326]]')])
+def test_points_files_old_and_new(tmp_path: Path, layout: str, wkt: str) -> None:
+    path = tmp_path / "image.points"
+    path.write_text(layout.format(rows=ROWS_OF_FILE))
+    file = read_point_file(path)
+    assert file.wkt == wkt
+    assert file.ground == ((7.1, 43.6), (7.3, 43.8))
+    assert (file.numbers, file.disabled) == ((1, 3), 1)
+    for plain in (None, (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)):
+        assert image_coordinates(file.source, plain) == [(120.5, 30.25), (0.0, 1.0)]
+    placed = image_coordinates([(5010.0, 4980.0)], (5000.0, 2.0, 0.0, 5000.0, 0.0, -2.0))
+    assert placed == [(5.0, 10.0)]
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("", "is no points file"),
+        ("a,b\n1,2\n", "is no points file"),
+        (OLD.format(rows="7.1,43.6,120.5,-30.25,1\n7.2,x,3,4,1\n"), "Line 3 of image.points"),
+        (OLD.format(rows="7.1,43.6\n"), "Line 2 of image.points"),
+    ],
+)
+def test_a_wrong_points_file_is_refused(tmp_path: Path, content: str, words: str) -> None:
+    path = tmp_path / "image.points"
+    path.write_text(content)
+    with pytest.raises(SensorModelError, match=words):
+        read_point_file(path)

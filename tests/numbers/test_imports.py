@@ -1,0 +1,158 @@
+"""Imports run one way: imagery <- toolkit <- subjects <- wiring. Subjects don't know each other."""
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+SUBJECTS = ("seams", "noise", "radiometry", "resolution", "photos", "sensors")
+FLOORS = ("imagery", "toolkit")
+FORBIDDEN_EVERYWHERE = (
+    "PyQt5",  # qgis.PyQt is whichever there is
+    "PyQt6",
+    "matplotlib.pyplot",  # keeps figures alive and picks a window system of its own
+    "pylab",
+)
+NO_QGIS = ("qgis", "PyQt5", "PyQt6", "matplotlib")
+NO_WIDGETS = ("qgis.gui", "qgis.PyQt.QtWidgets")
+OWN_NAMES = ("plugin", "seam_inspector")
+
+
+def imports(path: Path, package: Path) -> Iterator[tuple[int, bool, str]]:
+    """Line, whether it is relative, and full name of all that a file imports; the package's own are ``plugin.*``."""
+    home = ["plugin", *path.relative_to(package).parent.parts]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield node.lineno, False, alias.name
+        elif isinstance(node, ast.ImportFrom):
+            module = home[: max(len(home) - node.level + 1, 0)] if node.level else []
+            module += [node.module] if node.module else []
+            for alias in node.names:
+                yield node.lineno, node.level > 0, ".".join([*module, alias.name])
+
+
+def is_within(name: str, modules: tuple[str, ...]) -> bool:
+    """Whether a full name is one of the modules or lies in one."""
+    return any(name == module or name.startswith(module + ".") for module in modules)
+
+
+def allowed(folders: tuple[str, ...]) -> tuple[str, ...]:
+    """What of the package a file in these folders may import."""
+    if not folders:
+        return ("plugin",)  # the wiring
+    room = folders[0]
+    if room == "imagery":
+        return ("plugin.imagery",)
+    if room == "toolkit":
+        return ("plugin.imagery", "plugin.toolkit")
+    if folders[1:2] == ("measure",):
+        return ("plugin.imagery", f"plugin.{room}.measure")
+    return ("plugin.imagery", "plugin.toolkit", f"plugin.{room}")
+
+
+def forbidden(folders: tuple[str, ...]) -> tuple[str, ...]:
+    """What a file in these folders may not import from elsewhere."""
+    if folders[:1] == ("imagery",) or folders[1:2] == ("measure",):
+        return NO_QGIS
+    return () if not folders or "desk" in folders else NO_WIDGETS
+
+
+def fault(folders: tuple[str, ...], relative: bool, name: str) -> str | None:
+    """What is wrong with one import of a file in these folders."""
+    place = "/".join(folders) or "the package"
+    if relative:
+        if not name.startswith("plugin."):
+            return "reaches outside the package"
+        return None if is_within(name, allowed(folders)) else f"{place} must not import it"
+    if is_within(name, OWN_NAMES):
+        return "must be relative"
+    if is_within(name, FORBIDDEN_EVERYWHERE) or is_within(name, forbidden(folders)):
+        return f"is not allowed in {place}"
+    return None
+
+
+def faults(package: Path) -> list[str]:
+    """Every import in a package that breaks the rule, as ``file:line name: what is wrong``."""
+    found = []
+    for path in sorted(package.rglob("*.py")):
+        inside = path.relative_to(package)
+        for line, relative, name in imports(path, package):
+            wrong = fault(inside.parent.parts, relative, name)
+            if wrong:
+                found.append(f"{inside.as_posix()}:{line} {name}: {wrong}")
+    return found
+
+
+def test_imports_run_one_way(repository: Path) -> None:
+    assert faults(repository / "plugin") == []
+
+
+def test_every_folder_is_a_subject_or_a_shared_floor(repository: Path) -> None:
+    folders = {path.parent.name for path in (repository / "plugin").glob("*/__init__.py")}
+    assert folders == {*SUBJECTS, *FLOORS}
+    assert all((repository / "plugin" / subject / "measure").is_dir() for subject in SUBJECTS)
+
+
+def test_no_folder_holds_more_than_a_reader_keeps_in_view(repository: Path) -> None:
+    counts = {
+        folder.relative_to(repository).as_posix(): sum(path.name != "__init__.py" for path in folder.glob("*.py"))
+        for folder in {path.parent for path in (repository / "plugin").rglob("*.py")}
+    }
+    assert {folder: count for folder, count in counts.items() if count > 22} == {}
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("imagery/a.py", "import qgis.core"),
+        ("imagery/a.py", "from qgis.PyQt.QtCore import QObject"),
+        ("imagery/a.py", "from matplotlib.figure import Figure"),
+        ("imagery/a.py", "def lazily():\n    from ..toolkit import layers"),
+        ("imagery/a.py", "from ..seams.measure import tone"),
+        ("toolkit/a.py", "from ..seams import jobs"),
+        ("toolkit/a.py", "from .. import provider"),
+        ("toolkit/a.py", "from qgis import gui"),
+        ("toolkit/charts/a.py", "from qgis.PyQt.QtWidgets import QDialog"),
+        ("seams/measure/a.py", "from qgis.core import QgsTask"),
+        ("seams/measure/a.py", "from matplotlib.figure import Figure"),
+        ("seams/measure/a.py", "from ...toolkit import layers"),
+        ("seams/measure/a.py", "from .. import jobs"),
+        ("sensors/measure/models/a.py", "from ....provider import Provider"),
+        ("noise/report.py", "from ..seams.measure import tone"),
+        ("noise/desk/a.py", "from ...seams.desk.session import Session"),
+        ("noise/a.py", "from .. import seams"),
+        ("seams/algorithms/a.py", "from qgis.PyQt import QtWidgets"),
+        ("seams/desk/a.py", "import matplotlib.pyplot as plt"),
+        ("seams/desk/a.py", "from PyQt5.QtCore import Qt"),
+        ("seams/desk/a.py", "from .... import classFactory"),
+        ("seams/desk/a.py", "from seam_inspector.plugin.imagery import grids"),
+        ("plugin.py", "from plugin.imagery import grids"),
+    ],
+)
+def test_a_planted_violation_is_found(tmp_path: Path, file: str, line: str) -> None:
+    path = tmp_path / file
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(line, encoding="utf-8")
+    assert len(faults(tmp_path)) == 1
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("imagery/a.py", "import numpy\nfrom osgeo import gdal\nfrom . import errors\nfrom .errors import RasterError"),
+        ("toolkit/a.py", "from qgis.core import QgsTask\nfrom qgis.PyQt.QtCore import Qt\nfrom ..imagery import grids"),
+        ("toolkit/desk/a.py", "from qgis.PyQt.QtWidgets import QWidget\nfrom ..layers import features"),
+        ("sensors/measure/models/a.py", "from ....imagery.rasters import Raster\nfrom ..points import Points"),
+        ("noise/a.py", "from ..toolkit.layers import paths\nfrom .measure.band_noise import BandNoise"),
+        ("seams/desk/map/a.py", "from qgis.gui import QgsMapTool\nfrom matplotlib import figure\nfrom .. import dock"),
+        ("plugin.py", "from qgis.PyQt.QtWidgets import QAction\nfrom .seams.desk.dock import Dock"),
+    ],
+)
+def test_what_the_rule_allows_passes(tmp_path: Path, file: str, line: str) -> None:
+    path = tmp_path / file
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(line, encoding="utf-8")
+    assert faults(tmp_path) == []

@@ -1,0 +1,143 @@
+"""The translations are complete, up to date with the code, and take the same values as the English texts."""
+from __future__ import annotations
+
+import ast
+import importlib
+import string
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from seam_inspector.plugin.imagery.message import Message
+
+TEXT_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1}
+"""Which argument of a call is a text to translate."""
+CONTEXT = "@default"
+"""Where the adapters look for all translations."""
+
+
+@pytest.fixture(scope="module")
+def contexts(repository: Path) -> dict[str, list[ElementTree.Element]]:
+    """The entries of the Polish translation by their context."""
+    root = ElementTree.parse(repository / "i18n" / "seam_inspector_pl.ts").getroot()
+    return {context.findtext("name", ""): context.findall("message") for context in root.findall("context")}
+
+
+@pytest.fixture(scope="module")
+def entries(contexts: dict[str, list[ElementTree.Element]]) -> list[ElementTree.Element]:
+    return [entry for found in contexts.values() for entry in found]
+
+
+def source(entry: ElementTree.Element) -> str:
+    return entry.findtext("source", "")
+
+
+def translation(entry: ElementTree.Element) -> str:
+    return entry.findtext("translation", "")
+
+
+def placeholders(text: str) -> list[tuple[str, str, str | None]]:
+    """Name, format and conversion of every ``{name}``, in an order that does not depend on the sentence's."""
+    return sorted(
+        (name, form or "", conversion)
+        for _, name, form, conversion in string.Formatter().parse(text)
+        if name is not None
+    )
+
+
+def texts(package: Path) -> Iterator[str]:
+    """Every text that the code of a package marks for translation."""
+    for path in sorted(package.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in TEXT_ARGUMENT:
+                argument = node.args[TEXT_ARGUMENT[node.func.id]] if node.args else None
+                if isinstance(argument, ast.Constant) and isinstance(argument.value, str):
+                    yield argument.value
+
+
+def test_all_is_in_the_context_where_the_adapters_look(contexts: dict[str, list[ElementTree.Element]]) -> None:
+    assert list(contexts) == [CONTEXT]
+
+
+def test_every_entry_is_translated_and_finished(entries: list[ElementTree.Element]) -> None:
+    assert entries
+    assert [source(entry) for entry in entries if not translation(entry).strip()] == []
+    types = {source(entry): entry.find("translation").get("type") for entry in entries}  # type: ignore[union-attr]
+    assert {text: kind for text, kind in types.items() if kind is not None} == {}  # unfinished, obsolete, vanished
+
+
+def test_values_go_into_a_translation_as_into_its_source(entries: list[ElementTree.Element]) -> None:
+    differing = [
+        (placeholders(source(entry)), translation(entry))
+        for entry in entries
+        if placeholders(source(entry)) != placeholders(translation(entry))
+    ]
+    assert differing == []
+
+
+def message_modules(repository: Path) -> list[Path]:
+    """The files that hold the sentences for the user."""
+    return sorted((repository / "plugin").rglob("messages.py"))
+
+
+def loaded(path: Path) -> ModuleType:
+    return importlib.import_module(".".join(["seam_inspector", *path.with_suffix("").parts]))
+
+
+def test_every_message_is_there(entries: list[ElementTree.Element], repository: Path) -> None:
+    templates = {
+        value.template
+        for path in message_modules(repository)
+        for value in vars(loaded(path.relative_to(repository))).values()
+        if isinstance(value, Message)
+    }
+    assert templates
+    assert sorted(templates - {source(entry) for entry in entries}) == [], "run `make translate`, then translate these"
+
+
+def test_no_message_hides_another_of_its_name(repository: Path) -> None:
+    names = [
+        target.id
+        for path in message_modules(repository)
+        for node in ast.parse(path.read_text(encoding="utf-8")).body
+        if isinstance(node, ast.Assign)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    ]
+    assert names
+    assert sorted(name for name in set(names) if names.count(name) > 1) == []
+
+
+def test_texts_are_those_of_the_code(entries: list[ElementTree.Element], repository: Path) -> None:
+    translated, used = [source(entry) for entry in entries], set(texts(repository / "plugin"))
+    assert sorted(used - set(translated)) == [], "run `make translate`, then translate these"
+    assert sorted(set(translated) - used) == [], "run `make translate`: the code has these no longer"
+    assert len(translated) == len(set(translated))
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("{share:.2%} of {name}", "{name}: {share:.1%}"),
+        ("{name} has no {band}", "{name}"),
+        ("{packages}", "{packages} {packages}"),
+        ("{name}", "{name!r}"),
+        ("{count}", "{ count}"),
+    ],
+)
+def test_differing_placeholders_are_told_apart(one: str, other: str) -> None:
+    assert placeholders(one) != placeholders(other)
+
+
+def test_the_order_of_placeholders_is_free() -> None:
+    assert placeholders("{share:.2%} of {name}") == placeholders("{name}: {share:.2%}")
+
+
+@pytest.mark.parametrize(
+    "code", ["tr('a text')", "A = Message(\n    'a '\n    'text'\n)", "N = QT_TRANSLATE_NOOP('@default', 'a text')"]
+)
+def test_a_text_in_the_code_is_found(tmp_path: Path, code: str) -> None:
+    (tmp_path / "a.py").write_text(code, encoding="utf-8")
+    assert list(texts(tmp_path)) == ["a text"]

@@ -1,0 +1,70 @@
+"""Charts of noise and radiometry: what is drawn, on any axes and in any style."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from qgis.core import QgsApplication
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.noise.charts import draw_noise_clip
+from seam_inspector.plugin.noise.measure.band_noise import measure_noise
+from seam_inspector.plugin.noise.measure.group_noise import measure_window
+from seam_inspector.plugin.radiometry.charts import balance_figure, histogram_figure
+from seam_inspector.plugin.radiometry.measure.assessment import assess
+from seam_inspector.plugin.radiometry.measure.rules import default_rules
+from seam_inspector.plugin.toolkit.charts.curve_chart import DARK
+from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, save_figure
+
+from tests.numbers.synthetic import decompose, orthoimage, read_pixels
+from tests.qgis.scenes import Scene
+
+pytestmark = pytest.mark.usefixtures("qgis_app")
+
+
+def test_one_window_of_one_raster_is_measured_and_drawn(scene: Scene, qgis_app: QgsApplication) -> None:
+    result = measure_window(RasterRef(str(scene.west)), PixelWindow(64, 0, 128, 128))
+    pixels = read_pixels(str(scene.west), 64, 0, 128, 128)
+    assert result.bands["blue"].curve.detail == pytest.approx(decompose(pixels[2]).shares[:3], abs=1e-6)
+    axes = new_figure(4, 3).subplots()
+    draw_noise_clip(axes, result.bands, DARK)
+    lines = {line.get_label(): line for line in axes.get_lines()}
+    for name, noise in result.bands.items():
+        assert tuple(lines[name].get_ydata()) == noise.curve.detail
+        assert list(lines[name].get_xdata()) == [1, 2, 3]
+    widths = {name: line.get_linewidth() for name, line in lines.items() if name in result.bands}
+    assert max(widths, key=lambda name: widths[name]) == "luminance"
+    low, high = axes.get_ylim()
+    assert all(low < share < high for noise in result.bands.values() for share in noise.curve.detail)
+
+
+def test_the_rule_is_drawn_at_the_level_before() -> None:
+    measured = measure_noise(orthoimage((128, 128), bands=1), ("band_1",))
+    axes = new_figure(4, 3).subplots()
+    draw_noise_clip(axes, measured)
+    levels = [line.get_ydata()[0] for line in axes.get_lines() if line.get_label() != "band_1"]
+    assert levels == pytest.approx(measured["band_1"].curve.detail[:-1])
+
+
+def test_nothing_to_draw_is_drawn_as_an_empty_chart(tmp_path: Path) -> None:
+    flat = measure_noise(np.zeros((1, 64, 64), np.uint8), ("band_1",))
+    for measured in ({}, flat):
+        figure = new_figure(3, 2)
+        draw_noise_clip(figure.subplots(), measured)
+        save_figure(figure, tmp_path / "empty.png")
+        assert (tmp_path / "empty.png").stat().st_size > 0
+
+
+def test_histograms_hold_every_pixel(scene: Scene) -> None:
+    pixels = Pixels(RasterRef(str(scene.west)))
+    image = pixels.image()
+    result = assess(pixels, image, image.whole, default_rules())
+    assert result is not None
+    figure = histogram_figure(result)
+    assert figure is not None
+    curves = {line.get_label(): line for line in figure.axes[0].get_lines()}
+    for band in ("red", "green", "blue"):
+        assert sum(curves[band].get_ydata()) == pytest.approx(100)
+    assert balance_figure([result, result]) is None  # there are no seams

@@ -1,0 +1,241 @@
+"""``seaminspector:interiororientation`` as QGIS runs it: contracts, hand measurement, files, bad input."""
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsRasterLayer
+
+from tests.numbers.photos.photos import Look, Place
+from tests.numbers.synthetic import write_plain
+from tests.qgis.photos.photo_scenes import PhotoScene, make_photo, points, write_calibration
+from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+FIELDS = "mark column row x_mm y_mm residual_x residual_y correlation status reason".split()
+CROSS = {"TEMPLATE_KIND": "ring with cross"}
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory: pytest.TempPathFactory) -> PhotoScene:
+    return make_photo(tmp_path_factory.mktemp("photo"), seed=3, rotation=1.2)
+
+
+@pytest.fixture(scope="module")
+def blotted(tmp_path_factory: pytest.TempPathFactory) -> PhotoScene:
+    """The same kind of photo with mark 2 under a blot."""
+    scene = make_photo(tmp_path_factory.mktemp("blotted"), seed=4)
+    column, row = (int(value) for value in scene.frame.places["2"])
+    pixels = scene.frame.pixels.copy()
+    pixels[row - 40 : row + 40, column - 40 : column + 40] = 90
+    write_plain(scene.photo, pixels)
+    return scene
+
+
+def distances(outcome: Run, truth: dict[str, Place]) -> dict[str, float]:
+    return {
+        row["mark"]: math.dist((row["column"], row["row"]), truth[row["mark"]])
+        for row in outcome.rows() if row["column"] is not None
+    }
+
+
+def test_marks_of_a_photo_that_nobody_looked_at(scene: PhotoScene, tmp_path: Path) -> None:
+    files = {name: str(tmp_path / name) for name in ("PARAMETERS", "WORLD_FILE", "REPORT")}
+    outcome = run("interiororientation", **scene.inputs, **CROSS, **files)
+    assert outcome.complaint is None
+    assert outcome.layer().fields().names() == FIELDS
+    assert outcome.column("status") == ["measured"] * 4
+    assert outcome.column("reason") == [None] * 4
+    assert max(distances(outcome, scene.frame.places).values()) < 0.1
+    assert (outcome.results["MARKS"], outcome.results["FAILED"]) == (4, 0)
+    assert outcome.results["RMS_UM"] == pytest.approx(
+        math.sqrt(np.mean([row["residual_x"] ** 2 + row["residual_y"] ** 2 for row in outcome.rows()])), rel=1e-9
+    )
+    for feature in outcome.features():
+        point = feature.geometry().asPoint()
+        assert (point.x(), point.y()) == (feature["column"], -feature["row"])
+    made = json.loads(Path(files["PARAMETERS"]).read_text(encoding="utf-8"))
+    to_mm = np.array(made["to_mm"])
+    for row in outcome.rows():
+        x, y, _ = to_mm @ [row["column"], row["row"], 1]
+        assert x - row["x_mm"] == pytest.approx(row["residual_x"] / 1000, abs=1e-9)
+        assert y - row["y_mm"] == pytest.approx(row["residual_y"] / 1000, abs=1e-9)
+    assert np.allclose(to_mm @ np.array(made["to_pixels"]), np.eye(3), atol=1e-9)
+    assert made["pixel_size_um"]["x"] == pytest.approx(1000 / scene.frame.scale, rel=1e-3)
+    assert made["lies"] == {"turned_deg": 0, "mirrored": False, "known_by": "dots"}
+    assert (made["redundancy"], made["mirrored"]) == (2, False)
+    page = Path(files["REPORT"]).read_text(encoding="utf-8")
+    assert page.count("<img") == 4
+    assert "http" not in re.sub(r'"data:[^"]*"', "", page)
+
+
+def test_the_world_file_puts_the_photo_in_millimetres(scene: PhotoScene, tmp_path: Path) -> None:
+    copy = tmp_path / "photo.png"
+    write_plain(copy, scene.frame.pixels)
+    outcome = run("interiororientation", **scene.inputs, **CROSS, WORLD_FILE=str(tmp_path / "photo.pgw"))
+    transform = gdal.Open(str(copy)).GetGeoTransform()
+    for row in outcome.rows():
+        x, y = gdal.ApplyGeoTransform(transform, row["column"], row["row"])
+        assert (x, y) == pytest.approx((row["x_mm"], row["y_mm"]), abs=0.02)
+    shown = QgsRasterLayer(str(copy), "photo")
+    assert shown.isValid()
+    assert shown.extent().width() == pytest.approx(shown.extent().height(), rel=0.01)
+    assert 212 / 0.86 <= shown.extent().width() <= 212 / 0.86 * 1.06
+    again = run("interiororientation", **{**scene.inputs, "PHOTO": str(copy)}, **CROSS)
+    for feature in again.features():  # now the map is in millimetres, the columns and rows are what they were
+        assert feature.geometry().asPoint().x() == pytest.approx(feature["x_mm"], abs=0.02)
+    assert again.column("column") == pytest.approx(outcome.column("column"), abs=1e-6)
+
+
+def test_where_qgis_shows_a_photo_without_a_place_on_the_map(scene: PhotoScene) -> None:
+    shown = QgsRasterLayer(str(scene.photo), "photo").extent()
+    assert (shown.xMinimum(), shown.xMaximum()) == (0, scene.frame.pixels.shape[1])
+    assert (shown.yMinimum(), shown.yMaximum()) == (-scene.frame.pixels.shape[0], 0)
+
+
+def test_a_mark_measured_by_hand_takes_the_place_of_a_failed_one(blotted: PhotoScene) -> None:
+    first = run("interiororientation", **blotted.inputs, **CROSS)
+    assert dict(zip(first.column("mark"), first.column("status"))) == {
+        "1": "measured", "2": "failed", "3": "measured", "4": "measured"
+    }
+    failed = next(row for row in first.rows() if row["mark"] == "2")
+    assert failed["reason"]
+    assert (failed["column"], failed["row"]) == (None, None)
+    assert "RMS_UM" not in first.results  # three marks determine an affine transformation, nothing is left over
+    truth = blotted.frame.places["2"]
+    second = run("interiororientation", **blotted.inputs, **CROSS, POSITIONS=points({"2": truth}), MEASURE=False)
+    assert second.column("status") == ["measured", "given", "measured", "measured"]
+    assert second.rows()[1]["column"] == pytest.approx(truth[0])
+    assert second.results["FAILED"] == 0
+    field = points({"2": truth}, measure=("integer", [0]))
+    third = run("interiororientation", **blotted.inputs, **CROSS, POSITIONS=field)
+    assert third.column("status") == second.column("status")
+
+
+def test_approximate_positions_are_measured(scene: PhotoScene) -> None:
+    near = {name: (column + 9, row - 7) for name, (column, row) in scene.frame.places.items()}
+    outcome = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points(near))
+    assert outcome.column("status") == ["measured"] * 4
+    assert max(distances(outcome, scene.frame.places).values()) < 0.1
+    one = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points({"3": near["3"]}))
+    assert max(distances(one, scene.frame.places).values()) < 0.1
+
+
+def test_a_template_cut_out_of_the_photo(scene: PhotoScene, tmp_path: Path) -> None:
+    column, row = (int(value) for value in scene.frame.places["1"])
+    cut = scene.frame.pixels[row - 24 : row + 21, column - 20 : column + 23]  # not in the middle
+    outcome = run("interiororientation", **scene.inputs, TEMPLATE=write_plain(tmp_path / "cut.tif", cut))
+    assert outcome.column("status") == ["measured"] * 4
+    assert max(distances(outcome, scene.frame.places).values()) < 0.3
+
+
+@pytest.mark.parametrize("words", [{"MODEL": "similarity"}, {"MODEL": "projective"}, {"SURFACE": "brightness"}])
+def test_choices(tmp_path: Path, words: dict[str, str]) -> None:
+    scene = make_photo(tmp_path, Look("ring with dot", dots=True), seed=5)
+    outcome = run("interiororientation", **scene.inputs, **words, TEMPLATE_KIND="ring with dot")
+    assert outcome.complaint is None
+    assert max(distances(outcome, scene.frame.places).values()) < 0.5
+    if words.get("MODEL") == "projective":
+        assert any("say nothing" in warning for warning in outcome.log.warnings)
+
+
+def test_without_numbers_it_says_that_it_assumes(tmp_path: Path) -> None:
+    scene = make_photo(tmp_path, Look(diagonal=True), seed=6)
+    outcome = run("interiororientation", **scene.inputs, **CROSS)
+    assert outcome.column("status") == ["measured"] * 4
+    assert any("Nothing tells how the photo lies" in warning for warning in outcome.log.warnings)
+    more = write_calibration(tmp_path / "strip.csv", more="data_strip,-125,0\n")
+    pixels = np.pad(scene.frame.pixels, ((0, 0), (0, 200)), constant_values=30)  # the strip is at the right
+    write_plain(scene.photo, pixels)
+    turned = run("interiororientation", PHOTO=str(scene.photo), CALIBRATION=str(more), **CROSS)
+    places = scene.frame.places
+    assert distances(turned, {"1": places["3"], "2": places["4"], "3": places["1"], "4": places["2"]})["1"] < 0.1
+
+
+# --- bad input -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("rows", "words"),
+    [
+        ("1,106,-106\n2,-106,-106\n", "too few marks: 2, and the affine model needs 3"),
+        ("1,106,-106\n2,-106,-106\n3,106,-106.1\n4,106,106\n", "'1' and '3' .* are at one place"),
+        ("1,0.106,-0.106\n2,-0.106,-0.106\n3,-0.106,0.106\n", "give millimetres"),
+        ("1,10.6,-10.6\n2,-10.6,-10.6\n3,-10.6,10.6\n", "give millimetres"),
+        ("1,106000,-106000\n2,-106000,-106000\n3,-106000,106000\n", "give millimetres"),
+        ("1,106,-106\n1,-106,-106\n", "the mark '1' twice"),
+        ("1,106\n", "Row 2 .* no mark with two numbers"),
+        ("", "holds no marks"),
+    ],
+)
+def test_a_bad_calibration_is_refused(scene: PhotoScene, tmp_path: Path, rows: str, words: str) -> None:
+    path = tmp_path / "camera.csv"
+    path.write_text("mark,x_mm,y_mm\n" + rows, encoding="utf-8")
+    assert_refused("interiororientation", words, PHOTO=str(scene.photo), CALIBRATION=str(path))
+
+
+def test_other_files_are_refused(scene: PhotoScene, tmp_path: Path) -> None:
+    calibration = str(scene.calibration)
+    assert_refused("interiororientation", "does not exist", PHOTO="/nowhere/p.tif", CALIBRATION=calibration)
+    assert_refused("interiororientation", "not a raster", PHOTO=calibration, CALIBRATION=calibration)
+    assert_refused("interiororientation", "can't be read", PHOTO=str(scene.photo), CALIBRATION="/nowhere/c.csv")
+    assert_refused("interiororientation", "neither a CSV", PHOTO=str(scene.photo), CALIBRATION=str(scene.photo))
+    assert_refused("interiororientation", "too few pixels|needs at least", **scene.inputs,
+                   TEMPLATE=write_plain(tmp_path / "small.tif", scene.frame.pixels[:3, :3]))
+
+
+def complaint(scene: PhotoScene, **parameters: Any) -> str | None:
+    return run("interiororientation", **{**scene.inputs, **CROSS, **parameters}).complaint
+
+
+def test_a_photo_without_marks(scene: PhotoScene, tmp_path: Path) -> None:
+    white = write_plain(tmp_path / "white.tif", np.full((600, 600), 255, np.uint8))
+    assert_sentence(complaint(scene, PHOTO=white), "All pixels of white.tif are alike")
+    noise = np.random.default_rng(1).integers(0, 255, (600, 600)).astype(np.uint8)
+    assert_sentence(complaint(scene, PHOTO=write_plain(tmp_path / "noise.tif", noise)), "No mark was found")
+
+
+def test_a_template_larger_than_the_search_area(scene: PhotoScene, tmp_path: Path) -> None:
+    cut = write_plain(tmp_path / "cut.tif", scene.frame.pixels[:60, :60])
+    assert_sentence(complaint(scene, TEMPLATE=cut, SEARCH=2), "template is .* mm wide and the search area 4.0 mm")
+
+
+def test_bad_positions(scene: PhotoScene) -> None:
+    places = scene.frame.places
+    swapped = {"1": places["2"], "2": places["1"], "3": places["3"], "4": places["4"]}
+    for given, words in (
+        (points({"9": places["1"]}), "a mark '9' that the calibration does not have"),
+        (points({"1": places["1"], "2": places["1"]}), "'1' and '2' are at one place"),
+        (points(swapped), "from where the calibration wants them"),
+        (points({"": places["1"]}), "no point with a name"),
+    ):
+        assert_sentence(complaint(scene, POSITIONS=given), words)
+
+
+def test_too_few_marks_found_keep_what_was_measured(blotted: PhotoScene, tmp_path: Path) -> None:
+    pixels = blotted.frame.pixels.copy()
+    for name in ("2", "3"):
+        column, row = (int(value) for value in blotted.frame.places[name])
+        pixels[row - 40 : row + 40, column - 40 : column + 40] = 90
+    photo = write_plain(tmp_path / "two.tif", pixels)
+    report = tmp_path / "report.html"
+    outcome = run(
+        "interiororientation", **{**blotted.inputs, "PHOTO": photo}, **CROSS,
+        POSITIONS=points(dict(blotted.frame.places)), REPORT=str(report),
+    )
+    assert outcome.complaint is None
+    assert outcome.column("status") == ["measured", "failed", "failed", "measured"]
+    assert all(row["reason"] for row in outcome.rows() if row["status"] == "failed")
+    assert "RMS_UM" not in outcome.results
+    assert not any(key in outcome.results for key in ("PARAMETERS", "WORLD_FILE"))
+    assert_sentence(outcome.log.errors[0], "the affine model needs 3")
+    assert report.is_file()
+
+

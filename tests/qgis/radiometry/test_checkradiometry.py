@@ -1,0 +1,182 @@
+"""``checkradiometry`` as QGIS runs it: its contract, its report, and bad input."""
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.numbers.synthetic import ORIGIN, read_pixels, write_raster
+from tests.qgis.runs import Log, algorithm, assert_sentence, run, run_unchecked
+from tests.qgis.scenes import Scene, layer, line, windows
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+CHECKS = ["clipped_low", "clipped_high", "peak", "contrast", "signal_to_noise", "colour_balance"]
+FIELDS = "raster window_id band check value limit passed source reason".split()
+SEAM = ((256, 0), (256, 256))
+
+
+@pytest.fixture(scope="module")
+def mosaics(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """A mosaic with a step of 20 DN at column 256, and one where it was balanced, at the cost of contrast."""
+    folder, random = tmp_path_factory.mktemp("mosaics"), np.random.default_rng(0)
+    columns = np.broadcast_to(np.arange(512) + 0.5, (3, 256, 512))
+    made = []
+    for name, step, contrast in (("cut", 20, 30), ("balanced", 0, 20)):
+        pixels = 110 + step * (columns > 256) + random.normal(0, contrast, (1, 256, 512))
+        made.append(write_raster(folder / f"{name}.tif", np.rint(pixels).clip(1, 255).astype(np.uint8), nodata=0))
+    return made
+
+
+def figures(rows: list[dict[str, Any]], raster: str) -> dict[tuple[str, str], Any]:
+    return {(row["check"], row["band"]): row["value"] for row in rows if row["raster"] == raster}
+
+
+def test_parameters_and_outputs_are_those_promised() -> None:
+    job = algorithm("checkradiometry")
+    names = [definition.name() for definition in job.parameterDefinitions()]
+    assert names == "RASTERS WINDOWS RULES SEAMLINES OUTPUT REPORT".split()
+    required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
+    assert required == ["RASTERS", "OUTPUT"]
+    assert {"OUTPUT", "REPORT"} <= {one.name() for one in job.outputDefinitions()}
+
+
+def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
+    outcome = run("checkradiometry", RASTERS=mosaics)
+    rows = outcome.rows()
+    assert list(rows[0])[: len(FIELDS)] == FIELDS
+    assert outcome.layer().wkbType() == 100  # a table
+    assert list(dict.fromkeys(row["check"] for row in rows)) == CHECKS
+    assert len(rows) == 2 * (5 * 3 + 1)
+    pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
+    found = figures(rows, "cut.tif")
+    assert found["contrast", "green"] == pytest.approx(pixels[1].std() / 255)
+    assert found["clipped_low", "red"] == pytest.approx((pixels[0] <= 4).mean())
+    for row in rows:
+        inside = (row["least"] is None or row["value"] >= row["least"]) and (
+            row["most"] is None or row["value"] <= row["most"]
+        )
+        assert row["passed"] == int(inside)
+        assert row["source"].startswith("JRC")
+        assert row["limit"]
+    assert outcome.results["PASSED_COUNT"] + outcome.results["FAILED_COUNT"] == len(rows)
+    assert outcome.results["NOT_MEASURABLE_COUNT"] == 0
+
+
+def test_unity_and_contrast_stand_beside_each_other(mosaics: list[str], tmp_path: Path) -> None:
+    report = tmp_path / "r.html"
+    seams = layer("LineString", [line(*SEAM)])
+    outcome = run("checkradiometry", RASTERS=mosaics, SEAMLINES=seams, REPORT=str(report))
+    rows = outcome.rows()
+    cut, balanced = (figures(rows, f"{name}.tif") for name in ("cut", "balanced"))
+    largest = read_pixels(mosaics[0], 0, 0, 512, 256).max()
+    assert cut["seam_step", "red"] == pytest.approx(20 / largest, abs=0.02)
+    assert balanced["seam_step", "red"] < 0.02
+    assert balanced["seam_contrast", "red"] < 0.75 * cut["seam_contrast", "red"]
+    page = report.read_text(encoding="utf-8")
+    for words in ("Tonal unity and contrast", "cut.tif", "balanced.tif", "JRC orthoimage specification", "svg+xml"):
+        assert words in page
+    (state,) = {(row["passed"], row["reason"]) for row in rows if row["check"] == "seam_step"}
+    assert state == (None, "The rules set no limit; give one in the rules file.")
+
+
+def test_own_rules(mosaics: list[str], tmp_path: Path) -> None:
+    rules = tmp_path / "own.json"
+    rules.write_text(json.dumps({"name": "ours", "rules": [
+        {"check": "seam_step", "most": 0.05, "source": "contract 12"},
+        {"check": "signal_to_noise", "least": 2.5, "source": "contract 13"},
+    ]}))
+    outcome = run(
+        "checkradiometry", RASTERS=mosaics, RULES=str(rules), SEAMLINES=layer("LineString", [line(*SEAM)])
+    )
+    passed = {(row["raster"], row["check"]): row["passed"] for row in outcome.rows()}
+    assert passed["cut.tif", "seam_step"] == 0
+    assert passed["balanced.tif", "seam_step"] == 1
+    assert passed["cut.tif", "signal_to_noise"] == 1
+    assert {row["source"] for row in outcome.rows()} == {"contract 12", "contract 13"}
+
+
+def test_windows_are_checked_for_themselves(mosaics: list[str]) -> None:
+    drawn = windows((0, 0, 128, 128), (300, 0, 100, 140), (9000, 0, 128, 128), window_id=("integer", [4, 5, 6]))
+    outcome = run("checkradiometry", RASTERS=mosaics, WINDOWS=drawn)
+    assert sorted({row["window_id"] for row in outcome.rows()}) == [4, 5]
+    found = {(row["window_id"], row["check"]): row["value"] for row in outcome.rows() if row["band"] == "red"
+             and row["raster"] == "cut.tif"}
+    pixels = read_pixels(mosaics[0], 300, 0, 100, 140)
+    assert found[5, "contrast"] == pytest.approx(pixels[0].std() / 255)
+    assert any("Window 6 lies on none of the rasters" in said for said in outcome.log.warnings)
+
+
+def test_a_window_on_one_of_two_rasters_is_not_missed(mosaics: list[str], tmp_path: Path) -> None:
+    pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
+    beside = write_raster(tmp_path / "beside.tif", pixels, origin=(ORIGIN[0] + 51.2, ORIGIN[1]))
+    drawn = windows((0, 0, 128, 128), (600, 0, 128, 128), (0, 0, 9, 9), window_id=("integer", [1, 2, 3]))
+    outcome = run("checkradiometry", RASTERS=[mosaics[0], beside], WINDOWS=drawn)
+    assert {(row["raster"], row["window_id"]) for row in outcome.rows()} == {("cut.tif", 1), ("beside.tif", 2)}
+    (said,) = outcome.log.warnings
+    assert_sentence(said, "Window 3 is left out on cut.tif: The window covers 9 x 9 px")
+
+
+def test_what_can_not_be_measured_has_its_reason(tmp_path: Path) -> None:
+    path = write_raster(tmp_path / "empty.tif", np.zeros((3, 200, 200), np.uint8), nodata=0)
+    outcome = run("checkradiometry", RASTERS=[path], SEAMLINES=layer("LineString", [line(*SEAM)]))
+    rows = outcome.rows()
+    assert len(rows) == 7 * 3 + 1
+    assert {(row["value"], row["passed"]) for row in rows} == {(None, None)}
+    assert {row["reason"] for row in rows} == {
+        "not measurable: 0 pixels are valid and at least 4096 are needed; choose a larger part."
+    }
+    assert outcome.results["NOT_MEASURABLE_COUNT"] == len(rows)
+
+
+def test_a_bad_raster_is_named_and_the_others_are_checked(mosaics: list[str], tmp_path: Path) -> None:
+    cut = Path(mosaics[0]).read_bytes()
+    (tmp_path / "short.tif").write_bytes(cut[: len(cut) // 2])
+    report = tmp_path / "r.html"
+    outcome = run(
+        "checkradiometry", RASTERS=["/nowhere/a.tif", str(tmp_path / "short.tif"), mosaics[1]], REPORT=str(report)
+    )
+    assert outcome.complaint is None
+    assert {row["raster"] for row in outcome.rows()} == {"balanced.tif"}
+    assert len(outcome.log.warnings) == 2
+    assert_sentence(outcome.log.warnings[0], "does not exist")
+    assert_sentence(outcome.log.warnings[1], r"short\.tif is left out")
+    assert "short.tif is left out" in report.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("parameters", "words"),
+    [
+        ({"RASTERS": []}, "No rasters are given"),
+        ({"RASTERS": ["/nowhere/a.tif"]}, "None of the rasters can be used: a.tif is left out"),
+        ({"RULES": "broken"}, r"The rules in broken.json are no JSON \(line 1"),
+        ({"RULES": "/nowhere/rules.json"}, "The rules in rules.json can't be read"),
+        ({"WINDOWS": []}, "The window layer is empty"),
+        ({"WINDOWS": [(9000, 0, 128, 128)]}, "Window 1 lies on none of the rasters"),
+        ({"SEAMLINES": []}, "The seamline layer is empty|holds no line"),
+    ],
+)
+def test_bad_input_ends_with_a_sentence(
+    mosaics: list[str], tmp_path: Path, parameters: dict[str, Any], words: str
+) -> None:
+    (tmp_path / "broken.json").write_text("{")
+    given = {"RASTERS": mosaics, **parameters}
+    if given.get("RULES") == "broken":
+        given["RULES"] = str(tmp_path / "broken.json")
+    if "WINDOWS" in given:
+        given["WINDOWS"] = windows(*given["WINDOWS"])
+    if "SEAMLINES" in given:
+        given["SEAMLINES"] = layer("LineString", given["SEAMLINES"])
+    for outcome in (run("checkradiometry", **given), run_unchecked("checkradiometry", **given)):
+        assert_sentence(outcome.complaint, words)
+
+
+def test_it_stops_when_cancelled(scene: Scene) -> None:
+    log = Log()
+    log.cancel()
+    outcome = run("checkradiometry", log, RASTERS=scene.sources)
+    assert outcome.complaint is None
+    assert outcome.rows() == []

@@ -1,0 +1,367 @@
+"""The dock of bar groups and its map tool: draw, watch the profile, find the lines in the layer, leave nothing."""
+from __future__ import annotations
+
+import importlib
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateReferenceSystem,
+    QgsPointXY,
+    QgsProject,
+    QgsRasterLayer,
+    QgsRectangle,
+)
+from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapTool
+from qgis.PyQt import sip
+from qgis.PyQt.QtCore import QEvent, QPoint, Qt
+from qgis.PyQt.QtGui import QColor, QKeyEvent
+from qgis.PyQt.QtWidgets import QAction, QApplication
+from seam_inspector.plugin.resolution import jobs
+from seam_inspector.plugin.resolution.desk.bar_dock import BarDock
+from seam_inspector.plugin.toolkit.desk.painted_chart import chart_style
+
+from tests.qgis.resolution.bar_operator import RIGHT, Operator
+from tests.qgis.resolution.bar_scenes import COARSEST_CM, bar_layer, make_bar_scene
+from tests.qgis.scenes import at, layer
+from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
+
+
+@pytest.fixture
+def operator(
+    qgis_iface: QgisInterface, qgis_canvas: QgsMapCanvas, project: QgsProject, tmp_path: Path
+) -> Iterator[Operator]:
+    """The dock on a map of the target at four screen pixels a pixel."""
+    scene = make_bar_scene(tmp_path)
+    project.setPresetHomePath(str(tmp_path))
+    raster = QgsRasterLayer(scene.path, "target")
+    project.addMapLayer(raster)
+    canvas = qgis_iface.mapCanvas()
+    frame = 2 * canvas.frameWidth()
+    canvas.resize(4 * raster.width() + frame, 4 * raster.height() + frame)
+    canvas.grab()  # a canvas that is not shown learns of its size only when it is painted
+    canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:32633"))
+    canvas.setExtent(QgsRectangle(raster.extent()))
+    dock = BarDock(qgis_iface)
+    dock.image.setLayer(raster)
+    dock.reference_group.setValue(1)
+    dock.reference_grd.setValue(COARSEST_CM)
+    wait_until(dock.draw.isEnabled, "for the image")
+    dock.draw.trigger()
+    yield Operator(dock, canvas, scene)
+    dock.close_desk()
+    wait_for_tasks()
+    dock.deleteLater()
+    settle()
+
+
+def test_a_drawn_line_goes_into_a_layer_of_its_own_and_the_next_group_is_taken(operator: Operator) -> None:
+    operator.draw(1)
+    operator.draw(2)
+    assert operator.rows() == [(1, "along"), (2, "along")]
+    assert operator.dock.group.value() == 3
+    lines = operator.dock.line_layer()
+    assert lines is not None
+    assert lines.isEditable()
+    assert Path(lines.source().split("|")[0]).name == "bar_groups.gpkg"
+    lines.undoStack().undo()
+    assert operator.rows() == [(1, "along")]
+    assert lines.commitChanges()
+
+
+def test_the_profile_is_shown_while_the_line_moves(operator: Operator) -> None:
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    wait_until(lambda: operator.dock.results, "for the profile")
+    assert operator.dock.profile.bands_shown == 3
+    assert all(len(result.reading.bars) == 3 for result in operator.dock.results if result.reading is not None)
+    assert "resolved" in operator.dock.verdict.text()
+    assert operator.rows() == []
+    assert [band.isVisible() for band in operator.bands] == [True]
+
+
+def test_pixels_are_read_in_the_background_and_the_last_line_wins(
+    operator: Operator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    threads, measured = set(), []
+    genuine = jobs.measure_line
+
+    def measure(raster, line, bars, width):  # type: ignore[no-untyped-def]
+        threads.add(threading.current_thread())
+        measured.append(line.segment)
+        return genuine(raster, line, bars, width)
+
+    monkeypatch.setattr(jobs, "measure_line", measure)
+    start, end = operator.ends(1)
+    operator.press(start)
+    for step in range(40):
+        operator.move((end[0] - 40 + step, end[1]))
+    operator.move(end)
+    wait_for_tasks()
+    wait_until(lambda: not operator.dock._background.is_under_way("bar group"))
+    wait_for_tasks()
+    assert threading.main_thread() not in threads
+    assert len(measured) < 20  # those that came too fast are left out
+    assert measured[-1].end[0] == pytest.approx(end[0], abs=0.3)
+    assert "resolved" in operator.dock.verdict.text()
+
+
+@pytest.fixture
+def slow_header(operator: Operator, monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
+    """Images open once it is set, at the latest at the test's end."""
+    may_end, genuine = threading.Event(), jobs.describe_picture
+
+    def describe(ref):  # type: ignore[no-untyped-def]
+        may_end.wait()
+        return genuine(ref)
+
+    monkeypatch.setattr(jobs, "describe_picture", describe)
+    yield may_end
+    may_end.set()
+    wait_for_tasks()
+
+
+def another_image(operator: Operator) -> QgsRasterLayer:
+    """The target's file as a second layer, chosen in the dock."""
+    image = QgsRasterLayer(operator.scene.path, "the same")
+    QgsProject.instance().addMapLayer(image)
+    operator.dock.image.setLayer(image)
+    return image
+
+
+def test_an_image_that_opens_slowly(operator: Operator, slow_header: threading.Event) -> None:
+    another_image(operator)
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    operator.release(end)
+    settle()
+    assert operator.dock.verdict.text() == "Reading the pictures ..."
+    assert not operator.dock.draw.isEnabled()
+    assert operator.rows() == []
+    assert not operator.dock.results
+    slow_header.set()
+    wait_until(operator.dock.draw.isEnabled, "for the image")
+    assert operator.dock.draw.isChecked()  # the tool stays at hand meanwhile
+    operator.draw(1)
+    assert operator.rows() == [(1, "along")]
+
+
+def test_an_image_whose_opening_is_stopped_is_not_chosen(operator: Operator, slow_header: threading.Event) -> None:
+    another_image(operator)
+    wait_until(QgsApplication.taskManager().activeTasks)
+    for task in QgsApplication.taskManager().activeTasks():
+        task.cancel()
+    slow_header.set()
+    wait_until(lambda: operator.dock.image.currentLayer() is None)
+    assert operator.dock.verdict.text().startswith("No image of a bar target is chosen")
+    assert not operator.dock.draw.isChecked()
+
+
+def test_an_image_that_can_not_be_opened_says_why(operator: Operator, tmp_path: Path) -> None:
+    gone = tmp_path / "gone.tif"
+    gone.write_bytes(Path(operator.scene.path).read_bytes())
+    image = QgsRasterLayer(str(gone), "gone")
+    QgsProject.instance().addMapLayer(image)
+    gone.unlink()
+    operator.dock.image.setLayer(image)
+    wait_until(lambda: "gone.tif does not exist" in operator.dock.verdict.text())
+    assert not operator.dock.draw.isEnabled()
+    assert not operator.dock.draw.isChecked()
+
+
+def test_two_clicks_draw_as_well_as_a_drag(operator: Operator) -> None:
+    start, end = operator.ends(2)
+    operator.press(start)
+    operator.release(start)
+    operator.move(end)
+    operator.press(end)
+    operator.release(end)
+    assert operator.rows() == [(1, "along")]
+    lines = operator.dock.line_layer()
+    assert lines is not None
+    (row,) = lines.getFeatures()
+    drawn = row.geometry().asPolyline()
+    assert drawn[0].distance(QgsPointXY(*at(*start))) < 0.03
+    assert drawn[1].distance(QgsPointXY(*at(*end))) < 0.03
+
+
+def test_a_typed_group_and_the_other_direction(operator: Operator) -> None:
+    operator.dock.lines.setLayer(None)
+    existing = bar_layer([operator.scene.geometry(4, "across")], [4], ["across"])
+    QgsProject.instance().addMapLayer(existing)
+    operator.dock.lines.setLayer(existing)
+    operator.dock.group.setValue(2)
+    operator.draw(2)
+    operator.dock.direction.setCurrentIndex(1)
+    assert operator.dock.group.value() == 5  # the one after the last across the flight
+    operator.draw(5, "across")
+    assert sorted(operator.rows()) == [(2, "along"), (4, "across"), (5, "across")]
+    existing.rollBack()
+
+
+def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
+    operator.press((5, 3))
+    operator.move((25, 3))
+    wait_until(lambda: "No bars stand out" in operator.dock.verdict.text())
+    operator.move((7, 3))
+    wait_until(lambda: "px long" in operator.dock.verdict.text())
+    assert operator.dock.profile.bands_shown == 0
+
+
+def test_the_profile_is_drawn_in_a_thread_and_goes_with_its_line(operator: Operator) -> None:
+    profile = operator.dock.profile
+    profile.resize(400, 300)
+
+    def colours() -> set[str]:
+        profile.grab()  # asks for what is to be seen now
+        wait_until(lambda: profile.is_drawn, "for the chart")
+        image = profile.grab().toImage()
+        return {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
+
+    assert len(colours()) == 1  # nothing was measured
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    wait_until(lambda: operator.dock.results, "for the profile")
+    assert {"#0072b2", chart_style(profile).limit} <= colours()
+    operator.release(end, RIGHT)
+    assert len(colours()) == 1
+    assert operator.dock.verdict.text() == operator.dock.draw.toolTip()
+
+
+def test_side_by_side_where_the_dock_is_wide(operator: Operator) -> None:
+    dock = operator.dock
+    for width, height, is_beside in ((420, 800, False), (1200, 320, True), (420, 800, False)):
+        dock.setFloating(True)  # the tests' main window is not shown, nor would be what is docked there
+        dock.resize(width, height)
+        dock.show()
+        settle()
+        profile, last = dock.profile, dock.group
+        place = profile.mapTo(dock, QPoint()) - last.mapTo(dock, QPoint())
+        assert (place.x() > 0) == is_beside
+        assert (place.y() < 0) == is_beside
+    dock.hide()
+
+
+def test_drawn_lines_are_seen_on_bright_and_on_dark_ground_with_their_numbers(operator: Operator) -> None:
+    operator.draw(1)
+    lines = operator.dock.line_layer()
+    assert lines is not None
+    inner, outer = (part.color() for part in reversed(lines.renderer().symbol().symbolLayers()))
+    assert inner.lightness() > 120 > outer.lightness()
+    assert lines.labelsEnabled()
+    assert lines.labeling().settings().fieldName == "group"
+
+
+def test_a_line_over_another_group_than_its_number_says_is_told(operator: Operator) -> None:
+    start, end = operator.ends(3)
+    operator.press(start)
+    operator.move(end)
+    wait_until(lambda: operator.dock.results)
+    assert "0.63 times as far apart" in operator.dock.verdict.text()
+
+
+def test_a_layer_without_the_fields_is_told(operator: Operator, qgis_iface: QgisInterface,
+                                            monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[str] = []
+    monkeypatch.setattr(qgis_iface.messageBar(), "pushMessage", lambda _title, text, *_rest: told.append(text))
+    other = layer("LineString", [])
+    QgsProject.instance().addMapLayer(other)
+    operator.dock.lines.setLayer(other)
+    operator.draw(1)
+    assert told == ["The layer has no field 'group'; add it and fill it in."]
+    assert operator.rows() == []
+
+
+def test_escape_and_the_right_button(operator: Operator) -> None:
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    operator.canvas.keyPressed.emit(QKeyEvent(QEvent.Type.KeyPress, Qt.Key.Key_Escape, Qt.KeyboardModifier.NoModifier))
+    assert not operator.tool.is_drawing
+    operator.release(end)
+    assert operator.rows() == []
+    operator.press(start)
+    operator.release(end, RIGHT)
+    assert not operator.tool.is_drawing
+    assert operator.dock.draw.isChecked()
+    operator.release(end, RIGHT)
+    assert not operator.dock.draw.isChecked()
+
+
+def test_the_previous_tool_comes_back_and_nothing_stays(operator: Operator) -> None:
+    canvas = operator.canvas
+    operator.dock.draw.trigger()
+    items = len(canvas.scene().items())
+    previous = QgsMapTool(canvas)
+    canvas.setMapTool(previous)
+    for _ in range(3):
+        operator.dock.draw.trigger()
+        start, end = operator.ends(1)
+        operator.press(start)
+        operator.move(end)
+        operator.dock.draw.trigger()
+        assert canvas.mapTool() is previous
+        assert len(canvas.scene().items()) == items
+    canvas.unsetMapTool(previous)
+
+
+def test_another_dock_of_ours_does_not_come_back(operator: Operator) -> None:
+    """Drawing here, there and here again ends with the map's own tool, not with the other dock's."""
+    canvas, other = operator.canvas, BarDock(operator.dock._iface)
+    pan = QgsMapTool(canvas)
+    canvas.setMapTool(pan)
+    other.image.setLayer(operator.dock.image.currentLayer())
+    wait_until(other.draw.isEnabled, "for the image")
+    for draw in (operator.dock.draw, other.draw, operator.dock.draw):
+        draw.trigger()
+    assert canvas.mapTool() is operator.tool
+    assert not other.draw.isChecked()
+    operator.release(operator.ends(1)[1], RIGHT)
+    assert canvas.mapTool() is pan
+    canvas.unsetMapTool(pan)
+    other.close_desk()
+    other.deleteLater()
+
+
+def test_a_previous_tool_that_was_deleted_meanwhile(operator: Operator) -> None:
+    operator.dock.draw.trigger()
+    previous = QgsMapTool(operator.canvas)
+    operator.canvas.setMapTool(previous)
+    operator.dock.draw.trigger()
+    sip.delete(previous)
+    operator.dock.draw.trigger()
+    assert operator.canvas.mapTool() is None
+    assert not operator.dock.draw.isChecked()
+
+
+def test_an_image_that_vanishes(operator: Operator) -> None:
+    start, end = operator.ends(1)
+    operator.press(start)
+    operator.move(end)
+    QgsProject.instance().removeMapLayer(operator.dock.image.currentLayer().id())
+    QApplication.processEvents()
+    operator.move(end)
+    operator.release(end)
+    wait_for_tasks()
+    assert not operator.dock.draw.isEnabled()
+    assert operator.rows() == []
+
+
+def test_the_plugin_shows_the_dock_and_takes_it_along(qgis_iface: QgisInterface, project: QgsProject) -> None:
+    plugin = importlib.import_module("seam_inspector").classFactory(qgis_iface)
+    window = qgis_iface.mainWindow()
+    for _ in range(2):
+        plugin.initGui()
+        action = window.findChild(QAction, "seamInspectorBarAction")
+        action.trigger()
+        assert window.findChildren(BarDock)
+        plugin.unload()
+        settle()
+        assert not window.findChildren(BarDock)
+        assert window.findChild(QAction, "seamInspectorBarAction") is None

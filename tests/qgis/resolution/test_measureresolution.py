@@ -1,0 +1,234 @@
+"""``seaminspector:measureresolution`` as QGIS runs it: contracts, bad input, chart, report, the real photograph."""
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from qgis.core import QgsProcessingProvider
+
+from tests.numbers.resolution.bar_targets import STEP, Bars, image, theoretical_cycle
+from tests.numbers.synthetic import write_raster
+from tests.qgis.resolution.bar_scenes import COARSEST_CM, BarScene, bar_layer, make_bar_scene
+from tests.qgis.runs import Log, Run, assert_refused, run
+from tests.qgis.scenes import ORIGIN, PIXEL, layer, line, moved
+
+FIELDS = (
+    "group direction band grd bars_found amplitude full_amplitude modulation resolved spurious shift_px reason"
+).split()
+TARGET = {"REFERENCE_GROUP": 1, "REFERENCE_GRD": COARSEST_CM, "STEP": STEP**2}
+
+
+@pytest.fixture(scope="module")
+def target(tmp_path_factory: pytest.TempPathFactory, provider: QgsProcessingProvider) -> BarScene:
+    return make_bar_scene(tmp_path_factory.mktemp("bars"))
+
+
+def measure(log: Log | None = None, **parameters: object) -> Run:
+    """A run without chart and report, unless they are asked for."""
+    return run("measureresolution", log, **{"CHART": None, "REPORT": None, **parameters})
+
+
+def reasons(scene: BarScene, *lines: object, **parameters: object) -> list[str | None]:
+    """The reason of each row of the first band, after a run that has to succeed."""
+    made = measure(RASTER=scene.path, GROUPS=lines[0], **{**TARGET, **parameters})
+    assert made.complaint is None
+    rows = made.rows()
+    assert all("Traceback" not in (row["reason"] or "") for row in rows)
+    return [row["reason"] for row in rows if row["band"] in (None, "red", "band_1")]
+
+
+def test_fields_numbers_and_verdicts(target: BarScene) -> None:
+    made = measure(RASTER=target.path, GROUPS=target.lines(), **TARGET)
+    assert made.complaint is None
+    assert made.layer().fields().names() == FIELDS
+    rows = made.rows()
+    assert len(rows) == 10 * 3
+    assert {row["band"] for row in rows} == {"red", "green", "blue"}
+    for direction, sigma in (("along", 0.8), ("across", 1.2)):
+        limit = theoretical_cycle(sigma) * PIXEL * 100
+        finest = max(group for group in range(1, 6) if COARSEST_CM / STEP ** (2 * (group - 1)) >= limit)
+        expected = COARSEST_CM / STEP ** (2 * (finest - 1))
+        assert made.results[f"GRD_{direction.upper()}"] == pytest.approx(expected)
+        for row in rows:
+            if row["direction"] == direction:
+                assert row["grd"] == pytest.approx(COARSEST_CM / STEP ** (2 * (row["group"] - 1)))
+                assert (row["resolved"], row["spurious"]) == (int(row["group"] <= finest), 0)
+                assert bool(row["reason"]) == (row["group"] > finest)
+    assert made.results["GRD_MEAN"] == pytest.approx(
+        math.sqrt(made.results["GRD_ALONG"] * made.results["GRD_ACROSS"])
+    )
+    coarsest = rows[0]
+    assert coarsest["bars_found"] == 3
+    assert coarsest["full_amplitude"] == pytest.approx(160, rel=0.06)
+    assert abs(coarsest["shift_px"]) < 0.05
+
+
+def test_one_band_and_one_direction(target: BarScene) -> None:
+    keys = [key for key in target.groups if key[1] == "across"]
+    made = measure(RASTER=target.path, GROUPS=target.lines(keys), BAND=2, **TARGET)
+    assert {row["band"] for row in made.rows()} == {"green"}
+    assert "GRD_ACROSS" in made.results
+    assert "GRD_ALONG" not in made.results  # nothing was measured, so there is no number
+    assert "GRD_MEAN" not in made.results
+
+
+def test_lines_in_another_reference_system(target: BarScene) -> None:
+    keys = [(1, "along"), (2, "along")]
+    shapes = [moved(target.geometry(*key), 4326) for key in keys]
+    made = measure(RASTER=target.path, GROUPS=bar_layer(shapes, [1, 2], ["along"] * 2, 4326), **TARGET)
+    assert [row["resolved"] for row in made.rows()] == [1] * 6
+
+
+def test_chart_and_report(target: BarScene, tmp_path: Path) -> None:
+    chart, report = tmp_path / "chart.svg", tmp_path / "report.html"
+    made = measure(
+        RASTER=target.path, GROUPS=target.lines(), CHART=str(chart), REPORT=str(report), **TARGET
+    )
+    assert made.complaint is None
+    drawn, page = chart.read_text(encoding="utf-8"), report.read_text(encoding="utf-8")
+    for words in ("group 1, 100.00 cm: resolved", "group 5, 39.69 cm: not resolved", "along the flight"):
+        assert words in drawn
+    assert f"{made.results['GRD_ALONG']:.2f} cm" in page
+    assert page.count("data:image/svg+xml") == 2
+    assert "http" not in page.replace("http://www.w3.org", "")
+
+
+# bad input: a sentence each, and it costs nothing else
+
+
+def test_each_bad_line_has_its_reason_and_the_others_are_measured(target: BarScene) -> None:
+    good = target.geometry(1)
+    cases = [
+        (good, 1, "along", None),
+        (line((-50, 10), (-10, 10)), 2, "along", "leaves target.tif"),
+        (target.geometry(3, half=0.3), 3, "along", "px long, and 3 bars with their gaps need 5 px"),
+        (line((10, 3), (40, 3)), 4, "along", "No bars stand out"),
+        (target.geometry(1), 1, "along", "Group 1 along is drawn twice"),
+        (target.geometry(2), None, "along", "no whole number in its field 'group'"),
+        (target.geometry(2), 7, "sideways", "direction is 'sideways'"),
+        (None, 8, "along", "has no geometry"),
+        (line((10, 40), (30, 60), (50, 40)), 9, "along", "is not straight"),
+        (line((0, 0), (5000, 0)), 10, "along", "are the most"),
+    ]
+    shapes, groups, directions, words = zip(*cases)
+    found = reasons(target, bar_layer(shapes, groups, directions))
+    assert len(found) == len(cases)
+    for reason, word in zip(found, words):
+        assert (reason is None) == (word is None), reason
+        assert word is None or word in str(reason)
+
+
+def test_a_target_numbered_the_other_way_is_told(target: BarScene) -> None:
+    log = Log()
+    keys = [(1, "along"), (2, "along"), (3, "along")]
+    shapes = [target.geometry(*key) for key in keys]
+    backwards = bar_layer(shapes, [3, 2, 1], ["along"] * 3)
+    measure(log, RASTER=target.path, GROUPS=backwards, **TARGET)
+    assert any("set REVERSED" in warning for warning in log.warnings)
+    log = Log()
+    made = measure(log, RASTER=target.path, GROUPS=backwards, **{**TARGET, "REFERENCE_GROUP": 3,
+               "REVERSED": True})
+    assert not log.warnings
+    assert made.results["GRD_ALONG"] == pytest.approx(COARSEST_CM / STEP**4)
+
+
+def test_saturated_bars_are_told(target: BarScene, tmp_path: Path) -> None:
+    bars = Bars(40, 40, 10, 25)
+    pixels = np.clip(2.0 * image((80, 80), [bars], 0.8), 0, 255).astype(np.uint8)
+    scene = BarScene(write_raster(tmp_path / "bright.tif", pixels, gsd=PIXEL), {(1, "along"): bars})
+    (reason,) = reasons(scene, scene.lines())
+    assert "saturated at 255 DN" in str(reason)
+
+
+def test_another_scale_is_told_and_the_bars_are_believed(target: BarScene) -> None:
+    log = Log()
+    made = measure(
+        log, RASTER=target.path, GROUPS=target.lines([(1, "along"), (2, "along")]),
+        **{**TARGET, "REFERENCE_GRD": 5.0},
+    )
+    assert [row["resolved"] for row in made.rows()] == [1] * 6
+    (warning,) = log.warnings
+    assert re.search(r"(19\.9|20\.0)\d times as far apart .* check the reference group", warning)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "words"),
+    [
+        ({"BARS": 1}, "1 bars can't be measured"),
+        ({"REFERENCE_GRD": 0}, "positive number of centimetres"),
+        ({"STEP": 1}, "factor above 1"),
+        ({"CRITERION": 2}, "between 0 and 1"),
+        ({"BAND": 4}, "has no band 4 to measure; give 1 to 3"),
+        ({"WIDTH": -1}, "give 0 to"),
+        ({"RASTER": "/nowhere/t.tif"}, "does not exist"),
+    ],
+)
+def test_bad_settings_are_refused(target: BarScene, parameters: dict[str, object], words: str) -> None:
+    assert_refused(
+        "measureresolution", words, **{"RASTER": target.path, "GROUPS": target.lines(), **TARGET, **parameters}
+    )
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [({"direction": ("string", ["along"])}, "no field 'group'"), ({"group": ("integer", [1])}, "no field 'direction'")],
+)
+def test_missing_fields(target: BarScene, fields: dict[str, object], words: str) -> None:
+    made = measure(
+        RASTER=target.path, GROUPS=layer("LineString", [target.geometry(1)], **fields), **TARGET
+    )
+    assert words in str(made.complaint)
+
+
+def test_no_lines_and_a_chart_of_another_format(target: BarScene, tmp_path: Path) -> None:
+    made = measure(RASTER=target.path, GROUPS=target.lines([]), **TARGET)
+    assert "has no lines" in str(made.complaint)
+    made = measure(RASTER=target.path, GROUPS=target.lines(), CHART=str(tmp_path / "c.doc"), **TARGET)
+    assert "c.doc is no PNG, SVG or PDF file" in str(made.complaint)
+
+
+# the real photograph of a USAF-1951 target
+
+USAF = {
+    "across": {
+        1: (195, 206, 255, 206), 2: (115, 10, 168, 10), 3: (108, 64, 157, 64), 4: (103, 120, 148, 120),
+        5: (98, 170, 140, 170), 6: (94, 215, 132, 215), 8: (257, 30, 284, 30), 9: (261, 61, 287, 61),
+        10: (266, 89, 289, 89), 11: (270, 113, 291, 113), 12: (274, 136, 293, 136), 13: (211.5, 128, 230.5, 128),
+        14: (192.5, 77, 208.5, 77), 15: (191.5, 93, 206, 93), 16: (191, 106.5, 203, 106.5),
+        17: (189.8, 119.5, 200.5, 119.5), 18: (188.7, 131, 199, 131),
+    },
+    "along": {
+        1: (284, 178, 284, 234), 3: (84, 41, 84, 88), 4: (82, 99, 82, 141), 5: (81, 151, 81, 190),
+        6: (79, 199, 79, 232), 8: (297, 17, 297, 43), 9: (298, 49, 298, 73), 10: (299, 78, 299, 99),
+        11: (300, 103.5, 300, 123), 12: (301, 126.5, 301, 145), 13: (237, 119.5, 237, 137), 14: (187, 69, 187, 85),
+        15: (187, 85.5, 187, 100), 16: (186.5, 100.5, 186.5, 113), 17: (186, 113.5, 186, 125.5),
+        18: (185.5, 126, 185.5, 136.5),
+    },
+}
+"""Columns and rows of lines across its elements, numbered on from group to group: 6 x group + element."""
+
+
+def test_the_photograph_of_usaf_1951(data_folder: Path, provider: QgsProcessingProvider, tmp_path: Path) -> None:
+    """Bars that both the eye and the numbers tell apart, and the steps of the target between them."""
+    photo = data_folder / "bars" / "usaf1951" / "3.npy"
+    path = write_raster(tmp_path / "usaf.tif", np.load(photo), gsd=PIXEL, origin=ORIGIN)
+    keys = [(number, direction) for direction, lines in USAF.items() for number in lines]
+    shapes = [
+        line(*((column + 0.5, row + 0.5) for column, row in (ends[:2], ends[2:])))
+        for ends in (USAF[direction][number] for number, direction in keys)
+    ]
+    log = Log()
+    made = measure(
+        log, RASTER=path, GROUPS=bar_layer(shapes, *zip(*keys)), WIDTH=2, REFERENCE_GROUP=1,
+        REFERENCE_GRD=17.5 * PIXEL * 100,
+    )
+    assert made.complaint is None
+    assert not log.warnings  # the spacings of its bars are those of its steps
+    resolved = {(row["group"], row["direction"]) for row in made.rows() if row["resolved"]}
+    assert resolved == {key for key in keys if key[0] <= (9 if key[1] == "across" else 11)}
+    assert not any(row["spurious"] for row in made.rows())
+    assert made.results["GRD_ACROSS"] == pytest.approx(17.5 * PIXEL * 100 / STEP**8)
+    assert made.results["GRD_ALONG"] == pytest.approx(17.5 * PIXEL * 100 / STEP**10)

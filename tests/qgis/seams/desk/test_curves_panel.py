@@ -1,0 +1,654 @@
+"""The curves panel shows the selected windows, draws no more than it must, and exports what was measured."""
+from __future__ import annotations
+
+import csv
+import gc
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.seams.charts.window_curves import point_words
+from seam_inspector.plugin.seams.desk.curves.curves_chart import CurvesChart
+from seam_inspector.plugin.seams.desk.curves.curves_panel import CurvesPanel
+from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.inspection import ClipResult, WindowResult
+from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict, judge
+from seam_inspector.plugin.toolkit.charts.curve_chart import COMPOSITE_DASHES, DARK, PAPER, curve_look, numbered
+from seam_inspector.plugin.toolkit.charts.variance_curves import ChartCurve, share_text, significance_limit
+from seam_inspector.plugin.toolkit.desk.theme import contrast
+
+from demo.gaps import Gaps
+from tests.patience import MOST_WORK_S, PATIENCE_S
+
+BANDS = ("luminance", "red", "green", "blue")
+
+
+class Row:
+    """Of a session's window row, what the panel reads."""
+
+    def __init__(self, window_id: int, verdict: str = "", reason: str = "", stale: bool = False) -> None:
+        self.window_id, self.verdict, self.reason, self.stale = window_id, verdict, reason, stale
+
+
+class Inputs:
+    """Of a session's inputs, what the panel reads."""
+
+    max_ratio = 0.5
+    reference = "sources"
+
+
+class FakeSession(QObject):
+    """A session that holds what the test puts into it."""
+
+    inputsChanged = pyqtSignal()
+    windowsChanged = pyqtSignal()
+    selectionChanged = pyqtSignal()
+    resultArrived = pyqtSignal(int)
+    progressChanged = pyqtSignal(int, int)
+    messageRaised = pyqtSignal(str, int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.inputs = Inputs()
+        self.is_busy = False
+        self.results: dict[int, WindowResult] = {}
+        self.rows_by_fid: dict[int, Row] = {}
+        self.fids: list[int] = []
+
+    def add(self, fid: int, result: WindowResult) -> None:
+        self.results[fid] = result
+        self.rows_by_fid[fid] = Row(result.window_id, result.judgement.verdict.value)
+        self.resultArrived.emit(fid)
+
+    def select(self, fids: list[int]) -> None:
+        self.fids = fids
+        self.selectionChanged.emit()
+
+    def selected(self) -> list[int]:
+        return self.fids
+
+    def result(self, fid: int) -> WindowResult | None:
+        return self.results.get(fid)
+
+    def is_pending(self, fid: int) -> bool:
+        return self.is_busy
+
+    def row(self, fid: int) -> Row | None:
+        return self.rows_by_fid.get(fid)
+
+
+def make_row(window_id: int) -> Row:
+    return Row(window_id)
+
+
+def make_curve(level_1: float) -> Curve:
+    detail = (level_1, 2.2 * level_1 + 0.01, 0.07 + level_1)
+    return Curve(detail, 1 - sum(detail), 900.0)
+
+
+def make_result(
+    window_id: int = 12, sources: int = 2, level_1: float = 0.016, bands: tuple[str, ...] = BANDS
+) -> WindowResult:
+    """A mosaic with ``level_1`` in luminance, and sources with 0.039, 0.042, ..."""
+    clips = [ClipResult("mosaic.tif", "mosaic", {b: make_curve(level_1 * (1 + i / 9)) for i, b in enumerate(bands)})]
+    clips += [
+        ClipResult(
+            f"ortho_2024_flight_0412_{31 + n:04}.tif",
+            "source",
+            {b: make_curve((0.039 + 0.003 * n) * (1 + i / 9)) for i, b in enumerate(bands)},
+        )
+        for n in range(sources)
+    ]
+    judgement = judge(clips[0].curves[bands[0]], [clip.curves[bands[0]] for clip in clips[1:]])
+    return WindowResult(window_id, PixelWindow(0, 0, 512, 512), judgement, tuple(clips))
+
+
+def not_comparable(window_id: int) -> WindowResult:
+    nothing = Ratios((None, None, None), None)
+    return WindowResult(window_id, None, Judgement(Verdict.NOT_COMPARABLE, nothing, seams_messages.NO_SOURCES()))
+
+
+def settle(times: int = 4) -> None:
+    """Let timers, drawings and paintings happen."""
+    for _ in range(times):
+        QApplication.processEvents()
+    end = time.monotonic() + PATIENCE_S
+    while not all(chart.is_drawn for chart in charts_in_sight()):
+        QApplication.processEvents()
+        assert time.monotonic() < end, "the chart is not drawn"
+
+
+def charts_in_sight() -> list[CurvesChart]:
+    return [widget for widget in QApplication.allWidgets() if isinstance(widget, CurvesChart) and widget.isVisible()]
+
+
+def wait_for_timer(panel: CurvesPanel) -> None:
+    while panel._timer.isActive():
+        QApplication.processEvents()
+    settle()
+
+
+@pytest.fixture
+def session(qgis_app: object) -> FakeSession:
+    return FakeSession()
+
+
+@pytest.fixture
+def panel(session: FakeSession) -> Iterator[CurvesPanel]:
+    made = CurvesPanel(session)
+    made._loader.join()
+    made.resize(420, 300)
+    made.show()
+    settle()
+    yield made
+    made.close()
+    made.deleteLater()
+
+
+def text_of(panel: CurvesPanel) -> str:
+    """What stands in place of the chart; empty when the chart is there."""
+    return panel._text.text() if panel._pages.currentWidget() is panel._text else ""
+
+
+def labels(panel: CurvesPanel) -> list[str]:
+    """The curves that are drawn."""
+    return [a.get_label() for a in panel._chart.painter.artists if not a.get_label().startswith("_")]
+
+
+def point_at(panel: CurvesPanel, point: tuple[int, int]) -> None:
+    chart = panel._chart
+    x, y = chart.place_of(point)
+    none = Qt.MouseButton.NoButton
+    where = QPointF(x + 1, y + 1)
+    event = QMouseEvent(QEvent.Type.MouseMove, where, none, none, Qt.KeyboardModifier.NoModifier)
+    QApplication.sendEvent(chart, event)
+    settle()
+
+
+def ink(panel: CurvesPanel, row: int) -> float:
+    """How much the name of a legend's entry stands out."""
+    legend = panel._legend
+    box = legend.visualItemRect(legend.item(row)).adjusted(legend.iconSize().width() + 4, 0, 0, 0)
+    image = legend.viewport().grab(box).toImage()
+    back = image.pixelColor(image.width() - 1, 0)
+    colours = {image.pixel(x, y) for x in range(image.width()) for y in range(image.height())}
+    return max(contrast(QColor(colour), back) for colour in colours)
+
+
+def select_one(session: FakeSession, result: WindowResult | None = None) -> None:
+    session.add(1, result or make_result())
+    session.select([1])
+    settle()
+
+
+# words in place of the chart
+
+
+def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: CurvesPanel) -> None:
+    assert text_of(panel).startswith("Select a window")
+
+    session.rows_by_fid[1] = Row(12)
+    session.select([1])
+    settle()
+    assert text_of(panel) == "Not inspected yet"
+
+    session.is_busy = True
+    session.progressChanged.emit(0, 1)
+    wait_for_timer(panel)
+    assert text_of(panel) == "Measuring ..."
+
+    session.add(1, not_comparable(12))
+    settle()
+    assert text_of(panel) == str(seams_messages.NO_SOURCES())
+    assert not panel._export.isEnabled()
+
+    session.add(1, make_result())
+    settle()
+    assert text_of(panel) == ""
+    assert panel._export.isEnabled()
+
+
+def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: FakeSession, panel: CurvesPanel) -> None:
+    session.rows_by_fid = {1: Row(12, "reduced"), 2: Row(13, "not_comparable", "No source here.")}
+    session.select([1])
+    settle()
+    assert "Inspect again" in text_of(panel)
+    session.select([2])
+    settle()
+    assert text_of(panel) == "No source here."
+
+
+def test_without_matplotlib_it_says_how_to_get_it(
+    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("seams.desk.curves.curves_chart", "toolkit.charts.chart_painter"):
+        monkeypatch.delitem(sys.modules, f"seam_inspector.plugin.{name}", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_agg", None)
+    select_one(session)
+    assert "python3-matplotlib" in text_of(panel)
+    monkeypatch.undo()
+    session.select([1])
+    settle()
+    assert text_of(panel) == ""
+
+
+def test_matplotlib_is_loaded_with_the_first_chart_only(repository: Path) -> None:
+    code = (
+        "import sys, qgis.core, qgis.gui; qgis_has = set(sys.modules); "  # newer ones bring numpy
+        "import seam_inspector.plugin.seams.desk.curves.curves_panel; "
+        "print([m for m in ('matplotlib', 'numpy', 'pywt') if m in sys.modules and m not in qgis_has])"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(repository / "build" / "plugins")}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
+    assert done.stdout.strip() == "[]"
+
+
+# the chart
+
+
+def test_one_window_shows_mosaic_sources_and_limit(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    assert labels(panel) == [
+        "significant loss below",
+        "ortho_2024_flight_0412_0031.tif",
+        "ortho_2024_flight_0412_0032.tif",
+        "mosaic.tif",
+    ]
+    lines = {artist.get_label(): artist for artist in panel._chart.painter.artists}
+    assert list(lines["mosaic.tif"].get_ydata()) == pytest.approx([0.016, 0.0452, 0.086, 0.8528])
+    assert lines["mosaic.tif"].get_linewidth() > 2 * lines["ortho_2024_flight_0412_0031.tif"].get_linewidth()
+    assert lines["significant loss below"].get_ydata()[0] == pytest.approx(0.5 * 0.039)
+    ticks = [label.get_text().strip() for label in panel._chart.painter.axes.get_xticklabels()]
+    assert ticks == ["1", "2", "3", "background"]
+    assert panel._status.text() == "Window 12"
+
+
+def test_the_limit_follows_the_inputs(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    session.inputs.max_ratio = 0.8
+    session.inputsChanged.emit()
+    settle()
+    limit = next(a for a in panel._chart.painter.artists if a.get_label() == "significant loss below")
+    assert limit.get_ydata()[0] == pytest.approx(0.8 * 0.039)
+
+
+def test_values_under_the_mouse_without_drawing_the_chart_again(session: FakeSession, panel: CurvesPanel) -> None:
+    panel.resize(900, 300)
+    select_one(session)
+    drawn = panel._chart.painter.frames_drawn, panel._chart.painter.curves_drawn
+    point_at(panel, (0, 0))
+    assert panel._status.text() == "mosaic.tif, level 1: 0.0160 (41 % of the least sharp source)"
+    point_at(panel, (1, 0))
+    assert panel._status.text() == "ortho_2024_flight_0412_0031.tif, level 1: 0.0390 (mosaic: 41 % of it)"
+    point_at(panel, (0, 3))
+    assert panel._status.text().startswith("mosaic.tif, background: 0.853 (")
+    assert (panel._chart.painter.frames_drawn, panel._chart.painter.curves_drawn) == drawn
+    QApplication.sendEvent(panel._chart, QEvent(QEvent.Type.Leave))
+    assert panel._status.text() == "Window 12"
+
+
+def test_where_it_is_narrow_the_name_is_elided_and_not_the_value(session: FakeSession, panel: CurvesPanel) -> None:
+    panel.resize(330, 240)
+    select_one(session)
+    point_at(panel, (1, 0))
+    assert panel._status.text().endswith(", level 1: 0.0390 (mosaic: 41 % of it)")
+    assert "ortho_2024_flight_0412_0031.tif" not in panel._status.text()
+    assert "ortho_2024_flight_0412_0031.tif" in panel._status.toolTip()
+
+
+def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    name = "ortho_2024_flight_0412_0031.tif"
+    panel._legend.itemClicked.emit(panel._legend.item(1))
+    settle()
+    assert name not in labels(panel)
+    assert panel._chart.place_of((1, 0)) is None
+    assert ink(panel, 1) < 0.8 * ink(panel, 2)
+    limit = next(a for a in panel._chart.painter.artists if a.get_label() == "significant loss below")
+    assert limit.get_ydata()[0] == pytest.approx(0.5 * 0.039)  # what is hidden still counts
+
+    session.add(2, make_result(13, level_1=0.02))
+    session.select([2])
+    settle()
+    assert name not in labels(panel)
+    panel._legend.itemClicked.emit(panel._legend.item(1))
+    settle()
+    assert name in labels(panel)
+
+
+def test_only_one_source_and_all_again(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session, make_result(sources=4))
+    panel._legend.soloed.emit(panel._chart.chart.curves[2].key)
+    settle()
+    assert labels(panel)[1:] == ["ortho_2024_flight_0412_0032.tif", "mosaic.tif"]
+    panel._legend.soloed.emit(None)
+    settle()
+    assert len(labels(panel)) == 6
+
+
+def test_the_limit_in_the_legend_cannot_be_hidden(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    last = panel._legend.item(panel._legend.count() - 1)
+    assert last.text() == "limit"
+    panel._legend.itemClicked.emit(last)
+    settle()
+    assert len(labels(panel)) == 4
+
+
+def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, panel: CurvesPanel) -> None:
+    whole = make_result(sources=3)
+    select_one(session, whole)
+    colour = next(a.get_color() for a in panel._chart.painter.artists if a.get_label().endswith("0033.tif"))
+    session.add(2, replace(whole, window_id=13, clips=(whole.clips[0], whole.clips[3])))
+    session.select([2])
+    settle()
+    assert next(a.get_color() for a in panel._chart.painter.artists if a.get_label().endswith("0033.tif")) == colour
+
+
+def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    assert [panel._bands.itemText(i) for i in range(panel._bands.count())] == ["luminance", "red", "green", "blue"]
+    panel._bands.activated.emit(2)
+    settle()
+    assert panel._bands.currentData() == "green"
+    assert panel._chart.chart.curves[0].detail[0] == pytest.approx(0.016 * (1 + 2 / 9))
+
+    session.add(2, make_result(13, bands=("band_1",)))
+    session.select([2])
+    settle()
+    assert panel._bands.currentText() == "band 1"
+    session.add(3, make_result(14, bands=(*BANDS, "nir")))
+    session.select([3])
+    settle()
+    assert panel._bands.currentData() == "green"
+    assert panel._bands.itemText(4) == "near infrared"
+
+
+def test_linear_or_logarithmic(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    assert panel._chart.painter.axes.get_yscale() == "log"
+    panel._logarithmic.setChecked(False)
+    settle()
+    assert panel._chart.painter.axes.get_yscale() == "linear"
+    assert panel._chart.painter.axes.get_ylim()[0] == 0
+
+
+def test_several_windows_show_mean_and_range(session: FakeSession, panel: CurvesPanel) -> None:
+    panel.resize(900, 300)
+    for fid, share in enumerate((0.01, 0.02, 0.06)):
+        session.add(fid, make_result(fid, level_1=share))
+    session.add(3, not_comparable(3))
+    session.select([0, 1, 2, 3])
+    settle()
+    mosaic, sources = panel._chart.chart.curves
+    assert mosaic.detail[0] == pytest.approx(0.03)
+    assert mosaic.spread[0] == pytest.approx((0.01, 0.06))
+    assert sources.spread[0] == pytest.approx((0.039, 0.042))
+    assert labels(panel) == ["sources (mean)", "mosaic (mean)"]  # each window would have a limit of its own
+    assert panel._status.text() == "3 of the 4 selected windows: mean and range"
+    point_at(panel, (0, 0))
+    assert panel._status.text() == "mosaic (mean), level 1: 0.0300 (range 0.0100 to 0.0600)"
+
+
+def test_constant_clips_and_sources_without_detail_are_drawn_as_far_as_they_go(
+    session: FakeSession, panel: CurvesPanel
+) -> None:
+    nan = float("nan")
+    result = make_result()
+    odd = (
+        ClipResult("constant.tif", "source", dict.fromkeys(BANDS, Curve((nan, nan, nan), nan, 0.0))),
+        ClipResult("smooth.tif", "source", dict.fromkeys(BANDS, Curve((0.0, 0.0, 0.1), 0.9, 5.0))),
+    )
+    select_one(session, replace(result, clips=(*result.clips, *odd)))
+    assert panel._chart.place_of((3, 0)) is None
+    assert panel._chart.place_of((4, 0)) is None
+    assert panel._chart.place_of((4, 2)) is not None
+    panel._logarithmic.setChecked(False)
+    settle()
+    point_at(panel, (4, 0))
+    assert "smooth.tif, level 1: 0" in panel._status.text()
+
+
+# when it draws
+
+
+def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    settle(8)
+    chart = panel._chart.painter
+    drawn = chart.frames_drawn, chart.curves_drawn
+    session.windowsChanged.emit()
+    session.inputsChanged.emit()
+    session.selectionChanged.emit()
+    session.add(99, make_result(99))  # not selected
+    wait_for_timer(panel)
+    assert (chart.frames_drawn, chart.curves_drawn) == drawn
+    session.add(1, make_result(level_1=0.017))
+    settle()
+    assert (chart.frames_drawn, chart.curves_drawn) == (drawn[0], drawn[1] + 1)  # the axes are as they were
+
+
+def test_out_of_sight_nothing_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    settle(8)
+    panel.hide()
+    drawn = panel._chart.painter.curves_drawn
+    session.add(1, make_result(level_1=0.03))
+    settle()
+    assert panel._chart.painter.curves_drawn == drawn
+    panel.show()
+    settle()
+    assert panel._chart.chart.curves[0].detail[0] == 0.03
+
+
+def test_it_can_be_deleted_while_the_session_goes_on(session: FakeSession) -> None:
+    panel = CurvesPanel(session)
+    panel.show()
+    select_one(session)
+    panel.close()
+    panel.deleteLater()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    session.add(1, make_result(level_1=0.03))
+    session.select([])
+    settle()
+
+
+def test_its_thread_ends_with_it(session: FakeSession) -> None:
+    panel = CurvesPanel(session)
+    panel._loader.join()
+    panel.show()
+    select_one(session)
+    threads = [thread for thread in threading.enumerate() if thread.name.startswith("seam-inspector-chart")]
+    assert threads
+    panel.close()
+    panel.deleteLater()
+    del panel
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    for thread in threads:
+        thread.join(PATIENCE_S)
+    assert not any(thread.is_alive() for thread in threads)
+
+
+def test_the_curve_under_the_mouse_stands_out(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    plain = panel._chart.grab().toImage()
+    point_at(panel, (1, 0))
+    assert panel._chart.grab().toImage() != plain
+    QApplication.sendEvent(panel._chart, QEvent(QEvent.Type.Leave))
+    settle()
+    assert panel._chart.grab().toImage() == plain
+
+
+def test_the_interface_goes_on_while_a_chart_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
+    session.add(1, make_result())
+    session.select([1])
+    with Gaps() as gaps:
+        end = time.monotonic() + PATIENCE_S
+        while not (panel._chart and panel._chart.is_drawn) and time.monotonic() < end:
+            QApplication.processEvents()
+    assert panel._chart.is_drawn
+    assert gaps.longest_work_s <= MOST_WORK_S
+
+
+def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    assert panel._chart.painter.artists[2].get_color() == PAPER.sources[0]
+    dark = QPalette(panel.palette())
+    dark.setColor(QPalette.ColorRole.Base, QColor("#232629"))
+    dark.setColor(QPalette.ColorRole.Text, QColor("#eff0f1"))
+    panel.setPalette(dark)
+    settle(8)
+    assert panel._chart.painter.artists[2].get_color() == DARK.sources[0]
+    image = panel._chart.grab().toImage()
+    assert image.pixelColor(1, 1).name() == "#232629"
+
+
+def test_at_any_size_the_axes_are_inside(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session, make_result(sources=10))
+    for width, height in ((420, 240), (300, 200), (1600, 240), (420, 900)):
+        panel.resize(width, height)
+        settle()
+        box = panel._chart.painter.axes.get_window_extent()
+        assert box.width > 60
+        assert box.height > 40
+        last = panel._chart.painter.axes.get_xticklabels()[-1].get_window_extent()
+        assert last.x1 <= panel._chart.width() * panel._chart.devicePixelRatioF()
+
+
+@pytest.mark.parametrize(("width", "beside"), [(420, False), (1000, True)])
+def test_the_legend_is_below_the_chart_where_it_is_narrow(
+    session: FakeSession, panel: CurvesPanel, width: int, beside: bool
+) -> None:
+    font = panel.font()
+    font.setPixelSize(12)
+    panel.setFont(font)
+    panel.resize(width, 400)
+    select_one(session, make_result(sources=5))
+    chart, legend = panel._chart.geometry(), panel._legend.geometry()
+    assert (legend.left() > chart.right()) == beside
+    assert (legend.top() > chart.bottom()) != beside
+    assert chart.width() * chart.height() > 0.6 * panel._pages.width() * panel._pages.height()
+    columns = {panel._legend.visualItemRect(panel._legend.item(row)).left() for row in range(panel._legend.count())}
+    assert (len(columns) == 1) == beside
+    assert panel._legend.verticalScrollBar().maximum() == 0
+
+
+# export
+
+
+def save(panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, path: Path, ending: str) -> None:
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", staticmethod(lambda *_: (str(path), "")))
+    getattr(panel._export, f"save_{ending}")()
+
+
+def test_csv_holds_all_bands_and_rasters(
+    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    said: list[str] = []
+    session.messageRaised.connect(lambda text, _level: said.append(text))
+    select_one(session)
+    panel._legend.itemClicked.emit(panel._legend.item(1))
+    save(panel, monkeypatch, tmp_path / "curves", "csv")
+    with (tmp_path / "curves.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert list(rows[0]) == ["window_id", "raster", "role", "band", "component", "level", "relative_variance"]
+    assert len(rows) == 3 * 4 * 4
+    assert rows[0] == {
+        "window_id": "12",
+        "raster": "mosaic.tif",
+        "role": "mosaic",
+        "band": "luminance",
+        "component": "detail",
+        "level": "1",
+        "relative_variance": "0.016",
+    }
+    assert said == [f"The curves were saved to {tmp_path / 'curves.csv'}."]
+
+
+@pytest.mark.parametrize(("ending", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml")])
+def test_pictures(
+    session: FakeSession,
+    panel: CurvesPanel,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    ending: str,
+    start: bytes,
+) -> None:
+    select_one(session)
+    save(panel, monkeypatch, tmp_path / f"curves.{ending}", ending)
+    assert (tmp_path / f"curves.{ending}").read_bytes().startswith(start)
+
+
+def test_a_folder_that_is_not_there_is_said(
+    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    said: list[str] = []
+    session.messageRaised.connect(lambda text, _level: said.append(text))
+    select_one(session)
+    save(panel, monkeypatch, tmp_path / "gone" / "curves.png", "png")
+    assert len(said) == 1
+    assert "not saved" in said[0]
+
+
+def test_the_clipboard_gets_picture_and_values(session: FakeSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    panel._export.copy_values()
+    assert QApplication.clipboard().text().splitlines()[1] == "12\tmosaic.tif\tmosaic\tluminance\tdetail\t1\t0.016"
+    panel._export.copy_picture()
+    assert QApplication.clipboard().image().width() > 1000
+
+
+# words and numbers
+
+
+@pytest.mark.parametrize(
+    ("share", "text"),
+    [(0.016, "0.0160"), (0.412, "0.412"), (0.000521, "0.000521"), (1.0, "1.00"), (0.0, "0"), (float("nan"), "nan")],
+)
+def test_shares_have_three_digits_that_count(share: float, text: str) -> None:
+    assert share_text(share) == text
+
+
+def test_the_limit_is_that_of_the_least_sharp_source_with_detail() -> None:
+    def curve(name: str, share: float) -> ChartCurve:
+        return ChartCurve(name, name == "m", (share,), 1 - share)
+
+    curves = [curve("m", 0.1), curve("a", 0.4), curve("b", 0.3), curve("empty", 0.0)]
+    assert significance_limit(curves, 0.5) == pytest.approx(0.15)
+    assert significance_limit(curves[:1], 0.5) is None
+    assert point_words(curves[:1], 0, 0) == ("m", ", level 1: 0.100")
+    assert point_words(curves, 0, 0)[1].endswith("(33 % of the least sharp source)")
+
+
+def test_the_composite_is_the_limit_where_the_verdict_is_taken_against_it() -> None:
+    mosaic, source = ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7)
+    beside = ChartCurve("c", False, (0.2,), 0.8, is_composite=True)
+    curves = [mosaic, source, beside]
+    assert significance_limit(curves, 0.5) == pytest.approx(0.15)
+    assert point_words(curves, 2, 0) == ("c", ", level 1: 0.200 (mosaic: 50 % of it)")
+    judged = [mosaic, source, replace(beside, is_reference=True)]
+    assert significance_limit(judged, 0.5) == pytest.approx(0.1)
+    assert point_words(judged, 0, 0)[1].endswith("(50 % of the composite)")
+
+
+def test_the_composite_is_dashed_in_the_colour_of_words() -> None:
+    curves = [
+        ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7), ChartCurve("b", False, (0.3,), 0.7),
+        ChartCurve("c", False, (0.2,), 0.8, is_composite=True),
+    ]  # fmt: skip
+    looks = [curve_look(curve, number, PAPER) for number, curve in numbered(curves)]
+    assert looks[0] == (PAPER.text, "-")
+    assert [look[0] for look in looks[1:3]] == list(PAPER.sources[:2])
+    assert looks[3] == (PAPER.text, COMPOSITE_DASHES)

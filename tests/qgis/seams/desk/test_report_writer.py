@@ -1,0 +1,74 @@
+"""The report that the desk writes: of the windows as they are, in the background."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from qgis.PyQt.QtWidgets import QFileDialog, QWidget
+from seam_inspector.plugin.seams.desk.report_writer import ReportWriter
+
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, wait_for_tasks
+
+
+class Writer:
+    """A writer, and what it said."""
+
+    def __init__(self, desk: Desk) -> None:
+        self.window = QWidget()
+        self.writer = ReportWriter(desk.session, self.window)
+        self.said: list[str] = []
+        self.writer.said.connect(self._hear)
+
+    def _hear(self, text: str, _level: int) -> None:
+        self.said.append(text)
+
+    def write(self, path: Path) -> str:
+        self.writer.write(path)
+        wait_for_tasks()
+        (said,) = self.said
+        self.said.clear()
+        return said
+
+
+@pytest.fixture
+def writer(desk: Desk) -> Writer:
+    return Writer(desk)
+
+
+def test_the_report_tells_windows_curves_and_cause(desk: Desk, writer: Writer, tmp_path: Path) -> None:
+    assert not writer.writer.can_start
+    for window in (BLURRED_WINDOW, SHARP_WINDOW):
+        desk.add(window)
+    desk.session.judge([desk.rows()[1].fid], "visible")
+    path = tmp_path / "a & b.html"
+    said = writer.write(path)
+    assert said.startswith("Report of 2 windows: <a href=")
+    assert "a &amp; b.html</a>" in said
+    assert "no curves" not in said
+    page = path.read_text(encoding="utf-8")
+    for words in ("significant", "visible", "blur", "<svg", "mosaic.tif"):
+        assert words in page, words
+
+
+def test_windows_of_an_earlier_session_have_no_curves(desk: Desk, writer: Writer, tmp_path: Path) -> None:
+    desk.add()
+    desk.session._results.forget()
+    said = writer.write(tmp_path / "report.html")
+    assert "1 of them have no curves" in said
+    assert (tmp_path / "report.html").exists()
+
+
+def test_a_folder_that_is_not_there_is_told(desk: Desk, writer: Writer, tmp_path: Path) -> None:
+    desk.add()
+    assert "can't be written" in writer.write(tmp_path / "gone" / "report.html")
+
+
+def test_the_file_is_asked_for(
+    desk: Desk, writer: Writer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    desk.add()
+    for chosen, made in (("", None), (str(tmp_path / "x"), "x.html"), (str(tmp_path / "y.HTM"), "y.HTM")):
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, chosen=chosen: (chosen, ""))
+        writer.writer.ask()
+        wait_for_tasks()
+        assert made is None or (tmp_path / made).exists()

@@ -1,0 +1,270 @@
+"""The session behind the desk, on real layers: windows, what undo takes back, and layers made elsewhere."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from qgis.core import QgsApplication, QgsVectorLayer
+from qgis.PyQt.QtCore import QEventLoop
+from seam_inspector.plugin.seams.desk.curves.curves_selection import selected_results
+from seam_inspector.plugin.seams.desk.windows.judge_bar import JudgeBar
+
+from tests.qgis.runs import run
+from tests.qgis.scenes import BLURRED, SHARP, layer, outline, pixel_box, windows
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
+
+# One window
+
+
+def test_a_new_window_is_inspected_in_the_background(desk: Desk) -> None:
+    arrived: list[int] = []
+    desk.session.resultArrived.connect(arrived.append)
+    desk.session.add_window(BLURRED_WINDOW)
+    assert desk.session.is_busy
+    assert desk.session.windows() == []
+    desk.wait()
+    fid = desk.rows()[1].fid
+    assert desk.session.selected() == [fid]
+    assert arrived == [fid]
+    result = desk.session.result(fid)
+    assert result is not None
+    assert result.window == BLURRED_WINDOW
+    row = desk.session.row(fid)
+    assert row is not None
+    assert (row.window_id, row.verdict, row.sources, row.observer) == (1, "significant", 2, "")
+    assert row.ratios == pytest.approx(result.judgement.ratios.detail)
+    assert row.background_ratio == pytest.approx(result.judgement.ratios.background)
+    assert result.explanation is not None
+    assert row.cause == result.explanation.cause.value
+    assert row.composite_ratio == pytest.approx(result.explanation.ratios["luminance"].detail[0])
+    assert pixel_box(desk.layer().getFeature(fid).geometry()) == BLURRED
+    assert not row.stale
+    assert desk.messages == []
+
+
+def test_undo_takes_back_the_result_then_the_window(desk: Desk) -> None:
+    fid = desk.add()
+    desk.undo()
+    assert [row.verdict for row in desk.session.windows()] == [""]
+    desk.undo()
+    assert desk.session.windows() == []
+    assert desk.session.selected() == []
+    assert desk.session.result(fid) is None
+    desk.redo()
+    desk.redo()
+    assert [row.verdict for row in desk.session.windows()] == ["significant"]
+    assert desk.session.result(fid) is not None
+
+
+def test_windows_get_the_next_number_and_none_twice(desk: Desk) -> None:
+    first, second = desk.add(), desk.add(SHARP_WINDOW)
+    assert sorted(desk.rows()) == [1, 2]
+    desk.session.remove([second])
+    third = desk.add(SHARP_WINDOW)
+    assert {row.window_id: row.fid for row in desk.session.windows()} == {1: first, 3: third}
+
+
+def test_judging_and_removing_are_undone_in_one_step(desk: Desk) -> None:
+    fids = [desk.add(), desk.add(SHARP_WINDOW)]
+    desk.session.judge(fids, "visible")
+    assert [row.observer for row in desk.session.windows()] == ["visible"] * 2
+    desk.session.judge(fids[:1], "")
+    assert [row.observer for row in desk.session.windows()] == ["", "visible"]
+    desk.undo()
+    desk.undo()
+    assert [row.observer for row in desk.session.windows()] == ["", ""]
+    desk.session.remove(fids)
+    assert desk.session.windows() == []
+    desk.undo()
+    assert [row.verdict for row in desk.session.windows()] == ["significant", "reduced"]
+
+
+def test_saving_keeps_results_selection_and_marks(desk: Desk) -> None:
+    new = [desk.add(), desk.add(SHARP_WINDOW)]
+    desk.session.select(new[:1])
+    desk.session.set_inputs(replace(desk.session.inputs, max_ratio=0.4))
+    told: list[int] = []
+    desk.session.selectionChanged.connect(lambda: told.append(1))
+    assert desk.layer().commitChanges(), desk.layer().commitErrors()
+    settle()
+    rows = desk.rows()
+    assert all(row.fid > 0 for row in rows.values())
+    assert desk.session.selected() == [rows[1].fid]
+    assert told
+    assert all(row.stale for row in rows.values())
+    for row in rows.values():
+        result = desk.session.result(row.fid)
+        assert result is not None
+        assert result.window_id == row.window_id
+    saved = QgsVectorLayer(desk.layer().source(), "saved", "ogr")
+    assert [feature["verdict"] for feature in saved.getFeatures()] == ["significant", "reduced"]
+
+
+def test_a_window_that_is_saved_while_it_is_inspected_gets_its_result(desk: Desk) -> None:
+    desk.add(SHARP_WINDOW)
+    desk.session.add_window(BLURRED_WINDOW)
+    assert desk.layer().commitChanges()
+    desk.wait()
+    assert [row.verdict for row in desk.session.windows()] == ["reduced", "significant"]
+
+
+def test_windows_that_are_drawn_while_the_layer_is_made_wait_for_it(desk: Desk) -> None:
+    for window in (BLURRED_WINDOW, SHARP_WINDOW):
+        desk.session.add_window(window)
+    assert desk.session.window_layer() is None
+    desk.wait()
+    assert [row.verdict for row in desk.session.windows()] == ["significant", "reduced"]
+    assert len([layer for layer in desk.project.mapLayers().values() if layer.name() == "Windows"]) == 1
+
+
+@pytest.mark.parametrize("danger", ["close the project", "close the session", "choose another layer"])
+def test_dangers_while_the_layer_is_made(desk: Desk, danger: str) -> None:
+    for steps in range(5):
+        desk.session.add_window(BLURRED_WINDOW)
+        for _ in range(steps):
+            QgsApplication.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, 1)
+        if danger == "close the project":
+            desk.project.clear()
+            assert not desk.session.is_busy
+            assert desk.session.windows() == []
+            break
+        if danger == "close the session":
+            desk.session.close()
+            assert not desk.session.is_busy
+            break
+        other = desk.use(windows(SHARP))
+        desk.wait()
+        assert desk.layer() is other
+        assert len(desk.session.windows()) in (1, 2)
+        desk.set(desk.inputs(windows=""))
+    settle(0.1)
+    assert desk.messages == []
+
+
+def test_a_window_is_not_inspected_twice_at_the_same_time(desk: Desk) -> None:
+    desk.add(SHARP_WINDOW)
+    desk.session.add_window(BLURRED_WINDOW)
+    (fid,) = desk.session.selected()
+    steps: list[int] = []
+    desk.session.progressChanged.connect(lambda done, asked: steps.append(asked))
+    desk.session.inspect_pending()
+    desk.session.inspect([fid])
+    desk.wait()
+    assert set(steps) == {1, 0}
+
+
+def test_results_are_written_together(desk: Desk) -> None:
+    desk.use(windows(*[(column, 64, 64, 64) for column in range(0, 320, 64)], window_id=("integer", [1, 2, 3, 4, 5])))
+    desk.session.inspect_pending()
+    wait_until(lambda: all(desk.session.result(fid) for fid in range(1, 6)))
+    desk.wait()
+    assert all(row.verdict for row in desk.session.windows())
+    names = [desk.layer().undoStack().text(index) for index in range(desk.layer().undoStack().count())]
+    assert names[0] == "Add fields"
+    assert 1 <= names.count("Inspect windows") <= 3, names
+
+
+def test_stop_keeps_what_is_done(desk: Desk) -> None:
+    boxes = [(column, row, 64, 64) for row in range(0, 192, 32) for column in range(0, 448, 64)]
+    desk.use(windows(*boxes))
+    desk.session.inspect_pending()
+    wait_until(lambda: desk.session.result(1) is not None)
+    desk.session.stop()
+    desk.wait()
+    verdicts = [row.verdict for row in desk.session.windows()]
+    assert verdicts[0]
+    assert not verdicts[-1]
+    desk.session.inspect_pending()
+    desk.wait()
+    assert all(row.verdict for row in desk.session.windows())
+
+
+# Layers made elsewhere
+
+
+def test_windows_placed_by_the_algorithm_can_be_inspected(desk: Desk, provider: object) -> None:
+    ran = run("placewindows", SEAMLINES=desk.seamlines, MOSAIC=desk.mosaic, SIDE=6.4, SPACING=6.0)
+    placed = desk.use(ran.context.takeResultLayer(ran.results["OUTPUT"]))
+    count = placed.featureCount()
+    assert count == 4
+    desk.session.inspect_pending()
+    desk.wait()
+    assert [bool(row.verdict) for row in desk.session.windows()] == [True] * count
+    assert {"seam_id", "station", "reason", "observer"} <= set(placed.fields().names())
+    assert placed.commitChanges(), placed.commitErrors()
+
+
+@pytest.mark.parametrize("is_saved", [True, False])
+def test_windows_drawn_by_hand_can_be_inspected(desk: Desk, is_saved: bool) -> None:
+    drawn = desk.use(layer("Polygon", []))
+    drawn.startEditing()
+    shapes = [layer("Polygon", [outline(box)]).getFeature(1) for box in (BLURRED, SHARP)]
+    assert drawn.addFeatures(shapes)
+    if is_saved:
+        assert drawn.commitChanges()
+    assert sorted(desk.rows()) == [1, 2]
+    desk.session.select([row.fid for row in desk.session.windows()])
+    desk.session.inspect_pending()
+    desk.wait()
+    found = {pixel_box(drawn.getFeature(row.fid).geometry()): row.verdict for row in desk.session.windows()}
+    assert found == {BLURRED: "significant", SHARP: "reduced"}
+    assert len(desk.session.selected()) == 2
+    assert drawn.commitChanges(), drawn.commitErrors()
+    values = {(feature["window_id"], feature["verdict"]) for feature in drawn.getFeatures()}
+    assert values == {(1, "significant"), (2, "reduced")}
+
+
+def test_a_copied_window_gets_a_number_of_its_own(desk: Desk) -> None:
+    fid = desk.add()
+    copy = desk.layer().getFeature(fid)
+    copy.setGeometry(outline(SHARP))
+    desk.layer().addFeature(copy)
+    assert sorted(desk.rows()) == [1, 2]
+    assert desk.rows()[1].fid == fid
+    desk.session.inspect([desk.rows()[2].fid])
+    desk.wait()
+    assert {number: row.verdict for number, row in desk.rows().items()} == {1: "significant", 2: "reduced"}
+    assert desk.layer().getFeature(desk.rows()[2].fid)["window_id"] == 2
+
+
+@pytest.mark.parametrize("epsg", [3857, 4326, 32634])
+def test_the_window_layer_may_have_another_reference_system(desk: Desk, epsg: int) -> None:
+    other = desk.use(windows(SHARP, epsg=epsg))
+    fid = desk.add(BLURRED_WINDOW)
+    desk.session.inspect_pending()
+    desk.wait()
+    result = desk.session.result(fid)
+    assert result is not None
+    assert result.window == BLURRED_WINDOW
+    sharp = desk.session.result(1)
+    assert sharp is not None
+    assert sharp.window == SHARP_WINDOW
+    pictures = []
+    desk.session.picturesArrived.connect(pictures.append)
+    assert desk.session.pictures(fid) is None
+    wait_until(lambda: pictures)
+    assert desk.session.pictures(fid)[0].pixels.shape == (128, 128, 3)  # type: ignore[index]
+    assert other.commitChanges()
+
+
+# What is said meanwhile
+
+
+def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None:
+    desk.use(windows(BLURRED, SHARP))
+    bar = JudgeBar(desk.session)
+    desk.session.inspect([1])
+    assert [desk.session.is_pending(fid) for fid in (1, 2, 99)] == [True, False, False]
+    said = {}
+    for fid in (1, 2):
+        desk.session.select([fid])
+        said[fid] = (selected_results(desk.session)[1], bar.sentence())
+    assert said == {1: ("Measuring ...", "Measuring ..."), 2: ("Not inspected yet", "Not inspected yet.")}
+    desk.session.select([1])
+    desk.wait()
+    assert not desk.session.is_pending(1)
+    assert "Significant loss" in bar.sentence()
+    desk.session.inspect([2])
+    desk.session.stop()
+    desk.wait()
+    assert not desk.session.is_pending(2)

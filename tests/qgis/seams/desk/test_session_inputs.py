@@ -1,0 +1,231 @@
+"""The inputs of a session: remembered, opened in the background, followed when they change."""
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from threading import Event
+
+import pytest
+from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject
+from seam_inspector.plugin.imagery import messages as imagery_messages
+from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe_mosaic
+from seam_inspector.plugin.seams.desk.inputs import block_files
+from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
+
+from tests.patience import PATIENCE_S
+from tests.qgis.runs import assert_sentence
+from tests.qgis.scenes import SHARP, Scene, at, layer, line, windows
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
+
+# Inputs
+
+
+def test_the_inputs_come_back_with_the_project(desk: Desk, tmp_path: Path) -> None:
+    desk.add()
+    wanted = replace(desk.session.inputs, wavelet="db4", levels=2, reference="composite", cells="gone")
+    desk.session.set_inputs(wanted)
+    path = str(tmp_path / "project.qgz")
+    assert desk.project.write(path)
+    desk.project.clear()
+    assert desk.session.inputs == Inputs()
+    assert desk.session.window_layer() is None
+    assert desk.session.windows() == []
+    assert desk.project.read(path)
+    assert desk.session.inputs == wanted
+    desk.wait_for_opening()
+    assert desk.session.mosaic_grid() is not None
+    assert [row.verdict for row in desk.session.windows()] == ["significant"]
+
+
+def test_vanished_layers_do_no_harm(desk: Desk) -> None:
+    desk.add()
+    before = desk.session.inputs
+    desk.project.removeMapLayers([desk.sources[0].id()])
+    assert desk.session.inputs == before
+    assert desk.session.source_count_over(BLURRED_WINDOW) == 1
+    desk.project.removeMapLayers([desk.mosaic.id(), desk.seamlines.id(), desk.layer().id()])
+    settle()
+    assert desk.session.mosaic_grid() is None
+    assert desk.session.mosaic_layer() is None
+    assert desk.session.source_count_over(BLURRED_WINDOW) == 0
+    assert desk.session.seam_point_near(*at(256, 10), 5) is None
+    assert desk.session.windows() == []
+    assert load_inputs(desk.project) == before
+
+
+@pytest.mark.parametrize(
+    "stored", ["", "no json", "[]", "3", '{"sources": 5}', '{"side_m": "wide", "levels": null}', '{"reference": "x"}']
+)
+def test_inputs_that_make_no_sense_are_left_out(project: QgsProject, stored: str) -> None:
+    project.writeEntry("SeamInspector", "inputs", stored)
+    assert load_inputs(project) == Inputs()
+
+
+# Seams
+
+
+def test_placing_is_one_step_of_undo(desk: Desk) -> None:
+    desk.add(SHARP_WINDOW)
+    desk.session.place_windows()
+    desk.session.place_windows()  # a second click does nothing
+    desk.wait()
+    rows = desk.session.windows()
+    assert len(rows) == 5
+    assert [row.window_id for row in rows] == [1, 2, 3, 4, 5]
+    assert_sentence(desk.messages[-1].split(". ")[0] + ".", "4")
+    desk.undo()
+    assert len(desk.session.windows()) == 1
+
+
+def test_the_nearest_seam_is_known_once_it_is_found(desk: Desk) -> None:
+    x, y = at(250, 100)
+    wait_until(lambda: desk.session.seam_point_near(x, y, 1.0) is not None)
+    assert desk.session.seam_point_near(x, y, 1.0) == pytest.approx(at(256, 100))
+    assert desk.session.seam_point_near(x, y, 0.3) is None
+    other = layer("LineString", [line((300, 0), (300, 256))])
+    desk.project.addMapLayer(other)
+    desk.session.set_inputs(replace(desk.session.inputs, seamlines=other.id()))
+    wait_until(lambda: desk.session.seam_point_near(*at(299, 100), 1.0) is not None)
+    assert desk.session.seam_point_near(x, y, 1.0) is None
+
+
+def test_seams_are_found_whatever_is_chosen_first(scene: Scene, project: QgsProject, tmp_path: Path) -> None:
+    desk = Desk(scene, tmp_path)
+    desk.session.set_inputs(desk.inputs(sources=()))
+    desk.session.set_inputs(desk.inputs())
+    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
+    desk.session.close()
+
+
+def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
+    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
+    desk.seamlines.startEditing()
+    desk.seamlines.changeGeometry(1, line((300, 0), (300, 256)))
+    assert desk.session.seam_point_near(*at(256, 100), 1.0) is not None  # the old ones until the new ones are there
+    wait_until(lambda: desk.session.seam_point_near(*at(300, 100), 1.0) is not None)
+    assert desk.session.seam_point_near(*at(256, 100), 1.0) is None
+    desk.seamlines.rollBack()
+    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
+    assert desk.session.seam_point_near(*at(300, 100), 1.0) is None
+
+
+def test_seams_follow_the_reference_system_of_their_layer(desk: Desk) -> None:
+    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
+    desk.seamlines.setCrs(QgsCoordinateReferenceSystem("EPSG:32632"))
+    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is None)
+    desk.seamlines.setCrs(desk.mosaic.crs())
+    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
+
+
+# Opening the mosaic
+
+
+@pytest.fixture
+def gate(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> Iterator[Event]:
+    """The desk without inputs; mosaics are opened from a slow drive, not before the gate is set."""
+    desk.session.set_inputs(Inputs())
+    found = Event()
+
+    def slow(ref: RasterRef) -> Mosaic:
+        assert found.wait(PATIENCE_S)
+        return describe_mosaic(ref)
+
+    monkeypatch.setattr(block_files, "describe_mosaic", slow)
+    yield found
+    found.set()
+    wait_for_tasks()
+
+
+def test_the_desk_can_be_used_while_the_mosaic_is_opened(desk: Desk, gate: Event) -> None:
+    panel = InputsPanel(desk.session)
+    panel.show()
+    drawn = windows(SHARP)
+    desk.project.addMapLayer(drawn)
+    started = time.perf_counter()
+    desk.session.set_inputs(desk.inputs(windows=drawn.id()))
+    assert time.perf_counter() - started < 1
+    assert "opening ..." in panel.box.title()
+    assert desk.session.mosaic_grid() is None
+    assert len(desk.session.windows()) == 1
+    assert desk.session.pictures(1) is None
+    desk.session.add_window(BLURRED_WINDOW)
+    desk.session.place_windows()
+    desk.session.inspect_pending()
+    assert len(desk.messages) == 3
+    for message in desk.messages:
+        assert_sentence(message.split("; ")[0] + ".", "still being opened")
+    desk.session.set_inputs(replace(desk.session.inputs, max_ratio=0.4))  # does not open it again
+    gate.set()
+    desk.wait_for_opening()
+    assert desk.session.mosaic_grid() is not None
+    assert "opening" not in panel.box.title()
+    assert "2 sources" in panel.box.title()
+    desk.session.inspect_pending()
+    desk.add()
+    assert all(row.verdict and not row.stale for row in desk.session.windows())
+    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
+    panel.close()
+
+
+def test_only_the_mosaic_chosen_last_counts(desk: Desk, gate: Event) -> None:
+    desk.session.set_inputs(desk.inputs())
+    desk.session.set_inputs(desk.inputs(mosaic=desk.sources[0].id(), sources=(desk.sources[1].id(),)))
+    gate.set()
+    desk.wait_for_opening()
+    desk.add()
+    wait_for_tasks()
+    result = desk.session.result(desk.rows()[1].fid)
+    assert result is not None
+    assert [clip.raster for clip in result.clips[:2]] == ["west.tif", "east.tif"]
+
+
+@pytest.mark.parametrize("danger", ["remove the mosaic", "close the project", "close the session"])
+def test_dangers_while_the_mosaic_is_opened(desk: Desk, gate: Event, danger: str) -> None:
+    desk.session.set_inputs(desk.inputs())
+    if danger == "remove the mosaic":
+        desk.project.removeMapLayers([desk.mosaic.id()])
+    elif danger == "close the project":
+        desk.project.clear()
+    else:
+        desk.session.close()
+    gate.set()
+    wait_for_tasks()
+    assert desk.session.mosaic_grid() is None
+    assert desk.messages == []
+
+
+def test_a_mosaic_that_cant_be_used_is_told_and_another_one_can_be_chosen(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel = InputsPanel(desk.session)
+
+    def refuse(ref: RasterRef) -> Mosaic:
+        raise RasterError(imagery_messages.NOT_NORTH_UP(name=ref.name))
+
+    with monkeypatch.context() as patch:
+        patch.setattr(block_files, "describe_mosaic", refuse)
+        desk.set(desk.inputs(mosaic=desk.sources[0].id(), sources=(desk.mosaic.id(),)))
+    assert desk.session.mosaic_grid() is None
+    assert "can't be used" in panel.box.toolTip()
+    assert "west.tif is rotated" in panel.box.toolTip()
+    desk.session.add_window(BLURRED_WINDOW)
+    assert_sentence(desk.messages.pop().split("; ")[0] + ".", "west.tif is rotated")
+    desk.set(desk.inputs())
+    assert desk.session.mosaic_grid() is not None
+    panel.close()
+
+
+def test_opening_that_was_cancelled_is_told(desk: Desk, gate: Event) -> None:
+    desk.session.set_inputs(desk.inputs())
+    QgsApplication.taskManager().cancelAll()
+    gate.set()
+    desk.wait_for_opening()
+    desk.session.add_window(BLURRED_WINDOW)
+    assert_sentence(desk.messages.pop().split("; ")[0] + ".", "cancelled")
+    desk.session.set_inputs(Inputs())
+    desk.set(desk.inputs())
+    assert desk.session.mosaic_grid() is not None

@@ -1,0 +1,143 @@
+"""What the user of a session can get wrong is told in one sentence; many windows are no burden."""
+from __future__ import annotations
+
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+from qgis.core import QgsVectorLayer
+
+from tests.qgis.runs import assert_sentence
+from tests.qgis.scenes import BLURRED, SHARP, layer, windows
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks
+
+# What the user can get wrong
+
+
+def test_bad_inputs_are_told_in_one_sentence(desk: Desk) -> None:
+    cases = [
+        ({"mosaic": ""}, "No mosaic"),
+        ({"sources": ()}, "No sources"),
+        ({"wavelet": "bior2.2"}, "not orthogonal"),
+    ]
+    for change, words in cases:
+        desk.messages.clear()
+        desk.set(desk.inputs(**change))
+        desk.session.add_window(BLURRED_WINDOW)
+        desk.wait()
+        assert len(desk.messages) == 1, change
+        assert_sentence(desk.messages[0], words)
+    desk.messages.clear()
+    desk.set(desk.inputs(seamlines=""))
+    desk.session.place_windows()
+    assert_sentence(desk.messages.pop(), "No seamlines")
+    empty = layer("LineString", [])
+    desk.project.addMapLayer(empty)
+    desk.session.set_inputs(desk.inputs(seamlines=empty.id()))
+    wait_for_tasks()
+    desk.messages.clear()
+    desk.session.place_windows()
+    desk.wait()
+    assert_sentence(desk.messages.pop(), "seamline layer is empty")
+
+
+def test_a_read_only_layer_is_told(desk: Desk) -> None:
+    locked = windows(BLURRED)
+    locked.setReadOnly(True)
+    desk.use(locked)
+    desk.session.add_window(SHARP_WINDOW)
+    desk.session.judge([1], "visible")
+    desk.session.remove([1])
+    desk.session.inspect_pending()
+    assert len(desk.messages) == 4
+    for message in desk.messages:
+        assert_sentence(message, "can't be edited")
+    assert not desk.session.is_busy
+
+
+def test_a_layer_that_becomes_read_only_stops_the_run(desk: Desk) -> None:
+    desk.use(windows(BLURRED, SHARP))
+    desk.session.inspect_pending()
+    assert desk.layer().commitChanges()
+    desk.layer().setReadOnly(True)
+    desk.wait()
+    assert len(desk.messages) == 1
+    assert_sentence(desk.messages[0], "can't be edited")
+    assert not any(row.verdict for row in desk.session.windows())
+
+
+def test_a_folder_that_cant_be_written_to_is_told(desk: Desk) -> None:
+    desk.project.setPresetHomePath("/nowhere/at/all")
+    desk.session.add_window(BLURRED_WINDOW)
+    assert not desk.session.is_busy
+    assert len(desk.messages) == 1
+    assert_sentence(desk.messages[0], "/nowhere/at/all")
+
+
+def test_the_project_saves_the_windows(desk: Desk, tmp_path: Path) -> None:
+    desk.add()
+    assert desk.layer().isModified()
+    assert desk.project.write(str(tmp_path / "project.qgz"))
+    assert not desk.layer().isModified()
+    assert desk.layer().isEditable()
+    saved = QgsVectorLayer(desk.layer().source(), "saved", "ogr")
+    assert [feature["verdict"] for feature in saved.getFeatures()] == ["significant"]
+
+
+def test_windows_that_cant_be_saved_are_told(desk: Desk, tmp_path: Path) -> None:
+    desk.add()
+    copy = desk.layer().getFeature(desk.rows()[1].fid)
+    copy["fid"] = 7
+    desk.layer().addFeature(copy)
+    other = desk.layer().getFeature(desk.rows()[2].fid)
+    desk.layer().addFeature(other)  # the same primary key twice
+    desk.project.write(str(tmp_path / "project.qgz"))
+    assert len(desk.messages) == 1
+    assert "could not be saved" in desk.messages[0]
+
+
+# Speed
+
+
+def test_two_thousand_windows_are_no_burden(desk: Desk) -> None:
+    boxes = [(8 * (index % 48), 4 * (index // 48), 64, 64) for index in range(2000)]
+    desk.use(windows(*boxes, window_id=("integer", list(range(1, 2001)))))
+    assert len(desk.session.windows()) == 2000
+    desk.session.judge([1], "visible")  # adds the fields
+
+    def judged(fid: int) -> float:
+        settle(0.02)
+        started = time.perf_counter()
+        desk.session.judge([fid], "visible")
+        assert desk.session.row(fid).observer == "visible"  # type: ignore[union-attr]
+        assert len(desk.session.windows()) == 2000
+        return time.perf_counter() - started
+
+    judging = sorted(judged(fid) for fid in range(2, 22))[10]
+    arriving: list[float] = []
+    started = time.perf_counter()
+    desk.session.resultArrived.connect(lambda fid: desk.session.row(fid))
+    desk.session.inspect([1000])
+    asking = time.perf_counter() - started
+    desk.wait()
+    assert desk.rows()[1000].verdict
+    write = desk.session._results.write
+
+    def written(number: int) -> float:
+        result = desk.session.result(1000)
+        assert result is not None
+        row = desk.rows()[number]
+        started = time.perf_counter()
+        place = row.extent, desk.session._watch.state
+        desk.session._results._unwritten = {number: (replace(result, window_id=number), place)}
+        write()
+        assert desk.session.row(number).verdict  # type: ignore[union-attr]
+        return time.perf_counter() - started
+
+    arriving = sorted(written(number) for number in range(1001, 1021))
+    times = {"judge": judging, "ask": asking, "write": arriving[10]}
+    figures = (f"{name} {1e3 * took:.1f} ms" for name, took in times.items())
+    sys.stdout.write(f"2000 windows: {', '.join(figures)}\n")
+    assert judging < 0.05  # 10 ms on a machine of its own
+    assert arriving[10] < 0.05

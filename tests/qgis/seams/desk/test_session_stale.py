@@ -1,0 +1,304 @@
+"""Which windows are to be inspected again, whatever was changed, undone or saved since."""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransformContext,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
+from seam_inspector.plugin.seams.desk.session import Session
+
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, windows
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
+
+
+@pytest.mark.parametrize(
+    "change", [{"wavelet": "db4"}, {"levels": 2}, {"max_ratio": 0.3}, {"sources": ()}, {"reference": "composite"}]
+)
+def test_another_input_makes_inspected_windows_stale(desk: Desk, change: dict[str, object]) -> None:
+    desk.add()
+    if "sources" in change:
+        change = {"sources": desk.session.inputs.sources[:1]}
+    desk.session.set_inputs(replace(desk.session.inputs, **change))  # type: ignore[arg-type]
+    assert desk.rows()[1].stale
+    desk.session.inspect_pending()
+    desk.wait()
+    assert not desk.rows()[1].stale
+
+
+def test_other_inputs_do_not(desk: Desk) -> None:
+    desk.add()
+    desk.session.set_inputs(replace(desk.session.inputs, side_m=50.0, spacing_m=3.0, seamlines=""))
+    assert not desk.rows()[1].stale
+
+
+def test_a_window_that_is_moved_becomes_stale_alone_until_it_is_back(desk: Desk) -> None:
+    fid, other = desk.add(), desk.add(SHARP_WINDOW)
+    desk.layer().changeGeometry(fid, outline((200, 64, 128, 128)))
+    assert [desk.session.row(one).stale for one in (fid, other)] == [True, False]  # type: ignore[union-attr]
+    desk.undo()
+    assert not any(row.stale for row in desk.session.windows())
+    desk.redo()
+    desk.session.inspect([fid])
+    desk.wait()
+    assert not any(row.stale for row in desk.session.windows())
+
+
+def test_stale_marks_come_back_with_the_project(desk: Desk, tmp_path: Path) -> None:
+    desk.add()
+    desk.add(SHARP_WINDOW)
+    desk.layer().changeGeometry(desk.rows()[2].fid, outline((200, 64, 128, 128)))
+    path = str(tmp_path / "project.qgz")
+    assert desk.project.write(path)
+    desk.project.clear()
+    assert desk.project.read(path)
+    assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
+
+
+def test_what_arrives_after_a_change_is_stale_at_once(desk: Desk) -> None:
+    desk.add(SHARP_WINDOW)
+    desk.session.add_window(BLURRED_WINDOW)
+    desk.session.set_inputs(replace(desk.session.inputs, max_ratio=0.1))
+    desk.wait()
+    assert desk.rows()[2].verdict
+    assert desk.rows()[2].stale
+
+
+def test_undo_of_a_second_inspection_brings_the_first_result_back_as_stale(desk: Desk) -> None:
+    fid, inputs = desk.add(), desk.session.inputs
+    first = desk.rows()[1].ratios
+    desk.session.set_inputs(replace(inputs, wavelet="db4"))
+    desk.session.inspect([fid])
+    desk.wait()
+    second = desk.rows()[1].ratios
+    assert second != first
+    desk.undo()
+    assert (desk.rows()[1].ratios, desk.rows()[1].stale) == (first, True)
+    desk.redo()
+    assert (desk.rows()[1].ratios, desk.rows()[1].stale) == (second, False)
+    desk.undo()
+    desk.session.set_inputs(inputs)
+    assert (desk.rows()[1].ratios, desk.rows()[1].stale) == (first, False)
+
+
+def test_undo_after_a_move_brings_the_result_of_the_old_place_back_as_stale(desk: Desk) -> None:
+    fid = desk.add()
+    desk.layer().changeGeometry(fid, outline(SHARP))
+    desk.session.inspect([fid])
+    desk.wait()
+    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("reduced", False)
+    desk.undo()
+    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("significant", True)
+    desk.undo()
+    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("significant", False)
+
+
+def test_undone_results_are_stale_after_the_project_was_saved_too(desk: Desk, tmp_path: Path) -> None:
+    fid = desk.add()
+    desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))
+    desk.session.inspect([fid])
+    desk.wait()
+    desk.undo()
+    path = str(tmp_path / "project.qgz")
+    assert desk.project.write(path)
+    assert desk.rows()[1].stale
+    desk.project.clear()
+    assert desk.project.read(path)
+    assert desk.rows()[1].stale
+    desk.wait_for_opening()
+    settle()
+    assert desk.rows()[1].stale
+    desk.session.inspect_pending()
+    desk.wait()
+    assert not desk.rows()[1].stale
+
+
+def test_inputs_that_are_changed_back_leave_nothing_stale(desk: Desk) -> None:
+    desk.add()
+    inputs = desk.session.inputs
+    for change in ({"max_ratio": 0.3}, {"sources": inputs.sources[:1]}, {"mosaic": desk.sources[0].id()}):
+        desk.set(replace(inputs, **change))  # type: ignore[arg-type]
+        assert desk.rows()[1].stale, change
+        desk.set(inputs)
+        assert not desk.rows()[1].stale, change
+
+
+def test_a_copy_of_an_inspected_window_is_stale(desk: Desk) -> None:
+    fid = desk.add()
+    copy = desk.layer().getFeature(fid)
+    copy.setGeometry(outline(SHARP))
+    desk.layer().addFeature(copy)
+    assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
+
+
+def test_fewer_levels_leave_no_ratio_of_the_inspection_before(desk: Desk) -> None:
+    fid = desk.add()
+    desk.session.set_inputs(replace(desk.session.inputs, levels=2))
+    desk.session.inspect([fid])
+    desk.wait()
+    assert [ratio is not None for ratio in desk.rows()[1].ratios] == [True, True, False]
+    assert not desk.rows()[1].stale
+
+
+@pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
+def test_saving_makes_nothing_stale(desk: Desk, tmp_path: Path, suffix: str) -> None:
+    path = str(tmp_path / f"drawn.{suffix}")
+    context, options = QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName = QgsVectorFileWriter.driverForExtension(suffix)
+    drawn = windows(SHARP, (-400, -400, 64, 64))
+    assert QgsVectorFileWriter.writeAsVectorFormatV3(drawn, path, context, options)[0] == 0
+    saved = desk.use(QgsVectorLayer(path, "saved"))
+    saved.setCrs(drawn.crs())
+    desk.session.inspect_pending()
+    desk.wait()
+    assert [row.stale for row in desk.session.windows()] == [False, False]
+    assert saved.commitChanges(), saved.commitErrors()
+    assert [row.verdict for row in desk.session.windows()] == ["reduced", "not_comparable"]
+    assert [row.stale for row in desk.session.windows()] == [False, False]
+
+
+# Layers that change
+
+
+def test_a_layer_that_vanishes_makes_nothing_stale(desk: Desk) -> None:
+    desk.add()
+    for name in ("source", "mosaic"):
+        layer = desk.sources[0] if name == "source" else desk.mosaic
+        desk.project.removeMapLayers([layer.id()])
+        settle()
+        assert not desk.rows()[1].stale, name
+
+
+def test_another_mosaic_instead_of_one_that_vanished_makes_inspected_windows_stale(desk: Desk, tmp_path: Path) -> None:
+    desk.add()
+    desk.project.removeMapLayers([desk.mosaic.id()])
+    path = str(tmp_path / "project.qgz")
+    assert desk.project.write(path)
+    desk.project.clear()
+    desk.session.close()
+    session = Session()  # one that never saw it
+    assert desk.project.read(path)
+    (row,) = session.windows()
+    assert (row.verdict, row.stale) == ("significant", False)
+    session.set_inputs(replace(session.inputs, mosaic=session.inputs.sources[0]))
+    assert [row.stale for row in session.windows()] == [True]
+    session.close()
+
+
+def test_another_data_source_or_reference_system_makes_inspected_windows_stale(desk: Desk, scene: Scene) -> None:
+    desk.add()
+    source, path = desk.sources[0], desk.sources[0].source()
+    source.setDataSource(str(scene.mosaic), "other", "gdal")
+    assert desk.rows()[1].stale
+    source.setDataSource(path, "west", "gdal")
+    assert not desk.rows()[1].stale
+    crs = source.crs()
+    source.setCrs(QgsCoordinateReferenceSystem("EPSG:32634"))
+    assert desk.rows()[1].stale
+    desk.wait_for_opening()
+    source.setCrs(crs)
+    assert not desk.rows()[1].stale
+    desk.mosaic.setDataSource(str(scene.east), "other", "gdal")
+    assert desk.rows()[1].stale
+    desk.wait_for_opening()
+    desk.session.inspect_pending()
+    desk.wait()
+    assert desk.session.result(desk.rows()[1].fid).clips[0].raster == "east.tif"  # type: ignore[union-attr]
+
+
+def test_the_window_layer_in_another_reference_system_makes_them_stale(desk: Desk) -> None:
+    desk.add()
+    crs = desk.layer().crs()
+    desk.layer().setCrs(QgsCoordinateReferenceSystem("EPSG:32634"))
+    assert desk.rows()[1].stale
+    desk.layer().setCrs(crs)
+    assert not desk.rows()[1].stale
+
+
+def test_a_window_layer_with_another_data_source_is_read_anew(desk: Desk, tmp_path: Path) -> None:
+    desk.add()
+    assert desk.layer().commitChanges()
+    fid = desk.rows()[1].fid
+    assert desk.session.result(fid) is not None
+    path = str(tmp_path / "other.gpkg")
+    context, options = QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
+    assert QgsVectorFileWriter.writeAsVectorFormatV3(windows(SHARP, BLURRED), path, context, options)[0] == 0
+    desk.layer().setDataSource(path, "other", "ogr")
+    assert [row.verdict for row in desk.session.windows()] == ["", ""]
+    assert desk.session.result(fid) is None
+
+
+def test_an_edited_source_index_makes_inspected_windows_stale(desk: Desk, scene: Scene) -> None:
+    whole = outline((0, 0, 512, 256))
+    paths = ("string", [str(scene.west), str(scene.east)])
+    index = layer("Polygon", [whole, whole], location=paths, remark=("string", ["", ""]))
+    desk.project.addMapLayer(index)
+    desk.set(desk.inputs(sources=(), source_index=index.id()))
+    desk.add()
+    assert desk.rows()[1].sources == 2
+    index.startEditing()
+    index.changeAttributeValue(1, 1, "a note")
+    settle(0.8)
+    desk.wait_for_opening()
+    assert not desk.rows()[1].stale  # nothing that counts has changed
+    index.deleteFeature(2)
+    wait_until(lambda: desk.rows()[1].stale)
+    assert desk.session.source_count_over(BLURRED_WINDOW) == 1
+    index.undoStack().undo()
+    wait_until(lambda: not desk.rows()[1].stale)
+    assert desk.session.source_count_over(BLURRED_WINDOW) == 2
+    desk.project.removeMapLayers([index.id()])
+    settle()
+    assert not desk.rows()[1].stale
+
+
+def test_seam_cells_decide_and_make_inspected_windows_stale(desk: Desk) -> None:
+    desk.add()
+    cells = layer("Polygon", [outline((0, 0, 512, 256))], source=("string", ["west"]))
+    desk.project.addMapLayer(cells)
+    desk.set(replace(desk.session.inputs, cells=cells.id()))
+    block = desk.session.block()
+    assert block is not None
+    assert [cell.source for cell in block.cells] == ["west"]
+    wait_until(lambda: desk.rows()[1].stale)
+    desk.session.inspect_pending()
+    desk.wait()
+    row = desk.rows()[1]
+    result = desk.session.result(row.fid)
+    assert result is not None
+    against_west = result.pairs[0].ratios.detail[0]  # the composite is the western source alone, but for its tone
+    assert row.composite_ratio == pytest.approx(against_west, rel=0.02)
+    cells.startEditing()
+    cells.changeAttributeValue(1, 0, "east")
+    wait_until(lambda: desk.rows()[1].stale)
+    cells.rollBack()
+    wait_until(lambda: not desk.rows()[1].stale)
+    desk.project.removeMapLayers([cells.id()])
+    settle()
+    assert not desk.rows()[1].stale
+
+
+def test_cells_without_the_field_are_told(desk: Desk) -> None:
+    cells = layer("Polygon", [outline((0, 0, 512, 256))])
+    desk.project.addMapLayer(cells)
+    desk.set(desk.inputs(cells=cells.id()))
+    desk.session.add_window(BLURRED_WINDOW)
+    desk.wait()
+    assert "no field 'source'" in desk.messages.pop()
+
+
+def test_the_verdict_against_the_composite(desk: Desk) -> None:
+    desk.set(desk.inputs(reference="composite", max_ratio=0.5))
+    fid = desk.add(SHARP_WINDOW)
+    row, result = desk.session.row(fid), desk.session.result(fid)
+    assert row is not None
+    assert result is not None
+    assert result.explanation is not None
+    ratio = result.explanation.ratios["luminance"].detail[0]
+    assert ratio is not None
+    assert row.verdict == ("preserved" if ratio >= 1 else "reduced")

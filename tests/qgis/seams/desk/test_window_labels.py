@@ -1,0 +1,97 @@
+"""The labels of the windows on the map: none over another, and the selected window's always there."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsExpressionContext,
+    QgsExpressionContextUtils,
+    QgsFeature,
+    QgsGeometry,
+    QgsMapRendererParallelJob,
+    QgsMapSettings,
+    QgsProject,
+    QgsRectangle,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import QSize
+
+from tests.qgis.seams.desk.session_desk import wait_until
+
+RATIOS = {1: 0.83, 2: 0.82, 3: 0.49, 4: 1.1}
+CORNERS = {1: (0, 100), 2: (60, 100), 3: (120, 110), 4: (62, 60)}
+SIDE_M = 100.0
+
+
+@pytest.fixture
+def windows(project: QgsProject, repository: Path) -> QgsVectorLayer:
+    """Four of them that overlap, in their style."""
+    fields = "field=window_id:integer&field=verdict:string&field=reason:string&field=ratio_1:double"
+    layer = QgsVectorLayer(f"Polygon?crs=EPSG:2180&{fields}", "windows", "memory")
+    for number, (x, y) in CORNERS.items():
+        feature = QgsFeature(layer.fields())
+        feature.setAttributes([number, "reduced", None, RATIOS[number]])
+        feature.setGeometry(QgsGeometry.fromRect(box(x, y, x + SIDE_M, y + SIDE_M)))
+        layer.dataProvider().addFeature(feature)
+    message, worked = layer.loadNamedStyle(str(repository / "resources" / "styles" / "windows.qml"))
+    assert worked, message
+    project.addMapLayer(layer)
+    return layer
+
+
+def box(xmin: float, ymin: float, xmax: float, ymax: float) -> QgsRectangle:
+    return QgsRectangle(500_000 + xmin, 500_000 + ymin, 500_000 + xmax, 500_000 + ymax)
+
+
+def labels(
+    windows: QgsVectorLayer, extent: QgsRectangle, selected: list[int], crs: str = "EPSG:2180"
+) -> dict[int, QgsRectangle]:
+    """Where the labels of windows are on the map, by the windows' numbers."""
+    windows.selectByIds([feature.id() for feature in windows.getFeatures() if feature["window_id"] in selected])
+    settings = QgsMapSettings()
+    settings.setLayers([windows])
+    settings.setDestinationCrs(QgsCoordinateReferenceSystem(crs))
+    settings.setOutputSize(QSize(700, 450))
+    to_map = QgsCoordinateTransform(windows.crs(), settings.destinationCrs(), QgsProject.instance())
+    settings.setExtent(to_map.transformBoundingBox(extent))
+    context = QgsExpressionContext()
+    for scope in (
+        QgsExpressionContextUtils.projectScope(QgsProject.instance()),
+        QgsExpressionContextUtils.mapSettingsScope(settings),
+    ):
+        context.appendScope(scope)
+    settings.setExpressionContext(context)
+    job = QgsMapRendererParallelJob(settings)
+    job.start()
+    wait_until(lambda: not job.isActive(), "for the map")
+    found = job.takeLabelingResults().labelsWithinRect(settings.visibleExtent())
+    return {int(label.labelText.split(" · ")[0]): label.labelRect for label in found if not label.isUnplaced}
+
+
+@pytest.mark.parametrize("crs", ["EPSG:2180", "EPSG:4326"])
+def test_each_window_has_its_label_in_its_corner(windows: QgsVectorLayer, crs: str) -> None:
+    found = labels(windows, box(-20, 40, 240, 230), [], crs)
+    assert set(found) == set(CORNERS)
+    if crs == "EPSG:2180":
+        for number, rect in found.items():
+            x, y = CORNERS[number]
+            assert box(x, y + 0.8 * SIDE_M, x + 0.4 * SIDE_M, y + SIDE_M).contains(rect)
+
+
+@pytest.mark.parametrize("selected", [1, 2, 3, 4])
+def test_from_far_away_the_selected_one_wins_and_none_is_over_another(windows: QgsVectorLayer, selected: int) -> None:
+    found = labels(windows, box(-1000, -700, 1300, 900), [selected])
+    assert selected in found
+    rects = list(found.values())
+    assert not any(one.intersects(other) for place, one in enumerate(rects) for other in rects[:place])
+
+
+@pytest.mark.parametrize("selected", [1, 2])
+def test_at_twofold_magnification_the_label_is_that_of_the_selected_window(
+    windows: QgsVectorLayer, selected: int
+) -> None:
+    """Both fill the view, so both labels belong into its corner."""
+    assert set(labels(windows, box(65, 165, 95, 185), [selected])) == {selected}

@@ -1,0 +1,336 @@
+"""The map tool: clicks, drags, what is shown while moving, and what is left afterwards."""
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+
+import pytest
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsPointXY,
+    QgsProject,
+    QgsRasterLayer,
+    QgsRectangle,
+)
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsRubberBand, QgsVertexMarker
+from qgis.PyQt.QtCore import QEvent, QPoint, Qt
+from qgis.PyQt.QtGui import QKeyEvent
+from qgis.PyQt.QtWidgets import QApplication, QLabel
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.map.window_tool import WindowTool, drawn_extent
+
+from tests.qgis.scenes import ORIGIN, PIXEL, Scene, at
+from tests.qgis.seams.desk.fake_session import FakeSession
+
+LEFT, RIGHT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+UTM33 = QgsCoordinateReferenceSystem("EPSG:32633")
+WEB_MERCATOR = QgsCoordinateReferenceSystem("EPSG:3857")
+MIDDLE = (2048, 1024)
+"""Column and row in the middle of the session's mosaic."""
+
+
+class Operator:
+    """Mouse and keyboard over a map; places are columns and rows of the mosaic."""
+
+    def __init__(self, canvas: QgsMapCanvas, tool: WindowTool, session: FakeSession) -> None:
+        self.canvas, self.tool, self.session = canvas, tool, session
+        self.modifiers = Qt.KeyboardModifier.NoModifier
+
+    def press(self, place: tuple[float, float], button: Qt.MouseButton = LEFT) -> None:
+        self.tool.canvasPressEvent(self._event(QEvent.Type.MouseButtonPress, place, button, button))
+
+    def move(self, place: tuple[float, float], button: Qt.MouseButton = NONE) -> None:
+        self.tool.canvasMoveEvent(self._event(QEvent.Type.MouseMove, place, NONE, button))
+
+    def release(self, place: tuple[float, float], button: Qt.MouseButton = LEFT) -> None:
+        self.tool.canvasReleaseEvent(self._event(QEvent.Type.MouseButtonRelease, place, button, NONE))
+
+    def click(self, place: tuple[float, float], button: Qt.MouseButton = LEFT) -> None:
+        self.press(place, button)
+        self.release(place, button)
+
+    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        self.press(start)
+        self.move(end, LEFT)
+        self.release(end)
+
+    def key(self, key: Qt.Key, kind: QEvent.Type = QEvent.Type.KeyPress) -> None:
+        """As the canvas tells it while a button is down."""
+        event = QKeyEvent(kind, key, Qt.KeyboardModifier.NoModifier)
+        (self.canvas.keyPressed if kind == QEvent.Type.KeyPress else self.canvas.keyReleased).emit(event)
+
+    def on_screen(self, place: tuple[float, float]) -> QPoint:
+        point = self.canvas.getCoordinateTransform().transform(self.on_map(place))
+        return QPoint(round(point.x()), round(point.y()))
+
+    def on_map(self, place: tuple[float, float]) -> QgsPointXY:
+        crs = self.canvas.mapSettings().destinationCrs()
+        return QgsCoordinateTransform(UTM33, crs, QgsProject.instance()).transform(QgsPointXY(*at(*place)))
+
+    def _event(
+        self, kind: QEvent.Type, place: tuple[float, float], button: Qt.MouseButton, buttons: Qt.MouseButton
+    ) -> QgsMapMouseEvent:
+        return QgsMapMouseEvent(self.canvas, kind, self.on_screen(place), button, buttons, self.modifiers)
+
+    # what there is to see
+
+    @property
+    def label(self) -> QLabel | None:
+        return next((label for label in self.canvas.findChildren(QLabel) if label.isVisibleTo(self.canvas)), None)
+
+    @property
+    def text(self) -> str:
+        return self.label.text() if self.label is not None else ""
+
+    @property
+    def outline(self) -> QgsRectangle:
+        """The rubber band, on the map."""
+        bands = [item for item in self.canvas.scene().items() if isinstance(item, QgsRubberBand)]
+        return bands[0].asGeometry().boundingBox() if bands else QgsRectangle()
+
+    @property
+    def has_mark(self) -> bool:
+        items = self.canvas.scene().items()
+        return any(isinstance(item, QgsVertexMarker) and item.isVisible() for item in items)
+
+
+@pytest.fixture
+def operator(qgis_canvas: QgsMapCanvas, project: QgsProject, scene: Scene) -> Iterator[Operator]:
+    """The tool on a map of the mosaic at a quarter of its pixels."""
+    layer = QgsRasterLayer(str(scene.mosaic), "mosaic")
+    project.addMapLayer(layer)
+    session = FakeSession(Inputs(mosaic=layer.id(), side_m=10))  # 128 px
+    frame = 2 * qgis_canvas.frameWidth()
+    qgis_canvas.resize(1024 + frame, 512 + frame)
+    qgis_canvas.grab()  # a canvas that is not shown learns of its size only when it is painted
+    qgis_canvas.setDestinationCrs(UTM33)
+    qgis_canvas.setExtent(QgsRectangle(*Grid(*ORIGIN, PIXEL, PIXEL, 4096, 2048).extent))
+    tool = WindowTool(qgis_canvas, session)
+    qgis_canvas.setMapTool(tool)
+    yield Operator(qgis_canvas, tool, session)
+    tool.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_click_places_the_standard_window_around_it(operator: Operator) -> None:
+    operator.click(MIDDLE)
+    assert operator.session.added == [PixelWindow(2048 - 64, 1024 - 64, 128, 128)]
+
+
+@pytest.mark.parametrize(
+    ("place", "corner"), [((8, 8), (0, 0)), ((4080, 2040), (4096 - 128, 2048 - 128)), ((30, 1024), (0, 1024 - 64))]
+)
+def test_click_near_the_edge_places_it_inside(
+    operator: Operator, place: tuple[int, int], corner: tuple[int, int]
+) -> None:
+    operator.click(place)
+    assert operator.session.added == [PixelWindow(*corner, 128, 128)]
+
+
+def test_click_near_a_seam_is_moved_onto_it(operator: Operator) -> None:
+    operator.session.seam_x = at(2048, 0)[0]
+    operator.move((2048 + 40, 1024))  # 10 screen pixels beside it
+    assert operator.has_mark
+    operator.click((2048 + 40, 1024))
+    operator.move((2048 + 80, 1024))
+    assert not operator.has_mark
+    operator.click((2048 + 80, 1024))
+    assert [window.column for window in operator.session.added] == [2048 - 64, 2048 + 80 - 64]
+
+
+def test_label_and_rubber_band_tell_the_exact_pixels(operator: Operator) -> None:
+    operator.move((1000, 600))
+    assert operator.text == "12.8 x 12.8 m, 128 x 128 px, 3 sources"
+    left, top = ORIGIN[0] + 936 * PIXEL, ORIGIN[1] - 536 * PIXEL
+    assert operator.outline.toString(6) == QgsRectangle(left, top - 12.8, left + 12.8, top).toString(6)
+
+
+def test_drag_is_snapped_while_it_is_drawn(operator: Operator) -> None:
+    operator.press((400, 400))
+    operator.move((1004, 812), LEFT)
+    assert operator.text == "60.0 x 40.8 m, 600 x 408 px, 3 sources"
+    operator.release((1004, 812))
+    assert operator.session.added == [PixelWindow(402, 402, 600, 408)]
+    assert operator.text == ""
+
+
+def test_shift_makes_a_square_also_when_pressed_midway(operator: Operator) -> None:
+    operator.press((400, 400))
+    operator.move((1004, 812), LEFT)
+    operator.key(Qt.Key.Key_Shift)
+    assert "600 x 600 px" in operator.text
+    operator.key(Qt.Key.Key_Shift, QEvent.Type.KeyRelease)
+    assert "600 x 408 px" in operator.text
+    operator.modifiers = SHIFT
+    operator.release((1004, 812))
+    assert operator.session.added == [PixelWindow(402, 402, 600, 600)]
+
+
+@pytest.mark.parametrize("end", [(300.4, 77.7), (-900, -40), (5000, 260), (130, 9000)])
+@pytest.mark.parametrize("anchor", [(200.3, 140.9), (0, 0), (-50, 300)])
+def test_square_is_square_and_inside(
+    operator: Operator, anchor: tuple[float, float], end: tuple[float, float]
+) -> None:
+    grid = operator.session.grid
+    assert grid is not None
+    xmin, ymin, xmax, ymax = drawn_extent(grid, at(*anchor), at(*end), True)
+    assert xmax - xmin == pytest.approx(ymax - ymin, abs=1e-6)
+    assert (xmax - xmin) / PIXEL == pytest.approx(round((xmax - xmin) / PIXEL), abs=1e-4)
+    left, bottom, right, top = grid.extent
+    assert xmin >= left - 1e-6
+    assert xmax <= right + 1e-6
+    assert ymin >= bottom - 1e-6
+    assert ymax <= top + 1e-6
+
+
+def test_a_small_shake_is_still_a_click(operator: Operator) -> None:
+    operator.press(MIDDLE)
+    operator.move((2048 + 4 * QApplication.startDragDistance(), 1024), LEFT)
+    operator.release((2048 + 4 * QApplication.startDragDistance(), 1024))
+    assert [window.width for window in operator.session.added] == [128]
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "why"),
+    [
+        ((400, 400), (440, 900), "a side needs at least 64 px"),
+        ((-900, 400), (-100, 900), "lies outside the mosaic"),
+    ],
+)
+def test_label_says_why_a_drag_is_no_window(
+    operator: Operator, start: tuple[int, int], end: tuple[int, int], why: str
+) -> None:
+    operator.canvas.setExtent(operator.canvas.extent().buffered(200))
+    operator.press(start)
+    operator.move(end, LEFT)
+    assert why in operator.text
+    operator.release(end)
+    assert operator.session.added == []
+    assert why in operator.text
+
+
+@pytest.mark.parametrize(
+    ("inputs", "why"),
+    [
+        ({"side_m": 500.0}, "too small for a window of 819.2 m"),
+        ({"side_m": 3.0}, "need at least 64 px"),
+        ({"side_m": 3.0, "levels": 8}, "8 levels need at least 256 px"),
+    ],
+)
+def test_label_says_why_a_click_is_no_window(operator: Operator, inputs: dict[str, float], why: str) -> None:
+    operator.session.inputs = Inputs(mosaic=operator.session.inputs.mosaic, **inputs)  # type: ignore[arg-type]
+    operator.click(MIDDLE)
+    assert why in operator.text
+    assert operator.session.added == []
+
+
+def test_without_sources_it_is_a_window_but_warned_of(operator: Operator) -> None:
+    operator.session.source_count = 0
+    operator.move(MIDDLE)
+    assert operator.text.endswith("128 x 128 px, no source covers it")
+    operator.click(MIDDLE)
+    assert len(operator.session.added) == 1
+
+
+def test_vanished_mosaic_does_no_harm(operator: Operator) -> None:
+    operator.press((400, 400))
+    operator.move((1000, 800), LEFT)
+    QgsProject.instance().clear()
+    operator.session.inputsChanged.emit()
+    assert operator.text == "No mosaic is chosen; choose the mosaic in the inputs."
+    operator.release((1000, 800))
+    operator.click(MIDDLE)
+    assert operator.session.added == []
+
+
+def test_other_map_reference_system(operator: Operator) -> None:
+    operator.canvas.setDestinationCrs(WEB_MERCATOR)
+    operator.canvas.setExtent(QgsRectangle(operator.on_map((0, 2048)), operator.on_map((4096, 0))))
+    operator.click(MIDDLE)
+    operator.move(MIDDLE)
+    window = operator.session.added[0]
+    assert abs(window.column - 1984) <= 4
+    assert abs(window.row - 960) <= 4
+    for corner in ((window.column, window.row), (window.column + 128, window.row + 128)):
+        assert operator.outline.buffered(0.01).contains(operator.on_map(corner))
+    operator.drag((1000, 500), (1800, 1300))
+    drawn = operator.session.added[1]
+    assert abs(drawn.width - 800) <= 16
+    assert abs(drawn.height - 800) <= 16
+
+
+def test_escape_cancels_a_drag(operator: Operator) -> None:
+    operator.press((400, 400))
+    operator.move((1000, 800), LEFT)
+    operator.key(Qt.Key.Key_Escape)
+    assert operator.text == ""
+    operator.release((1000, 800))
+    assert operator.session.added == []
+
+
+def test_right_click_ends_but_only_cancels_within_a_drag(operator: Operator) -> None:
+    ended: list[None] = []
+    operator.tool.finished.connect(lambda: ended.append(None))
+    operator.press((400, 400))
+    operator.move((1000, 800), LEFT)
+    operator.click((1000, 800), RIGHT)
+    operator.release((1000, 800))
+    assert not ended
+    operator.click(MIDDLE, RIGHT)
+    assert len(ended) == 1
+    assert operator.session.added == []
+
+
+def test_second_release_of_a_double_click_adds_nothing(operator: Operator) -> None:
+    operator.click(MIDDLE)
+    operator.release(MIDDLE)
+    assert len(operator.session.added) == 1
+
+
+@pytest.mark.parametrize("place", [(0, 0), (4090, 10), (10, 2040), (4090, 2040), (2048, 30)])
+def test_label_stays_on_the_map(operator: Operator, place: tuple[int, int]) -> None:
+    for _ in range(2):
+        operator.move(place)
+        assert operator.label is not None
+        assert operator.canvas.rect().contains(operator.label.geometry())
+        operator.canvas.setExtent(operator.canvas.extent().scaled(0.1, operator.on_map(place)))
+        assert operator.canvas.rect().contains(operator.label.geometry())
+
+
+def test_cursor_that_leaves_the_map_takes_the_outline_along(operator: Operator) -> None:
+    operator.move(MIDDLE)
+    QApplication.sendEvent(operator.canvas.viewport(), QEvent(QEvent.Type.Leave))
+    assert operator.text == ""
+    assert operator.outline.isNull()
+
+
+def test_nothing_is_left_after_another_tool_or_close(qgis_canvas: QgsMapCanvas, operator: Operator) -> None:
+    items, children = len(qgis_canvas.scene().items()), len(qgis_canvas.findChildren(QLabel))
+    receivers = qgis_canvas.receivers(qgis_canvas.extentsChanged)
+    for _ in range(10):
+        qgis_canvas.setMapTool(operator.tool)
+        operator.session.seam_x = at(*MIDDLE)[0]
+        operator.move(MIDDLE)
+        assert len(qgis_canvas.scene().items()) == items + 2
+        qgis_canvas.unsetMapTool(operator.tool)
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        assert len(qgis_canvas.scene().items()) == items
+        assert len(qgis_canvas.findChildren(QLabel)) == children
+        assert qgis_canvas.receivers(qgis_canvas.extentsChanged) == receivers
+        assert operator.session.receivers(operator.session.inputsChanged) == 0
+
+
+def test_hovering_is_cheap(operator: Operator) -> None:
+    """2 ms a move is the aim; the bound allows for a busy machine."""
+    operator.canvas.setDestinationCrs(WEB_MERCATOR)
+    operator.canvas.setExtent(QgsRectangle(operator.on_map((0, 2048)), operator.on_map((4096, 0))))
+    operator.session.seam_x = at(*MIDDLE)[0]
+    places = [(1500 + 5 * step, 900) for step in range(200)]
+    events = [operator._event(QEvent.Type.MouseMove, place, NONE, NONE) for place in places]
+    start = time.perf_counter()
+    for event in events:
+        operator.tool.canvasMoveEvent(event)
+    assert (time.perf_counter() - start) / len(events) < 0.004

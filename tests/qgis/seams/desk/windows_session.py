@@ -1,0 +1,88 @@
+"""A session without layers and tasks: what the table of windows and the judge bar ask of it."""
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+from seam_inspector.plugin.seams.measure.inspection import WindowResult
+from seam_inspector.plugin.seams.tables.window_layer import WindowRow
+
+
+class WindowsSession(QObject):
+    """Windows in a list. As in the real one a selection is told at once."""
+
+    windowsChanged = pyqtSignal()
+    selectionChanged = pyqtSignal()
+    progressChanged = pyqtSignal(int, int)
+
+    def __init__(self, rows: list[WindowRow] | None = None) -> None:
+        super().__init__()
+        self.rows = list(rows or [])
+        self.chosen: list[int] = []
+        self.pending: set[int] = set()
+        self.results: dict[int, WindowResult] = {}
+        self.calls: list[tuple[Any, ...]] = []
+        """What the widgets asked for, in order."""
+
+    def put(self, rows: list[WindowRow]) -> None:
+        """Other windows from now on."""
+        self.rows = list(rows)
+        self.windowsChanged.emit()
+
+    def change(self, fid: int, **values: Any) -> None:
+        """Other values of one window."""
+        self.put([replace(row, **values) if row.fid == fid else row for row in self.rows])
+
+    def windows(self) -> list[WindowRow]:
+        return list(self.rows)
+
+    def row(self, fid: int) -> WindowRow | None:
+        return next((row for row in self.rows if row.fid == fid), None)
+
+    def result(self, fid: int) -> WindowResult | None:
+        return self.results.get(fid)
+
+    def is_pending(self, fid: int) -> bool:
+        return fid in self.pending
+
+    def selected(self) -> list[int]:
+        return sorted(self.chosen)
+
+    def select(self, fids: list[int]) -> None:
+        self.calls.append(("select", sorted(fids)))
+        if sorted(fids) != self.selected():
+            self.chosen = list(fids)
+            self.selectionChanged.emit()
+
+    def judge(self, fids: list[int], observer: str) -> None:
+        self.calls.append(("judge", sorted(fids), observer))
+        self.put([replace(row, observer=observer) if row.fid in fids else row for row in self.rows])
+
+    def inspect(self, fids: list[int]) -> None:
+        self.calls.append(("inspect", sorted(fids)))
+
+    def remove(self, fids: list[int]) -> None:
+        self.calls.append(("remove", sorted(fids)))
+        if set(fids) & set(self.chosen):
+            self.chosen = [fid for fid in self.chosen if fid not in fids]
+            self.selectionChanged.emit()
+        self.put([row for row in self.rows if row.fid not in fids])
+
+
+def window(
+    fid: int,
+    verdict: str = "",
+    ratios: tuple[float | None, ...] = (None, None, None),
+    observer: str = "",
+    reason: str = "",
+    sources: int | None = None,
+    stale: bool = False,
+    composite_ratio: float | None = None,
+    cause: str = "",
+) -> WindowRow:
+    """A window whose number is its feature id."""
+    extent = (0.0, 0.0, 1.0, 1.0)
+    return WindowRow(
+        fid, fid, verdict, reason, sources, ratios, None, observer, extent, stale, composite_ratio, cause
+    )

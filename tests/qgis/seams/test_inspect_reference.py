@@ -1,0 +1,204 @@
+"""The fair reference of ``seaminspector:inspectwindows``: REFERENCE, and CELLS that say where a mosaic was cut."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from qgis.core import QgsVectorLayer
+from scipy.ndimage import gaussian_filter
+
+from tests.numbers.synthetic import orthoimage, write_raster
+from tests.qgis.runs import Run, assert_refused, run
+from tests.qgis.scenes import (
+    COLUMNS,
+    ROWS,
+    Scene,
+    blurred,
+    layer,
+    luminance_shares,
+    moved,
+    outline,
+    to_bytes,
+    whole,
+    windows,
+)
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+ACROSS, WEST, EAST = (192, 64, 128, 128), (0, 64, 128, 128), (384, 64, 128, 128)
+LEFT, RIGHT = (0, 0, COLUMNS / 2, ROWS), (COLUMNS / 2, 0, COLUMNS / 2, ROWS)
+NAMES = ("composite_ratio_1", "composite_ratio_2", "composite_ratio_3")
+
+
+@pytest.fixture(scope="module")
+def cut(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    """A mosaic that is west to the left of its middle and east to the right; east is soft and lies 2 px off."""
+    folder, random = tmp_path_factory.mktemp("cut"), np.random.default_rng(11)
+    ground = orthoimage((ROWS, COLUMNS), beta=1.2).astype(np.float64)
+    west = to_bytes(ground + random.normal(0, 2, ground.shape))
+    east = to_bytes(blurred(np.roll(ground, (1, 2), (-2, -1))) + random.normal(0, 2, ground.shape))
+    mosaic = np.concatenate([west[..., : COLUMNS // 2], east[..., COLUMNS // 2 :]], axis=-1)
+    paths = [Path(write_raster(folder / name, one)) for name, one in (
+        ("mosaic.tif", mosaic), ("west.tif", west), ("east.tif", east)
+    )]
+    return Scene(*paths)
+
+
+def inspect(scene: Scene, *boxes: tuple[float, ...], **parameters: Any) -> Run:
+    given = {"WINDOWS": windows(*boxes or (ACROSS,)), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
+    outcome = run("inspectwindows", **{**given, **parameters})
+    assert outcome.complaint is None
+    return outcome
+
+
+def cells(*named: tuple[str | None, tuple[float, ...]], epsg: int = 32633) -> QgsVectorLayer:
+    outlines = [moved(outline(box), epsg) for _, box in named]  # type: ignore[arg-type]
+    return layer("Polygon", outlines, epsg, source=("string", [name for name, _ in named]))
+
+
+def composite_curve(outcome: Run, band: str = "luminance") -> list[float]:
+    rows = [row for row in outcome.rows("CURVES") if row["role"] == "composite" and row["band"] == band]
+    return [row["relative_variance"] for row in rows]
+
+
+def composite_ratios(outcome: Run) -> list[float]:
+    (row,) = outcome.rows()
+    return [row[name] for name in NAMES]
+
+
+# --- the composite ---------------------------------------------------------------------------------------------
+
+
+def test_a_hard_cut_has_lost_nothing_against_the_composite(cut: Scene) -> None:
+    outcome = inspect(cut)
+    (row,) = outcome.rows()
+    plain = [one["ratio_1"] for one in outcome.rows("PAIRS") if one["band"] == "luminance"][:2]
+    assert row["composite_ratio_1"] == pytest.approx(1, abs=0.01)
+    assert min(abs(ratio - 1) for ratio in plain) > 0.1
+    assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.mosaic, ACROSS).tolist(), rel=0.02)
+    assert row["unclear_share"] < 0.1
+    assert row["cause"] == "none"
+
+
+def test_ratios_are_those_of_the_curves(cut: Scene) -> None:
+    outcome = inspect(cut)
+    mosaic = luminance_shares(cut.mosaic, ACROSS)[:3]
+    against = [share / other for share, other in zip(mosaic, composite_curve(outcome))]
+    assert composite_ratios(outcome) == pytest.approx(against, rel=1e-4)
+    (pair,) = (row for row in outcome.rows("PAIRS") if (row["source"], row["band"]) == ("composite", "luminance"))
+    assert [pair[f"ratio_{level}"] for level in (1, 2, 3)] == pytest.approx(against, rel=1e-4)
+    assert pair["contrast_1"] == pytest.approx(1, abs=0.01)
+    assert pair["gain"] == pytest.approx(1, abs=0.02)
+    assert pair["gamma"] == 1
+
+
+@pytest.mark.parametrize(("box", "followed", "other"), [(WEST, "west.tif", "east.tif"), (EAST, "east.tif", "west.tif")])
+def test_beside_the_seam_the_composite_is_the_one_source(
+    cut: Scene, box: tuple[float, ...], followed: str, other: str
+) -> None:
+    outcome = inspect(cut, box)
+    ratios = {row["source"]: row["ratio_1"] for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
+    assert ratios["composite"] == pytest.approx(ratios[followed], abs=0.01)
+    assert abs(ratios["composite"] - ratios[other]) > 0.2
+
+
+# --- REFERENCE -------------------------------------------------------------------------------------------------
+
+
+def test_the_verdict_is_taken_against_the_reference(cut: Scene, tmp_path: Path) -> None:
+    """Beside a soft source a blurred mosaic looks sound; the composite, mostly of the sharp one, tells."""
+    pixels = to_bytes(gaussian_filter(whole(cut.mosaic).astype(float), (0, 0.7, 0.7)))
+    mosaic = write_raster(tmp_path / "spoilt.tif", pixels)
+    sharp = (136, 64, 128, 128)  # all but 8 of its columns are from the sharp source
+    against_sources, against_composite = (
+        inspect(cut, sharp, MOSAIC=mosaic, REFERENCE=reference) for reference in ("sources", "composite")
+    )
+    assert against_sources.column("verdict") == ["preserved"]
+    assert against_composite.column("verdict") == ["significant"]
+    for outcome in (against_sources, against_composite):
+        (row,) = outcome.rows()
+        pairs = {one["source"]: one["ratio_1"] for one in outcome.rows("PAIRS") if one["band"] == "luminance"}
+        assert row["ratio_1"] == max(pairs["west.tif"], pairs["east.tif"]) > 1
+        assert row["composite_ratio_1"] == pairs["composite"] < 0.5
+
+
+def test_the_reference_changes_the_verdict_and_nothing_else(cut: Scene) -> None:
+    boxes = (ACROSS, WEST, EAST)
+    plain, fair = (inspect(cut, *boxes, REFERENCE=reference) for reference in ("sources", "composite"))
+    for table in ("CURVES", "PAIRS"):
+        assert plain.rows(table) == fair.rows(table)
+    for before, after in zip(plain.rows(), fair.rows()):
+        assert {**before, "verdict": ""} == {**after, "verdict": ""}
+        assert (after["verdict"] == "preserved") == (after["composite_ratio_1"] >= 1)
+        assert (before["verdict"] == "preserved") == (before["ratio_1"] >= 1)
+
+
+@pytest.mark.parametrize("given", [{}, {"REFERENCE": None}, {"REFERENCE": "sources"}])
+def test_without_a_choice_it_is_the_sources(cut: Scene, given: dict[str, Any]) -> None:
+    assert inspect(cut, EAST, **given).rows() == inspect(cut, EAST, REFERENCE="sources").rows()
+
+
+def test_other_references_are_refused(cut: Scene) -> None:
+    assert run(
+        "inspectwindows", WINDOWS=windows(ACROSS), MOSAIC=str(cut.mosaic), SOURCES=cut.sources, REFERENCE="nothing"
+    ).complaint is not None
+
+
+# --- CELLS -----------------------------------------------------------------------------------------------------
+
+
+def test_cells_decide_against_the_detail(cut: Scene) -> None:
+    """Cells that name the wrong source are believed: what is compared is what the producer says."""
+    outcome = inspect(cut, WEST, CELLS=cells(("east.tif", (-5, -5, 600, 300))))
+    assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.east, WEST).tolist(), rel=1e-3)
+    east = next(row for row in outcome.rows("PAIRS") if (row["source"], row["band"]) == ("east.tif", "luminance"))
+    assert composite_ratios(outcome) == pytest.approx([east[f"ratio_{level}"] for level in (1, 2, 3)], rel=1e-3)
+
+
+@pytest.mark.parametrize("names", [("west.tif", "east.tif"), ("west", "EAST"), ("/block/west.tif", "C:\\b\\east.jp2")])
+def test_cells_of_the_true_cut(cut: Scene, names: tuple[str, str]) -> None:
+    outcome = inspect(cut, CELLS=cells((names[0], LEFT), (names[1], RIGHT)))
+    assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.mosaic, ACROSS).tolist(), rel=0.01)
+    assert composite_ratios(outcome) == pytest.approx([1, 1, 1], abs=0.01)
+
+
+@pytest.mark.parametrize("epsg", [4326, 3857])
+def test_cells_in_any_reference_system(cut: Scene, epsg: int) -> None:
+    wide = inspect(cut, WEST, CELLS=cells(("east.tif", (-50, -50, 700, 400)), epsg=epsg))
+    assert composite_curve(wide) == pytest.approx(luminance_shares(cut.east, WEST).tolist(), rel=1e-3)
+
+
+def test_outside_the_cells_the_detail_decides(cut: Scene, tmp_path: Path) -> None:
+    outcome = inspect(cut, WEST, CELLS=cells(("east.tif", (0, 0, 64, ROWS))))  # the window's left half
+    expected = whole(cut.west)
+    expected[..., :64] = whole(cut.east)[..., :64]
+    shares = luminance_shares(write_raster(tmp_path / "expected.tif", expected), WEST)
+    assert composite_curve(outcome) == pytest.approx(shares.tolist(), rel=0.02)
+
+
+@pytest.mark.parametrize(
+    "useless",
+    [
+        lambda: cells(("north.tif", (-5, -5, 600, 300))),
+        lambda: cells((None, (-5, -5, 600, 300)), ("", (-5, -5, 600, 300))),
+        lambda: cells(("east.tif", (2000, 0, 100, 100))),
+        lambda: cells(),
+        lambda: layer("Polygon", [None], source=("string", ["east.tif"])),
+    ],
+    ids=["unknown source", "no name", "far away", "empty layer", "no outline"],
+)
+def test_cells_that_say_nothing_change_nothing(cut: Scene, useless: Any) -> None:
+    boxes = (ACROSS, WEST)
+    with_cells, without = inspect(cut, *boxes, CELLS=useless()), inspect(cut, *boxes)
+    for table in ("OUTPUT", "CURVES", "PAIRS"):
+        assert with_cells.rows(table) == without.rows(table)
+
+
+def test_a_layer_that_holds_no_cells_gets_a_sentence(cut: Scene) -> None:
+    nameless = layer("Polygon", [outline(LEFT)], image=("string", ["west.tif"]))
+    assert_refused(
+        "inspectwindows", "no field 'source'", WINDOWS=windows(ACROSS), MOSAIC=str(cut.mosaic), SOURCES=cut.sources,
+        CELLS=nameless,
+    )

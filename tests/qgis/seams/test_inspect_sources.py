@@ -1,0 +1,226 @@
+"""How ``seaminspector:inspectwindows`` takes its sources: as layers, ids, paths, or from an index."""
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsVectorLayer
+
+from tests.numbers.synthetic import ORIGIN, UTM33, GeoTransform, write_raster
+from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, moved, outline, whole, windows
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+MIDDLE = (192, 64, 128, 128)
+SOUTH_UP = (ORIGIN[0], 0.1, 0.0, ORIGIN[1] - 25.6, 0.0, 0.1)
+
+
+def inspect(scene: Scene, **parameters: Any) -> Run:
+    given = {"WINDOWS": windows(SHARP, BLURRED), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
+    outcome = run("inspectwindows", **{**given, **parameters})
+    assert outcome.complaint is None
+    return outcome
+
+
+@pytest.fixture(scope="module")
+def expected(scene: Scene, provider: object) -> list[dict[str, Any]]:
+    """What comes out when the sources are given as paths."""
+    return inspect(scene).rows("PAIRS")
+
+
+def file_of(folder: Path, name: str, pixels: np.ndarray, **options: Any) -> QgsRasterLayer:
+    return QgsRasterLayer(write_raster(folder / name, pixels, **options), name)
+
+
+# --- layers, ids, paths ----------------------------------------------------------------------------------------
+
+
+def test_layers(scene: Scene, expected: list[dict[str, Any]]) -> None:
+    layers = [QgsRasterLayer(path, "any name") for path in scene.sources]
+    outcome = inspect(scene, MOSAIC=QgsRasterLayer(str(scene.mosaic), "mosaic"), SOURCES=layers)
+    assert outcome.rows("PAIRS") == expected
+
+
+def test_ids_and_names_of_layers(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
+    mosaic, west, east = (QgsRasterLayer(path, f"{i}") for i, path in enumerate([str(scene.mosaic), *scene.sources]))
+    project.addMapLayers([mosaic, west, east])
+    assert inspect(scene, MOSAIC=mosaic.id(), SOURCES=[west.id(), east.id()]).rows("PAIRS") == expected
+    assert inspect(scene, MOSAIC=mosaic.name(), SOURCES=[west.name(), str(scene.east)]).rows("PAIRS") == expected
+
+
+def test_a_single_path_is_a_list_of_one(scene: Scene) -> None:
+    assert set(inspect(scene, SOURCES=str(scene.west)).column("source", "PAIRS")) == {"west.tif", "composite"}
+
+
+def test_each_source_takes_part_once(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
+    west = QgsRasterLayer(str(scene.west), "west")
+    project.addMapLayer(west)
+    beside = scene.west.parent / ".." / scene.west.parent.name / scene.west.name
+    outcome = inspect(scene, SOURCES=[*scene.sources, west, west.id(), str(beside)])
+    assert outcome.rows("PAIRS") == expected
+
+
+def test_the_mosaic_among_the_sources_is_dropped_with_a_warning(scene: Scene, expected: list[dict[str, Any]]) -> None:
+    outcome = inspect(scene, SOURCES=[str(scene.mosaic), *scene.sources])
+    assert outcome.rows("PAIRS") == expected
+    (warning,) = outcome.log.warnings
+    assert_sentence(warning, "mosaic.tif is the mosaic itself and is left out")
+
+
+def test_a_reference_system_set_in_the_layer_stands_in_for_the_files(
+    scene: Scene, tmp_path: Path, project: QgsProject, expected: list[dict[str, Any]]
+) -> None:
+    layers = [
+        file_of(tmp_path, path.name, whole(path), system=None, nodata=0)
+        for path in (scene.mosaic, scene.west, scene.east)
+    ]
+    for one in layers:
+        one.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
+    outcome = inspect(scene, MOSAIC=layers[0], SOURCES=layers[1:])
+    assert outcome.rows("PAIRS") == expected
+    assert outcome.layer().crs().authid() == f"EPSG:{UTM33}"
+    project.addMapLayers(layers)
+    by_id = inspect(scene, MOSAIC=layers[0].id(), SOURCES=[one.id() for one in layers[1:]])
+    assert by_id.rows("PAIRS") == expected
+
+
+# --- resampled sources -----------------------------------------------------------------------------------------
+
+
+def turned(angle: float) -> GeoTransform:
+    """A geotransform of the scene's pixels, turned by some degrees around their middle, 256 px right and 128 down."""
+    cosine, sine = 0.1 * np.cos(np.radians(angle)), 0.1 * np.sin(np.radians(angle))
+    x, y = ORIGIN[0] + 25.6, ORIGIN[1] - 12.8
+    return x - 256 * cosine - 128 * sine, cosine, sine, y - 256 * sine + 128 * cosine, sine, -cosine
+
+
+def test_sources_in_other_systems_and_pixel_sizes_are_resampled(scene: Scene, tmp_path: Path) -> None:
+    same = whole(scene.west)
+    finer = np.repeat(np.repeat(same, 2, axis=1), 2, axis=2)
+    paths = [
+        write_raster(tmp_path / "finer.tif", finer, gsd=0.05),
+        write_raster(tmp_path / "coarser.tif", same[:, 1::2, 1::2], gsd=0.2),
+        write_raster(tmp_path / "turned.tif", same, geotransform=turned(0.3)),
+        write_raster(tmp_path / "south_up.tif", same[:, ::-1], geotransform=SOUTH_UP),
+    ]
+    for name, system in (("utm34.tif", "EPSG:32634"), ("degrees.tif", "EPSG:4326")):
+        gdal.Warp(str(tmp_path / name), str(scene.west), dstSRS=system, dstNodata=0, resampleAlg="cubic")
+        paths.append(str(tmp_path / name))
+    outcome = inspect(scene, WINDOWS=windows(MIDDLE), SOURCES=[*paths, str(scene.west)])
+    assert not outcome.log.warnings
+    pairs = {row["source"]: row for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
+    resampled = {source: row["resampled"] for source, row in pairs.items()}
+    assert resampled == {**{Path(path).name: 1 for path in paths}, "west.tif": 0, "composite": 1}
+    for source, row in pairs.items():
+        # All but the turned one show the same ground at the same place; that is turned by 0.4 px at the corners.
+        assert row["similarity"] > 0.97, source
+    for source in ("finer.tif", "south_up.tif"):  # averaging and interpolation give back the very pixels
+        assert pairs[source]["ratio_1"] == pytest.approx(pairs["west.tif"]["ratio_1"], rel=1e-6)
+
+
+def test_pixels_that_differ_by_less_than_a_hundredth_are_taken_as_they_are(scene: Scene, tmp_path: Path) -> None:
+    paths = [
+        write_raster(tmp_path / f"{name}.tif", whole(scene.west), gsd=gsd)
+        for name, gsd in (("near", 0.1005), ("far", 0.1015))
+    ]
+    outcome = inspect(scene, WINDOWS=windows(SHARP), SOURCES=paths)
+    resampled = {row["source"]: row["resampled"] for row in outcome.rows("PAIRS")}
+    assert resampled == {"near.tif": 0, "far.tif": 1, "composite": 1}
+
+
+# --- the index -------------------------------------------------------------------------------------------------
+
+
+def gdaltindex(folder: Path, name: str, *arguments: str) -> str:
+    """An index by GDAL's own tool, made in the folder of the rasters."""
+    subprocess.run(["gdaltindex", *arguments[:-2], name, *arguments[-2:]], cwd=folder, check=True, capture_output=True)
+    return str(folder / name)
+
+
+@pytest.mark.parametrize("absolute", [False, True])
+@pytest.mark.parametrize("name", ["index.shp", "index.gpkg"])
+def test_an_index_by_gdaltindex(
+    scene: Scene, expected: list[dict[str, Any]], tmp_path: Path, name: str, absolute: bool
+) -> None:
+    for path in (scene.west, scene.east):
+        os.link(path, tmp_path / path.name)
+    options = ["-f", "GPKG"] if name.endswith(".gpkg") else []
+    options += ["-write_absolute_path"] if absolute else []
+    index = gdaltindex(tmp_path, name, *options, "west.tif", "east.tif")
+    locations = {row["location"] for row in QgsVectorLayer(index, "index", "ogr").getFeatures()}
+    assert all(os.path.isabs(location) == absolute for location in locations)
+    assert inspect(scene, SOURCES=None, SOURCE_INDEX=index).rows("PAIRS") == expected
+    opened = QgsVectorLayer(index, "index", "ogr")
+    assert inspect(scene, SOURCES=[], SOURCE_INDEX=opened).rows("PAIRS") == expected
+    beside = inspect(scene, SOURCES=[str(tmp_path / "west.tif")], SOURCE_INDEX=index)
+    assert beside.rows("PAIRS") == expected
+
+
+def test_relative_locations_start_at_the_index_and_not_at_the_working_folder(
+    scene: Scene, expected: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for folder in ("images", "elsewhere"):
+        (tmp_path / folder).mkdir()
+    for path in (scene.west, scene.east):
+        os.link(path, tmp_path / "images" / path.name)
+    gdaltindex(tmp_path, "index.shp", "images/west.tif", "images/east.tif")
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    index = str(tmp_path / "index.shp")
+    assert inspect(scene, SOURCES=None, SOURCE_INDEX=index).rows("PAIRS") == expected
+
+
+def test_an_index_in_another_reference_system(scene: Scene, expected: list[dict[str, Any]]) -> None:
+    footprints = [moved(outline((-5, -5, 522, 266)), 4326)] * 2
+    index = layer("Polygon", footprints, 4326, location=("string", scene.sources))
+    assert inspect(scene, SOURCES=None, SOURCE_INDEX=index).rows("PAIRS") == expected
+
+
+def test_of_500_indexed_sources_only_those_over_the_windows_are_opened(scene: Scene, tmp_path: Path) -> None:
+    tiny = [outline((5 * (number % 100), 50 * (number // 100), 4, 4)) for number in range(497)]
+    over_one_window = outline((-5, -5, 200, 200))
+    footprints = [*tiny, over_one_window, outline((0, 0, 512, 256)), outline((0, 0, 512, 256))]
+    locations = [str(tmp_path / f"{number}.tif") for number in range(497)]
+    index = layer(
+        "Polygon", footprints, location=("string", [*locations, str(tmp_path / "gone.tif"), *scene.sources])
+    )
+    outcome = inspect(scene, SOURCES=None, SOURCE_INDEX=index)
+    (warning,) = outcome.log.warnings  # the one that covers a window and is not there
+    assert_sentence(warning, "gone.tif does not exist")
+    assert outcome.column("sources") == [2, 2]
+    assert outcome.column("verdict") == ["reduced", "significant"]
+
+
+def test_the_mosaic_in_the_index_is_dropped(scene: Scene, expected: list[dict[str, Any]]) -> None:
+    paths = [str(scene.mosaic), *scene.sources]
+    index = layer("Polygon", [outline((0, 0, 512, 256))] * 3, location=("string", paths))
+    outcome = inspect(scene, SOURCES=None, SOURCE_INDEX=index)
+    assert outcome.rows("PAIRS") == expected
+    assert_sentence(outcome.log.warnings[0], "mosaic.tif is the mosaic itself")
+
+
+def test_rows_of_an_index_without_location_or_outline_are_passed_over(scene: Scene) -> None:
+    footprint = outline((0, 0, 512, 256))
+    index = layer(
+        "Polygon", [footprint, None, footprint], location=("string", [None, str(scene.west), str(scene.east)])
+    )
+    assert set(inspect(scene, SOURCES=None, SOURCE_INDEX=index).column("source", "PAIRS")) == {"east.tif", "composite"}
+
+
+@pytest.mark.parametrize(
+    ("index", "words"),
+    [
+        (lambda: layer("Polygon", [outline(SHARP)], path=("string", ["a.tif"])), "no field 'location'.*gdaltindex"),
+        (lambda: layer("Polygon", [], location=("string", [])), "No sources are given"),
+        (lambda: "/nowhere/index.shp", "/nowhere/index.shp not found"),
+    ],
+)
+def test_a_useless_index_gets_a_sentence(scene: Scene, index: Any, words: str) -> None:
+    assert_refused(
+        "inspectwindows", words, WINDOWS=windows(SHARP), MOSAIC=str(scene.mosaic), SOURCE_INDEX=index()
+    )

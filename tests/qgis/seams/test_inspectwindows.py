@@ -1,0 +1,406 @@
+"""``seaminspector:inspectwindows`` through QGIS: its contract, its numbers, and what it carries over."""
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from qgis.core import QgsGeometry, QgsProcessingParameterDefinition, QgsRectangle, QgsWkbTypes
+
+from tests.numbers.synthetic import UTM33, decompose, luminance, orthoimage, read_pixels, write_raster
+from tests.qgis.runs import Log, Run, algorithm, run
+from tests.qgis.scenes import (
+    BLURRED,
+    COLUMNS,
+    SHARP,
+    Scene,
+    layer,
+    luminance_shares,
+    outline,
+    pixel_box,
+    to_bytes,
+    whole,
+    windows,
+)
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+INTEGER, REAL, TEXT = "integer", "double", "string"
+
+
+def inspect(scene: Scene, *boxes: tuple[float, ...], log: Log | None = None, **parameters: Any) -> Run:
+    given = {"WINDOWS": windows(*boxes or (SHARP, BLURRED)), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
+    outcome = run("inspectwindows", log, **{**given, **parameters})
+    assert outcome.complaint is None
+    return outcome
+
+
+def by_level(name: str, levels: int) -> list[tuple[str, str]]:
+    return [(f"{name}_{level}", REAL) for level in range(1, levels + 1)]
+
+
+def layout(outcome: Run, name: str) -> list[tuple[str, str]]:
+    return [(field.name(), field.typeName()) for field in outcome.layer(name).fields()]
+
+
+# --- the contract ----------------------------------------------------------------------------------------------
+
+
+def test_parameters() -> None:
+    job = algorithm("inspectwindows")
+    definitions = {one.name(): one for one in job.parameterDefinitions()}
+    assert list(definitions) == (
+        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO SCHEDULER OUTPUT CURVES PAIRS"
+    ).split()
+    flags = QgsProcessingParameterDefinition.Flag
+    optional = {name for name, one in definitions.items() if one.flags() & flags.FlagOptional}
+    advanced = {name for name, one in definitions.items() if one.flags() & flags.FlagAdvanced}
+    # Mandatory, REFERENCE would make every model invalid that was drawn before there was such a choice.
+    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "SCHEDULER", "CURVES", "PAIRS"}
+    assert advanced == {"CELLS", "MAX_RATIO", "SCHEDULER"}
+    defaults = {name: definitions[name].defaultValue() for name in ("WAVELET", "LEVELS", "REFERENCE", "MAX_RATIO")}
+    assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "REFERENCE": "sources", "MAX_RATIO": 0.5}
+    assert definitions["WAVELET"].usesStaticStrings()
+    assert definitions["REFERENCE"].usesStaticStrings()
+    assert definitions["REFERENCE"].options() == ["sources", "composite"]
+    assert {"haar", "db4", "sym8", "coif3", "dmey"} <= set(definitions["WAVELET"].options())
+    for definition in definitions.values():
+        assert len(definition.help()) > 20
+        assert definition.help() in job.shortHelpString()
+    outputs = [one.name() for one in job.outputDefinitions() if one.type() == "outputNumber"]
+    assert outputs == ["WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"]
+
+
+@pytest.mark.parametrize("levels", [1, 3, 5])
+def test_fields(scene: Scene, levels: int) -> None:
+    outcome = inspect(scene, LEVELS=levels)
+    assert layout(outcome, "OUTPUT") == [
+        ("window_id", INTEGER),
+        ("verdict", TEXT),
+        ("reason", TEXT),
+        ("sources", INTEGER),
+        *by_level("ratio", levels),
+        ("background_ratio", REAL),
+        ("observer", TEXT),
+        *by_level("composite_ratio", levels),
+        *by_level("expected_ratio", levels),
+        ("unclear_share", REAL),
+        ("cause", TEXT),
+    ]
+    assert layout(outcome, "CURVES") == [
+        ("window_id", INTEGER),
+        ("raster", TEXT),
+        ("role", TEXT),
+        ("band", TEXT),
+        ("component", TEXT),
+        ("level", INTEGER),
+        ("relative_variance", REAL),
+        ("variance", REAL),
+    ]
+    assert layout(outcome, "PAIRS") == [
+        ("window_id", INTEGER),
+        ("source", TEXT),
+        ("band", TEXT),
+        *by_level("ratio", levels),
+        ("similarity", REAL),
+        ("offset_x", REAL),
+        ("offset_y", REAL),
+        ("resampled", INTEGER),
+        ("gain", REAL),
+        ("bias", REAL),
+        ("gamma", REAL),
+        *by_level("contrast", levels),
+        *by_level("sharpness", levels),
+        ("clipped", REAL),
+        ("colour_shift", REAL),
+        ("shift_x", REAL),
+        ("shift_y", REAL),
+    ]
+    assert outcome.layer("OUTPUT").wkbType() == QgsWkbTypes.Type.Polygon
+    assert not outcome.layer("CURVES").isSpatial()
+    assert not outcome.layer("PAIRS").isSpatial()
+    assert outcome.layer("OUTPUT").crs().authid() == f"EPSG:{UTM33}"
+
+
+def test_results(scene: Scene) -> None:
+    outcome = inspect(scene, SHARP, BLURRED, (0, 0, 10, 10))
+    assert outcome.column("verdict") == ["reduced", "significant", "not_comparable"]
+    counts = {name: value for name, value in outcome.results.items() if name.endswith("_COUNT")}
+    assert counts == {"WINDOW_COUNT": 3, "SIGNIFICANT_COUNT": 1, "NOT_COMPARABLE_COUNT": 1}
+    assert outcome.column("sources") == [2, 2, 0]
+    reasons = outcome.column("reason")
+    assert reasons[:2] == [None, None]
+    assert "10 x 10 px" in reasons[2]
+    assert outcome.log.infos[-1] == "significant: 1, reduced: 1, preserved: 0, not_comparable: 1"
+
+
+def test_rows_of_curves_and_pairs(scene: Scene) -> None:
+    outcome = inspect(scene, SHARP)
+    bands = ["luminance", "red", "green", "blue"]
+    components = [("detail", 1), ("detail", 2), ("detail", 3), ("background", 3)]
+    rasters = [("mosaic.tif", "mosaic"), ("west.tif", "source"), ("east.tif", "source")]
+    rasters.append(("composite", "composite"))
+    rows = [(row["raster"], row["role"], row["band"], row["component"], row["level"]) for row in outcome.rows("CURVES")]
+    assert rows == [(*raster, band, *component) for raster in rasters for band in bands for component in components]
+    pairs = [(row["source"], row["band"]) for row in outcome.rows("PAIRS")]
+    assert pairs == [(source, band) for source in ("west.tif", "east.tif", "composite") for band in bands]
+
+
+@pytest.mark.parametrize(
+    ("bands", "names"),
+    [
+        (1, ["band_1"]),
+        (2, ["band_1", "band_2"]),
+        (3, ["luminance", "red", "green", "blue"]),
+        (4, ["luminance", "red", "green", "blue", "nir"]),
+    ],
+)
+def test_names_of_bands(tmp_path: Path, bands: int, names: list[str]) -> None:
+    image, plain = orthoimage((128, 128), bands=bands), ["PHOTOMETRIC=MINISBLACK", "ALPHA=NO"]
+    paths = [write_raster(tmp_path / name, image, options=plain) for name in ("mosaic.tif", "source.tif")]
+    outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=paths[0], SOURCES=paths[1:])
+    assert list(dict.fromkeys(outcome.column("band", "CURVES"))) == names
+    assert outcome.column("band", "PAIRS") == 2 * names  # the source's and the composite's
+    assert outcome.column("verdict") == ["preserved"]  # they are the same
+
+
+def test_tables_are_optional(scene: Scene, tmp_path: Path) -> None:
+    only = inspect(scene, CURVES=None, PAIRS="")
+    assert not {"CURVES", "PAIRS"} & only.results.keys()
+    assert len(only.features()) == 2
+    output, curves, pairs = (tmp_path / name for name in ("o.gpkg", "c.csv", "p.gpkg"))
+    inspect(scene, OUTPUT=str(output), CURVES=str(curves), PAIRS=str(pairs))
+    assert all(path.exists() for path in (output, curves, pairs))
+
+
+# --- the numbers -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("wavelet", "levels"), [("coif3", 3), ("haar", 1), ("db4", 5), ("sym8", 2)])
+@pytest.mark.parametrize("box", [SHARP, BLURRED, (192, 32, 160, 96)])
+def test_curves_are_those_of_pywavelets(
+    scene: Scene, wavelet: str, levels: int, box: tuple[int, int, int, int]
+) -> None:
+    outcome = inspect(scene, box, WAVELET=wavelet, LEVELS=levels)
+    assert pixel_box(outcome.features()[0].geometry()) == box
+    curves = outcome.rows("CURVES")
+    for path in (scene.mosaic, scene.west, scene.east):
+        pixels = read_pixels(str(path), *box)
+        for name, clip in zip(("luminance", "red", "green", "blue"), (luminance(pixels), *pixels)):
+            rows = [row for row in curves if row["raster"] == path.name and row["band"] == name]
+            expected = decompose(clip, wavelet, levels)
+            shares = [row["relative_variance"] for row in rows]
+            np.testing.assert_allclose(shares, expected.shares, rtol=1e-4, atol=0)
+            assert np.abs(shares - expected.shares).max() <= 1e-7
+            variances = expected.shares * expected.energy / clip.size
+            np.testing.assert_allclose([row["variance"] for row in rows], variances, rtol=1e-4)
+
+
+@pytest.mark.parametrize("box", [SHARP, BLURRED, (192, 32, 160, 96)])
+def test_ratios_and_verdicts_follow_from_pywavelets(scene: Scene, box: tuple[int, int, int, int]) -> None:
+    outcome = inspect(scene, box)
+    mosaic, *sources = (luminance_shares(path, box) for path in (scene.mosaic, scene.west, scene.east))
+    against = np.array([mosaic / source for source in sources])
+    (row,) = outcome.rows()
+    found = [row[name] for name in ("ratio_1", "ratio_2", "ratio_3", "background_ratio")]
+    np.testing.assert_allclose(found, against.max(axis=0), rtol=1e-4)
+    largest = against[:, 0].max()
+    assert row["verdict"] == ("significant" if largest <= 0.5 else "reduced" if largest < 1 else "preserved")
+    pairs = [[one["ratio_1"], one["ratio_2"], one["ratio_3"]] for one in outcome.rows("PAIRS")]
+    np.testing.assert_allclose(pairs[0], against[0, :3], rtol=1e-4)
+    np.testing.assert_allclose(pairs[4], against[1, :3], rtol=1e-4)
+
+
+def test_similarity_is_the_correlation_of_the_coarse_components(scene: Scene) -> None:
+    outcome = inspect(scene, SHARP)
+    mosaic = decompose(read_pixels(str(scene.mosaic), *SHARP)[1]).coarse.ravel()
+    source = decompose(read_pixels(str(scene.east), *SHARP)[1]).coarse.ravel()
+    (row,) = (row for row in outcome.rows("PAIRS") if row["source"] == "east.tif" and row["band"] == "green")
+    assert row["similarity"] == pytest.approx(np.corrcoef(mosaic, source)[0, 1], abs=1e-6)
+
+
+def test_offset_is_that_of_the_pixel_grids(scene: Scene, tmp_path: Path) -> None:
+    moved_by = (0.3, -0.2)  # px to the right and down
+    shifted = tmp_path / "shifted.tif"
+    write_raster(
+        shifted,
+        read_pixels(str(scene.west), 0, 0, COLUMNS, 256),
+        geotransform=(500000 + 0.1 * moved_by[0], 0.1, 0.0, 5000000 - 0.1 * moved_by[1], 0.0, -0.1),
+    )
+    outcome = inspect(scene, (64, 64, 128, 128), SOURCES=[str(shifted)])
+    for row in outcome.rows("PAIRS"):
+        off = (-moved_by[0], -moved_by[1]) if row["source"] == "shifted.tif" else (0, 0)  # the composite has our pixels
+        assert (row["offset_x"], row["offset_y"]) == pytest.approx(off, abs=1e-4)
+        assert row["resampled"] == 0
+    shares = luminance_shares(shifted, (64, 64, 128, 128))
+    curve = [row for row in outcome.rows("CURVES") if row["role"] == "source" and row["band"] == "luminance"]
+    np.testing.assert_allclose([row["relative_variance"] for row in curve], shares, rtol=1e-4)
+
+
+def test_a_geographic_mosaic_is_measured_on_its_own_pixels(scene: Scene, tmp_path: Path) -> None:
+    degrees = (19.0, 1.4e-6, 0.0, 50.0, 0.0, -0.9e-6)
+    mosaic, source = (
+        write_raster(tmp_path / path.name, whole(path), system=4326, geotransform=degrees)
+        for path in (scene.mosaic, scene.west)
+    )
+    column, row, width, height = BLURRED
+    left, top = 19 + 1.4e-6 * column, 50 - 0.9e-6 * row
+    box = QgsGeometry.fromRect(QgsRectangle(left, top - 0.9e-6 * height, left + 1.4e-6 * width, top))
+    outcome = run(
+        "inspectwindows", WINDOWS=layer("Polygon", [box], 4326), MOSAIC=mosaic, SOURCES=[source, str(scene.east)]
+    )
+    assert outcome.layer().crs().authid() == "EPSG:4326"
+    resampled = {(row["source"], row["resampled"]) for row in outcome.rows("PAIRS")}
+    assert resampled == {("west.tif", 0), ("composite", 0)}
+    expected = luminance_shares(mosaic, BLURRED)[0] / luminance_shares(source, BLURRED)[0]
+    assert outcome.column("ratio_1") == pytest.approx([expected], rel=1e-4)
+
+
+def test_max_ratio_moves_the_limit(scene: Scene) -> None:
+    ratio = inspect(scene, BLURRED).column("ratio_1")[0]
+    assert inspect(scene, BLURRED, MAX_RATIO=ratio - 0.001).column("verdict") == ["reduced"]
+    assert inspect(scene, BLURRED, MAX_RATIO=ratio + 0.001).column("verdict") == ["significant"]
+
+
+def test_a_tone_change_leaves_the_curve(scene: Scene, tmp_path: Path) -> None:
+    pixels = read_pixels(str(scene.mosaic), 0, 0, COLUMNS, 256).astype(np.float32)
+    toned = write_raster(tmp_path / "toned.tif", 17 * pixels + 4000)
+    outcome = inspect(scene, SHARP, SOURCES=[toned])
+    assert outcome.column("ratio_1") == pytest.approx([1], rel=1e-4)
+    assert outcome.column("background_ratio") == pytest.approx([1], rel=1e-4)
+
+
+# --- windows ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("epsg", [4326, 3857, 2180, UTM33])
+def test_windows_in_any_reference_system(scene: Scene, epsg: int) -> None:
+    outcome = inspect(scene, WINDOWS=windows((64, 64, 128, 128), epsg=epsg))
+    assert outcome.layer().crs().authid() == f"EPSG:{UTM33}"
+    # What a system that is turned against the mosaic's adds to the bounding box is trimmed to a multiple of 8.
+    column, row, width, height = pixel_box(outcome.features()[0].geometry())
+    assert width % 8 == height % 8 == 0
+    np.testing.assert_allclose((column + width / 2, row + height / 2), (128, 128), atol=1)
+    np.testing.assert_allclose((width, height), (128, 128), atol=16)
+
+
+@pytest.mark.parametrize(
+    ("drawn", "measured"),
+    [
+        ((10.3, 20.4, 128.2, 129.2), (10, 21, 128, 128)),
+        ((100, 100, 67, 78), (101, 103, 64, 72)),
+        ((-20, -30, 148, 158), (0, 0, 128, 128)),
+        ((440, 0, 500, 500), (440, 0, 72, 256)),
+    ],
+)
+def test_windows_are_measured_on_whole_pixels(
+    scene: Scene, drawn: tuple[float, ...], measured: tuple[float, ...]
+) -> None:
+    outcome = inspect(scene, drawn)
+    assert pixel_box(outcome.features()[0].geometry()) == measured
+
+
+def test_rows_come_in_the_order_of_the_windows(scene: Scene) -> None:
+    boxes = [(8 * index, 0, 64, 64) if index % 3 else (0, 0, 512, 256) for index in range(20)]
+    numbers = list(np.random.default_rng(3).permutation(1000)[:20])
+    outcome = inspect(scene, WINDOWS=windows(*boxes, window_id=("integer", [int(one) for one in numbers])))
+    assert outcome.column("window_id") == numbers
+    assert [pixel_box(feature.geometry()) for feature in outcome.features()] == boxes
+    assert list(dict.fromkeys(outcome.column("window_id", "CURVES"))) == numbers
+    assert list(dict.fromkeys(outcome.column("window_id", "PAIRS"))) == numbers
+
+
+def test_the_observers_word_and_the_numbers_are_carried_over(scene: Scene) -> None:
+    words = ["visible", None, "invisible", ""]
+    drawn = windows(*[SHARP] * 4, window_id=("integer", [7, 0, -2, 12]), observer=("string", words))
+    outcome = inspect(scene, WINDOWS=drawn)
+    assert outcome.column("observer") == ["visible", None, "invisible", None]
+    assert outcome.column("window_id") == [7, 0, -2, 12]
+    assert not outcome.log.warnings
+
+
+def test_windows_without_numbers_are_counted(scene: Scene) -> None:
+    outcome = inspect(scene, SHARP, BLURRED, SHARP)
+    assert outcome.column("window_id") == [1, 2, 3]
+    assert outcome.column("observer") == [None] * 3
+    assert not outcome.log.warnings
+
+
+@pytest.mark.parametrize(
+    ("kind", "given", "expected", "renumbered"),
+    [
+        ("integer", [5, 5, None, 5, 2], [5, 6, 7, 8, 2], 3),
+        ("int8", [2**31, 3, 2**40, None, -(2**31) - 1], [4, 3, 5, 6, 7], 4),  # outputs have 32 bits
+        ("double", [4.0, 2.5, None, 4.0, 1.0], [4, 5, 6, 7, 1], 3),
+        ("string", ["4", "a", "", "4", "1"], [4, 5, 6, 7, 1], 3),
+    ],
+)
+def test_numbers_are_unique(scene: Scene, kind: str, given: list[Any], expected: list[int], renumbered: int) -> None:
+    outcome = inspect(scene, WINDOWS=windows(*[SHARP] * 5, window_id=(kind, given)))
+    assert outcome.column("window_id") == expected
+    assert [warning for warning in outcome.log.warnings if f"{renumbered} windows had no number" in warning]
+
+
+def test_other_fields_do_no_harm(scene: Scene) -> None:
+    drawn = windows(SHARP, verdict=("string", ["x"]), fid=("integer", [3]), observer=("integer", [1]))
+    outcome = inspect(scene, WINDOWS=drawn)
+    assert outcome.column("observer") == ["1"]
+    assert outcome.column("verdict") == ["reduced"]
+
+
+def test_inspected_windows_can_be_inspected_again(scene: Scene) -> None:
+    first = inspect(scene)
+    again = inspect(scene, WINDOWS=first.layer())
+    assert again.rows() == first.rows()
+    assert [pixel_box(one.geometry()) for one in again.features()] == [SHARP, BLURRED]
+
+
+# --- cancellation ----------------------------------------------------------------------------------------------
+
+
+class CancelledAfter(Log):
+    """Cancels when so many windows are done; counts them by the progress that is shown."""
+
+    def __init__(self, count: int, of: int) -> None:
+        super().__init__()
+        self.seen: list[float] = []
+        self._limit = 100 * count / of - 1e-6
+        self.progressChanged.connect(self._look)
+
+    def _look(self, progress: float) -> None:
+        self.seen.append(progress)
+        if progress >= self._limit:
+            self.cancel()
+
+
+@pytest.mark.parametrize("count", [1, 5])
+def test_what_was_measured_before_a_cancellation_stays(scene: Scene, tmp_path: Path, count: int) -> None:
+    log, of = CancelledAfter(count, of=60), [(7 * index, 0, 64, 64) for index in range(60)]
+    outcome = inspect(scene, *of, log=log, OUTPUT=str(tmp_path / "o.gpkg"))
+    measured = outcome.column("window_id")
+    assert measured[:count] == list(range(1, count + 1))
+    assert measured == sorted(measured)
+    assert len(measured) <= count + 4 * (os.cpu_count() or 1)  # those that were under way may be there too
+    assert len(measured) < 60
+    assert outcome.results["WINDOW_COUNT"] == len(measured)
+    assert list(dict.fromkeys(outcome.column("window_id", "CURVES"))) == measured
+    assert set(outcome.column("verdict")) == {"reduced"}
+
+
+def test_a_run_cancelled_before_it_began_leaves_an_empty_layer(scene: Scene) -> None:
+    log = Log()
+    log.cancel()
+    outcome = inspect(scene, log=log)
+    assert outcome.rows() == []
+    assert outcome.results["WINDOW_COUNT"] == 0
+
+
+def test_identical_images_are_preserved(tmp_path: Path) -> None:
+    image = to_bytes(orthoimage((128, 128)))
+    paths = [write_raster(tmp_path / name, image) for name in ("a.tif", "b.tif")]
+    outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=paths[0], SOURCES=paths[1:])
+    assert outcome.column("verdict") == ["preserved"]
+    assert outcome.column("ratio_1") == [1.0]
+    assert outcome.features()[0].geometry().equals(outline(SHARP))

@@ -1,0 +1,200 @@
+"""The algorithms of sensor models through QGIS: their contracts, their files, and bad input."""
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsFeature, QgsGeometry, QgsPoint, QgsPointXY, QgsProject, QgsVectorLayer
+
+from tests.numbers.sensors.sensor_scenes import WGS84, made_rational, places, pleiades_grid, ten_spread
+from tests.qgis.runs import Log, assert_refused, run, run_unchecked
+
+pytestmark = pytest.mark.usefixtures("provider", "project")
+
+NOISE = 0.3
+NUMBERS = [f"{group}_{kind}_{axis}" for group in ("CHECK", "CONTROL") for kind in ("RMSE", "MAX") for axis in "XY"]
+
+
+def gcps(
+    image: np.ndarray, ground: np.ndarray, roles: list[str | None] | None = None, system: str = WGS84, **fields: Any
+) -> QgsVectorLayer:
+    """A point layer as the algorithms want it; ``fields`` are further columns of texts or numbers."""
+    kinds = "".join(f"&field={name}:{'string' if name == 'id' else 'double'}" for name in fields)
+    kinds = f"&field=column:double&field=row:double&field=role:string{kinds}"
+    layer = QgsVectorLayer(f"PointZ?crs={system}{kinds}", "gcps", "memory")
+    rows = []
+    for index, ((column, row), (x, y, z)) in enumerate(zip(image, ground)):
+        feature = QgsFeature(layer.fields())
+        role = roles[index] if roles else None
+        feature.setAttributes([float(column), float(row), role, *(values[index] for values in fields.values())])
+        point = QgsGeometry(QgsPoint(x, y, z)) if np.isfinite(z) else QgsGeometry.fromPointXY(QgsPointXY(x, y))
+        feature.setGeometry(point)
+        rows.append(feature)
+    layer.dataProvider().addFeatures(rows)
+    return layer
+
+
+def scene(count: int = 60, noise: float = NOISE) -> tuple[np.ndarray, np.ndarray]:
+    ground = places(count, 3)
+    image = made_rational(1, 2, 0.001).project(ground)
+    return image + np.random.default_rng(3).normal(0, noise, image.shape), ground
+
+
+def test_fit_keeps_its_contract(project: QgsProject, tmp_path: Path) -> None:
+    image, ground = scene()
+    image[7] += 40
+    roles: list[str | None] = ["control"] * 30 + ["check"] * 30
+    names = [f"p{index}" for index in range(60)]
+    files = {"MODEL_FILE": tmp_path / "m.json", "RPC": tmp_path / "image_RPC.TXT", "REPORT": tmp_path / "r.html"}
+    outcome = run(
+        "fitsensormodel", GCPS=gcps(image, ground, roles, id=names), MODEL="rational", ORDER=1, ROBUST=True,
+        HEIGHTS="ellipsoid", **{name: str(path) for name, path in files.items()},
+    )
+    assert outcome.complaint is None
+    rows = outcome.rows()
+    assert list(rows[0]) == [
+        "id", "role", "column", "row", "z", "residual_column", "residual_row", "residual_x", "residual_y", "blunder"
+    ]  # fmt: skip
+    assert [row["id"] for row in rows] == names
+    assert rows[7]["blunder"] == 1
+    assert sum(row["blunder"] for row in rows) <= 3
+    assert rows[7]["residual_column"] == pytest.approx(-40, abs=3)
+    results = outcome.results
+    kept = [row for row in rows if row["role"] == "check" and not row["blunder"]]
+    assert results["CHECK_COUNT"] == len(kept)
+    for axis in "XY":
+        residuals = np.array([row[f"residual_{axis.lower()}"] for row in kept])
+        assert results[f"CHECK_RMSE_{axis}"] == pytest.approx(np.sqrt(np.mean(residuals**2)))
+        assert results[f"CHECK_MAX_{axis}"] == pytest.approx(np.abs(residuals).max())
+    assert set(NUMBERS) | {"CONTROL_COUNT", "CONDITION"} <= set(results)
+    assert any("Blunders found and left out of the errors" in one for one in outcome.log.warnings)
+    document = json.loads(files["MODEL_FILE"].read_text())
+    assert (document["version"], document["model"], "p7" in document["facts"]["blunders"]) == (1, "rational", True)
+    gdal.GetDriverByName("GTiff").Create(str(tmp_path / "image.tif"), 4, 4, 1).FlushCache()
+    transformer = gdal.Transformer(gdal.Open(str(tmp_path / "image.tif")), None, ["METHOD=RPC"])
+    seen = np.array(transformer.TransformPoints(1, ground.tolist())[0])[:, :2]
+    residuals = np.array([[row["residual_column"], row["residual_row"]] for row in rows])
+    assert np.abs(seen - image - residuals).max() < 0.01
+    report = files["REPORT"].read_text()
+    assert "<svg" in report or "image/svg+xml" in report
+    assert "p7" in report
+
+
+@pytest.mark.parametrize("model", ["polynomial_2d", "polynomial_3d", "dlt", "pushbroom"])
+def test_every_model_runs_and_no_roles_mean_a_share(model: str) -> None:
+    image, ground = scene()
+    outcome = run("fitsensormodel", GCPS=gcps(image, ground), MODEL=model, CHECK_SHARE=0.5, HEIGHTS="ellipsoid")
+    assert outcome.complaint is None
+    assert (outcome.results["CONTROL_COUNT"], outcome.results["CHECK_COUNT"]) == (30, 30)
+    none = run("fitsensormodel", GCPS=gcps(image, ground), MODEL=model, CHECK_SHARE=0, HEIGHTS="ellipsoid")
+    assert "CHECK_RMSE_X" not in none.results
+    assert any("no check points" in one for one in none.log.warnings)
+
+
+@pytest.mark.parametrize("header", ["mapX,mapY,pixelX,pixelY,enable,dX", "mapX,mapY,sourceX,sourceY,enable"])
+def test_points_files_take_heights_from_the_terrain_model(tmp_path: Path, header: str, data_folder: Path) -> None:
+    dem = data_folder / "sensors" / "pleiades" / "N44E005.hgt"
+    ground = places(20, 1) - [1.9, -0.5, 0]  # onto the tile
+    transform = gdal.Open(str(dem)).GetGeoTransform()
+    heights = gdal.Open(str(dem)).ReadAsArray()
+    column = (ground[:, 0] - transform[0]) / transform[1]
+    row = (ground[:, 1] - transform[3]) / transform[5]
+    ground[:, 2] = heights[row.astype(int), column.astype(int)]
+    image = made_rational(1, 2, 0.001).project(ground + [1.9, -0.5, 0])
+    path = tmp_path / "image.points"
+    lines = [f"{x},{y},{c},{-r},1,0,0,0" for (x, y, _), (c, r) in zip(ground, image)]
+    path.write_text("\n".join([header, *lines]) + "\n")
+    given = {"GCPS": str(path), "MODEL": "polynomial_3d", "DEM": str(dem), "DEM_HEIGHTS": "egm96"}
+    assert_refused("fitsensormodel", "names no coordinate reference system", **given)
+    outcome = run("fitsensormodel", GCPS_CRS="EPSG:4326", **given)
+    assert outcome.complaint is None
+    assert outcome.results["CONTROL_COUNT"] == 15
+    assert outcome.column("z") == pytest.approx(list(ground[:, 2] + 51), abs=80)  # bilinear, and the geoid
+    assert any("converted to the ellipsoid" in one for one in outcome.log.infos)
+    path.write_text("#CRS: EPSG:4326\n" + path.read_text())
+    assert run("fitsensormodel", **given).complaint is None
+
+
+def test_comparison_gives_the_table_and_a_reason(data_folder: Path, tmp_path: Path) -> None:
+    nodes = ten_spread(pleiades_grid(data_folder), np.random.default_rng(0))
+    layer = gcps(nodes[:, :2] + np.random.default_rng(1).normal(0, NOISE, (10, 2)), nodes[:, 2:])
+    rpc = data_folder / "sensors" / "pleiades" / "RPC_P1BP--2017092838284574CP.XML"
+    report = tmp_path / "report.html"
+    outcome = run(
+        "comparesensormodels", GCPS=layer, CHECK_SHARE=0, HEIGHTS="ellipsoid", IMAGE_RPC=str(rpc), REPORT=str(report)
+    )
+    assert outcome.complaint is None
+    rows = {(row["model"], row["order"], row["variant"]): row for row in outcome.rows()}
+    assert len(rows) == 15
+    assert {row["method"] for row in rows.values()} == {"leave_one_out"}
+    assert outcome.results["RECOMMENDED"] == "rpc_bias shift"
+    assert rows["rpc_bias", None, "shift"]["recommended"] == 1
+    assert rows["rpc_bias", None, "shift"]["mean_x"] < 0.5 < rows["polynomial_2d", 1, None]["mean_x"]
+    assert "needs at least 19" in rows["rational", 2, None]["reason"]
+    assert outcome.results["RECOMMENDATION"] in outcome.log.infos
+    assert "rpc_bias" in report.read_text()
+
+
+def test_orthorectify_with_model_file_and_rpc(data_folder: Path, tmp_path: Path) -> None:
+    folder = data_folder / "sensors" / "pleiades"
+    given = {"IMAGE": str(folder / "left_image.tif"), "DEM": str(folder / "N44E005_UTM.tif"), "DEM_HEIGHTS": "egm96"}
+    vendor = str(folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML")
+    outcome = run("orthorectify", RPC=vendor, OUTPUT=str(tmp_path / "a.tif"), CRS="EPSG:32631", PIXEL_SIZE=1, **given)
+    assert outcome.complaint is None
+    dataset = gdal.Open(outcome.results["OUTPUT"])
+    assert dataset.GetGeoTransform()[1] == 1
+    assert outcome.results["ERROR_MAX"] < 0.1
+    assert outcome.results["UNCOVERED"] == 0
+    own = run("orthorectify", OUTPUT=str(tmp_path / "b.tif"), CRS="EPSG:32631", PIXEL_SIZE=1, **given)  # its .geom
+    assert np.array_equal(gdal.Open(own.results["OUTPUT"]).ReadAsArray(), dataset.ReadAsArray())
+    stopped = Log()
+    stopped.cancel()
+    cancelled = run_unchecked("orthorectify", stopped, RPC=vendor, OUTPUT=str(tmp_path / "c.tif"), **given)
+    assert "cancelled" in cancelled.log.warnings[-1]
+    assert not (tmp_path / "c.tif").exists()
+
+
+def test_bad_input_is_a_sentence(data_folder: Path, tmp_path: Path) -> None:
+    image, ground = scene(12)
+    layer = gcps(image, ground)
+    plain = QgsVectorLayer("Point?crs=EPSG:4326", "plain", "memory")
+    for model, order, words in (
+        ("rational", 2, r"needs at least 19"), ("rational", 3, r"needs at least 39"), ("polynomial_3d", 3, "least 20"),
+        ("polynomial_2d", 3, "least 10"), ("rpc_bias", 1, "has no RPC of its own"),
+    ):  # fmt: skip
+        assert_refused("fitsensormodel", words, GCPS=layer, MODEL=model, ORDER=order)
+    assert_refused("fitsensormodel", "no field 'column'", GCPS=plain)
+    assert_refused("fitsensormodel", "no points", GCPS=gcps(image[:0], ground[:0]))
+    assert_refused("fitsensormodel", r"lost\.points does not exist", GCPS=str(tmp_path / "lost.points"))
+    assert_refused("fitsensormodel", "does not exist|not be found", GCPS=layer, IMAGE=str(tmp_path / "lost.tif"))
+    without = ground * [1, 1, np.nan]
+    assert_refused("fitsensormodel", "Some points have no height", GCPS=gcps(image, without))
+    flat = ground * [1, 1, 0]
+    assert_refused("fitsensormodel", "on one plane", GCPS=gcps(image, flat), CHECK_SHARE=0)
+    assert_refused("fitsensormodel", "Of 12 points 6 are left .* at least 7", GCPS=layer, CHECK_SHARE=0.5)
+    assert_refused("comparesensormodels", "no field 'column'", GCPS=plain)
+    folder = data_folder / "sensors" / "pleiades"
+    left = str(folder / "left_image.tif")
+    assert_refused("orthorectify", "No terrain model is given", IMAGE=left)
+    assert_refused("orthorectify", "choose one of them", IMAGE=left, DEM=str(folder / "N44E005.hgt"), HEIGHT=3)
+    assert_refused("orthorectify", "does not exist", IMAGE=str(tmp_path / "lost.tif"), HEIGHT=3)
+    assert_refused("orthorectify", "has no RPC", IMAGE=str(folder / "N44E005.hgt"), HEIGHT=3)
+    geom = str(folder / "left_image.geom")
+    assert_refused("orthorectify", "no sensor model file", IMAGE=left, HEIGHT=3, MODEL_FILE=geom)
+    away = str(data_folder / "seams" / "brighton" / "source_label.tif")
+    assert_refused("orthorectify", "does not cover the image", IMAGE=left, DEM=away)
+
+
+def test_rows_that_can_not_be_used_are_left_out_and_named() -> None:
+    image, ground = scene(20)
+    image[3, 0] = np.nan
+    roles: list[str | None] = [None] * 20
+    roles[5] = "other"
+    outcome = run("fitsensormodel", GCPS=gcps(image, ground, roles), CHECK_SHARE=0, HEIGHTS="ellipsoid")
+    assert outcome.results["CONTROL_COUNT"] == 18
+    assert any("Point 4 is left out" in one for one in outcome.log.warnings)
+    assert any("'other' is neither control nor check" in one for one in outcome.log.warnings)

@@ -1,0 +1,34 @@
+"""Charts leave as files of the format that their name says, the same each time."""
+from __future__ import annotations
+
+import pytest
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, save_figure, svg_text
+
+
+def _figure():
+    figure = new_figure(4, 3)
+    figure.add_subplot().plot([1, 2], [3, 4], label="curve")
+    return figure
+
+
+@pytest.mark.parametrize(("name", "start"), [("c.png", b"\x89PNG"), ("c.SVG", b"<?xml"), ("c.pdf", b"%PDF")])
+def test_the_ending_decides_on_the_format(tmp_path, name: str, start: bytes) -> None:
+    save_figure(_figure(), tmp_path / name)
+    assert (tmp_path / name).read_bytes().startswith(start)
+
+
+def test_another_ending_is_refused_by_a_sentence(tmp_path) -> None:
+    with pytest.raises(SettingsError, match=r"c\.doc is no PNG, SVG or PDF file"):
+        save_figure(_figure(), tmp_path / "c.doc")
+
+
+def test_a_folder_that_is_not_there_is_told(tmp_path) -> None:
+    with pytest.raises(SettingsError, match="can't be written"):
+        save_figure(_figure(), tmp_path / "none" / "c.png")
+
+
+def test_svg_keeps_its_words() -> None:
+    figure = _figure()
+    figure.axes[0].set_title("Größe <1>")
+    assert "Größe &lt;1&gt;" in svg_text(figure)

@@ -1,0 +1,157 @@
+"""The parameter ``SCHEDULER``: the same windows on a Dask cluster whose workers know nothing of the plugin."""
+from __future__ import annotations
+
+import importlib.util
+import os
+import subprocess
+import sys
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.numbers.synthetic import write_raster
+from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.scenes import BLURRED, SHARP, Scene, whole, windows
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+HAS_DASK = importlib.util.find_spec("distributed") is not None
+needs_dask = pytest.mark.skipif(not HAS_DASK, reason="dask[distributed] is not installed")
+
+# A process of its own, so that neither the workers nor the scheduler inherit this one's modules and paths.
+CLUSTER = """
+import sys
+from distributed import LocalCluster
+
+if __name__ == "__main__":
+    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+        print(cluster.scheduler_address, flush=True)
+        sys.stdin.read()
+"""
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address of a scheduler with two workers."""
+    folder = tmp_path_factory.mktemp("cluster")
+    script = folder / "cluster.py"
+    script.write_text(CLUSTER, encoding="utf-8")
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "QGIS"))}
+    command = [sys.executable, "-I", str(script)]
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, cwd=folder, env=environment) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        address = process.stdout.readline().strip()
+        assert_knows_nothing(address)
+        yield address
+        process.stdin.close()
+
+
+def assert_knows_nothing(address: str) -> None:
+    """Neither the scheduler nor the workers can import the plugin."""
+    from distributed import Client
+
+    with Client(address) as client:
+        assert list(client.run(importlib.util.find_spec, "seam_inspector").values()) == [None, None]
+        assert client.run_on_scheduler(importlib.util.find_spec, "seam_inspector") is None
+
+
+def inspect(scene: Scene, **parameters: Any) -> Run:
+    boxes = [(40 * index, 0, 64, 96) for index in range(8)] + [BLURRED, (0, 0, 10, 10), SHARP]
+    return run(
+        "inspectwindows",
+        **{"WINDOWS": windows(*boxes), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources, **parameters},
+    )
+
+
+@needs_dask
+def test_a_cluster_gives_the_rows_that_threads_give(cluster: str, scene: Scene) -> None:
+    threads = inspect(scene)
+    for _ in range(2):  # the second run meets workers that have the core already
+        dask = inspect(scene, SCHEDULER=cluster)
+        assert dask.complaint is None
+        for table in ("OUTPUT", "CURVES", "PAIRS"):
+            rows = dask.rows(table)
+            assert len(rows) == len(threads.rows(table))
+            for row, expected in zip(rows, threads.rows(table)):
+                assert row.keys() == expected.keys()
+                for name, value in expected.items():  # float32 sums depend on memory's alignment
+                    close = pytest.approx(value, rel=1e-5, abs=4e-3) if isinstance(value, float) else value
+                    assert row[name] == close
+        assert dask.log.warnings == threads.log.warnings
+    assert len(set(threads.column("verdict"))) == 3
+
+
+@needs_dask
+def test_bad_rasters_cost_no_window_on_a_cluster(cluster: str, scene: Scene, tmp_path: Path) -> None:
+    broken = Path(write_raster(tmp_path / "broken.tif", whole(scene.west), options=[]))
+    os.truncate(broken, broken.stat().st_size // 3)
+    sources = [str(broken), *scene.sources, str(scene.mosaic)]
+    threads, dask = inspect(scene, SOURCES=sources), inspect(scene, SOURCES=sources, SCHEDULER=cluster)
+    assert dask.rows() == threads.rows()
+    assert dask.log.warnings == threads.log.warnings
+    assert len(dask.log.warnings) == 2
+    for warning in dask.log.warnings:
+        assert_sentence(warning, "broken.tif can't be read|mosaic.tif is the mosaic itself")
+
+
+@needs_dask
+def test_workers_take_the_core_of_an_updated_plugin(
+    cluster: str, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from seam_inspector.plugin.toolkit import executors
+
+    before = inspect(scene, SCHEDULER=cluster).rows()
+    archive = executors._measuring_archive
+
+    def updated(folder: Path) -> str:
+        """The core with red and blue changed over."""
+        current = Path(archive(folder))
+        current.rename(folder / "current")
+        with zipfile.ZipFile(folder / "current") as old, zipfile.ZipFile(current, "w") as new:
+            for name in old.namelist():
+                new.writestr(name, old.read(name).replace(b"0.299, 0.587, 0.114", b"0.114, 0.587, 0.299"))
+        return str(current)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(executors, "_measuring_archive", updated)
+        after = inspect(scene, SCHEDULER=cluster).rows()
+    assert [row["ratio_1"] for row in after] != [row["ratio_1"] for row in before]
+    assert inspect(scene, SCHEDULER=cluster).rows() == before
+
+
+@needs_dask
+@pytest.mark.parametrize(
+    ("address", "words"),
+    [
+        ("tcp://127.0.0.1:9", r"scheduler at tcp://127\.0\.0\.1:9 does not answer .*; check the address"),
+        ("nowhere", "scheduler at nowhere does not answer .*; check the address or leave it empty"),
+        ("udp://127.0.0.1:9", r"scheduler at udp://127\.0\.0\.1:9 does not answer"),
+    ],
+)
+def test_an_address_without_a_scheduler_gets_a_sentence(
+    scene: Scene, monkeypatch: pytest.MonkeyPatch, address: str, words: str
+) -> None:
+    monkeypatch.setattr("seam_inspector.plugin.toolkit.executors._ANSWER_SECONDS", 0.2)
+    given = {"WINDOWS": windows(SHARP), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
+    assert_refused("inspectwindows", words, SCHEDULER=address, **given)
+
+
+@needs_dask
+def test_a_scheduler_without_workers_gets_a_sentence(scene: Scene) -> None:
+    from distributed import LocalCluster
+
+    with LocalCluster(n_workers=0, processes=False, dashboard_address=":0") as empty:
+        outcome = inspect(scene, SCHEDULER=empty.scheduler_address)
+    assert_sentence(outcome.complaint, "has no workers; start some or leave it empty")
+
+
+def test_without_dask_a_scheduler_gets_a_sentence(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    outcome = inspect(scene, SCHEDULER="tcp://127.0.0.1:9")
+    assert_sentence(outcome.complaint, r"Dask is not installed; install 'dask\[distributed\]' or leave .* empty")
+    assert inspect(scene).complaint is None
