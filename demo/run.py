@@ -23,7 +23,8 @@ from seam_inspector.plugin.imagery import grids, rasters
 from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.provider import SeamInspectorProvider
-from seam_inspector.plugin.toolkit.charts.curve_chart import ChartCurve, draw_curves
+from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
+from seam_inspector.plugin.seams.charts.curve_chart import draw_curves
 
 from demo.block import make_block
 

@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..imagery.band_names import judged_band
-from ..toolkit.charts.curve_chart import BAND_COLOURS, PAPER, ChartStyle, draw_frame
+from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
+from ..toolkit.charts.variance_axes import draw_frame
 from ..toolkit.translation import tr
 from .measure.band_noise import BandNoise
 from .measure.group_noise import ClipNoise

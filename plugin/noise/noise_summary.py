@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
 from ..imagery.band_names import judged_band
-from ..toolkit.charts.variance_curves import band_title
+from ..toolkit.band_titles import band_title
 from ..toolkit.translation import sentence, tr
 from .measure.band_noise import BandNoise, NoiseVerdict
 from .measure.group_noise import ClipNoise

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from ..toolkit.charts.curve_chart import BAND_COLOURS, PAPER
+from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.translation import tr
 from .measure.assessment import Assessment

@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 
 from ..imagery.grids import PixelWindow
 from ..imagery.rasters import Mosaic, read_bands
-from ..toolkit.charts.curve_chart import PAPER, ChartStyle
+from ..toolkit.band_titles import band_title
+from ..toolkit.charts.chart_style import PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
-from ..toolkit.charts.variance_curves import band_title
 from ..toolkit.translation import tr
 from .measure.bar_groups import GroupResult
 from .measure.bars import BarReading

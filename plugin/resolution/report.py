@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from ..imagery.rasters import Mosaic
+from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.charts.variance_curves import band_title
 from ..toolkit.pages import html_page
 from ..toolkit.translation import sentence, tr
 from .charts import direction_title, group_chart, target_picture, verdict_of, verdict_word

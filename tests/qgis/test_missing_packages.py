@@ -32,8 +32,8 @@ DRAWN = (
     ("report", "OUTPUT"),
 )
 """Algorithms and their files with charts."""
-DRAWING = """resolution.charts resolution.report seams.charts.calibration_chart toolkit.charts.curve_chart
-toolkit.charts.figure_files noise.charts noise.report radiometry.report""".split()
+DRAWING = """resolution.charts resolution.report seams.charts.calibration_chart seams.charts.curve_chart noise.charts
+noise.report radiometry.report toolkit.charts.variance_axes toolkit.charts.figure_files""".split()
 """Modules that can't be imported without matplotlib."""
 
 

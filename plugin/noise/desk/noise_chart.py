@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from qgis.PyQt.QtWidgets import QWidget
 
-from ...toolkit.charts.chart_painter import ROOMY_LINES, Room, draw_figure, fit_figure, set_font
-from ...toolkit.charts.curve_chart import ChartStyle
-from ...toolkit.charts.variance_curves import band_title
+from ...toolkit.band_titles import band_title
+from ...toolkit.charts.chart_style import ChartStyle
+from ...toolkit.charts.figure_painter import ROOMY_LINES, Room, draw_figure, fit_figure, set_font
 from ...toolkit.desk.painted_chart import PaintedChart
 from ..charts import draw_noise_clip
 from ..measure.band_noise import BandNoise

@@ -7,8 +7,8 @@ from functools import partial
 
 from qgis.PyQt.QtWidgets import QWidget
 
-from ...toolkit.charts.chart_painter import Room, draw_figure, fit_figure, set_font
-from ...toolkit.charts.curve_chart import ChartStyle
+from ...toolkit.charts.chart_style import ChartStyle
+from ...toolkit.charts.figure_painter import Room, draw_figure, fit_figure, set_font
 from ...toolkit.desk.painted_chart import PaintedChart, chart_style
 from ...toolkit.translation import tr
 from ..charts import BAND_COLOURS, draw_profiles

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...imagery import limits as imagery_limits
-from ...toolkit.charts.curve_chart import PAPER, ChartStyle
+from ...toolkit.charts.chart_style import PAPER, ChartStyle
 from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.translation import sentence, tr
 from ..measure.threshold_calibration import ThresholdCalibration, Verdicts

@@ -6,9 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ...toolkit.charts.variance_curves import BAND_ORDER, ChartCurve, least_of_sources, share_text
+from ...toolkit.band_titles import BAND_ORDER
 from ...toolkit.translation import tr
 from ..measure.window_records import COMPOSITE, REFERENCES
+from .chart_curves import ChartCurve, least_of_sources, share_text
 
 if TYPE_CHECKING:
     from ..measure.inspection import ClipResult, WindowResult

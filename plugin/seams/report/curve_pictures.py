@@ -8,10 +8,12 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...toolkit.charts.curve_chart import PAPER, draw_frame, draw_lines, level_labels, share_range, source_look
+from ...toolkit.charts.chart_style import PAPER, source_look
 from ...toolkit.charts.figure_files import svg_text
-from ...toolkit.charts.variance_curves import ChartCurve
+from ...toolkit.charts.variance_axes import draw_frame, level_labels
 from ...toolkit.translation import tr
+from ..charts.chart_curves import ChartCurve
+from ..charts.curve_chart import draw_lines, share_range
 from ..measure.window_records import COMPOSITE, CurveRecord
 
 _WIDTH, _HEIGHT = 320 / 96, 260 / 96  # inches: as wide as a clip

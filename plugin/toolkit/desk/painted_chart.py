@@ -8,8 +8,8 @@ from qgis.PyQt.QtCore import QPointF, QSize, QTimer
 from qgis.PyQt.QtGui import QFontInfo, QImage, QPainter, QPaintEvent, QPalette
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ..charts.chart_painter import Room
-from ..charts.curve_chart import DARK, PAPER, ChartStyle
+from ..charts.chart_style import DARK, PAPER, ChartStyle
+from ..charts.figure_painter import Room
 from .theme import blended, readable_palette
 
 _FONT_PX = 12  # of the interface on an ordinary screen
@@ -28,7 +28,7 @@ def chart_style(widget: QWidget) -> ChartStyle:
 
 
 class PaintedChart(QWidget):
-    """Shows what ``draw`` makes of a request, both as in chart_painter, for requests and pictures of any kind.
+    """Shows what ``draw`` makes of a request, for requests and pictures of any kind.
 
     A thread draws what was asked for last; until it is done the picture before stays.
     """

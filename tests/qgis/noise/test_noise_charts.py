@@ -15,7 +15,7 @@ from seam_inspector.plugin.noise.measure.group_noise import measure_window
 from seam_inspector.plugin.radiometry.charts import balance_figure, histogram_figure
 from seam_inspector.plugin.radiometry.measure.assessment import assess
 from seam_inspector.plugin.radiometry.measure.rules import default_rules
-from seam_inspector.plugin.toolkit.charts.curve_chart import DARK
+from seam_inspector.plugin.toolkit.charts.chart_style import DARK
 from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, save_figure
 
 from tests.numbers.synthetic import decompose, orthoimage, read_pixels

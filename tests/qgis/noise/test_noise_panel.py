@@ -21,7 +21,7 @@ from seam_inspector.plugin.noise import jobs
 from seam_inspector.plugin.noise.desk.noise_chart import NoiseDrawing, figure
 from seam_inspector.plugin.noise.desk.noise_panel import NoisePanel
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise, measure_window
-from seam_inspector.plugin.toolkit.charts.curve_chart import PAPER
+from seam_inspector.plugin.toolkit.charts.chart_style import PAPER
 
 from tests.numbers.synthetic import orthoimage, write_raster
 from tests.qgis.scenes import COLUMNS, ROWS, Scene, outline, windows

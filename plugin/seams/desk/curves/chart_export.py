@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from qgis.core import NULL
 
-from ....toolkit.charts.curve_chart import PAPER, draw_curves
+from ....toolkit.charts.chart_style import PAPER
+from ...charts.curve_chart import draw_curves
 from ...tables.result_tables import curve_features
 
 if TYPE_CHECKING:

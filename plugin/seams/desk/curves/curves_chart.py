@@ -7,9 +7,11 @@ from qgis.PyQt.QtCore import QEvent, pyqtSignal
 from qgis.PyQt.QtGui import QMouseEvent
 from qgis.PyQt.QtWidgets import QWidget
 
-from ....toolkit.charts.chart_painter import TICK_PX, Chart, ChartPainter, Key, PaintRequest, Point
-from ....toolkit.charts.curve_chart import ChartStyle, level_labels
+from ....toolkit.charts.chart_style import ChartStyle
+from ....toolkit.charts.figure_painter import TICK_PX
+from ....toolkit.charts.variance_axes import level_labels
 from ....toolkit.desk.painted_chart import PaintedChart, chart_style
+from .curves_painter import Chart, ChartPainter, Key, PaintRequest, Point
 
 __all__ = ["Chart", "CurvesChart", "chart_style"]
 

@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QImage
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QWidget
 
-from ....toolkit.charts.variance_curves import band_title
+from ....toolkit.band_titles import band_title
 from ....toolkit.translation import tr
 
 if TYPE_CHECKING:

@@ -17,10 +17,11 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....toolkit.charts.curve_chart import ChartStyle, LineStyle, curve_look, numbered
-from ....toolkit.charts.variance_curves import ChartCurve
+from ....toolkit.charts.chart_style import ChartStyle, LineStyle
 from ....toolkit.desk.theme import ReadableItems, blended
 from ....toolkit.translation import tr
+from ...charts.chart_curves import ChartCurve
+from ...charts.curve_chart import curve_look, numbered
 
 _PENS = {
     "-": Qt.PenStyle.SolidLine,

@@ -7,10 +7,11 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSplitter, QToolButton, QWidget
 
+from ....toolkit.band_titles import BAND_ORDER, band_title
 from ....toolkit.charts.chart_loader import chart_missing
-from ....toolkit.charts.variance_curves import BAND_ORDER, ChartCurve, band_title, significance_limit
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.translation import tr
+from ...charts.chart_curves import ChartCurve, significance_limit
 from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
 from .curves_export import CurvesExport
 from .curves_selection import selected_results, title

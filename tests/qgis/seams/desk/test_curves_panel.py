@@ -18,14 +18,15 @@ from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve, share_text, significance_limit
+from seam_inspector.plugin.seams.charts.curve_chart import COMPOSITE_DASHES, curve_look, numbered
 from seam_inspector.plugin.seams.charts.window_curves import point_words
 from seam_inspector.plugin.seams.desk.curves.curves_chart import CurvesChart
 from seam_inspector.plugin.seams.desk.curves.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.inspection import ClipResult, WindowResult
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict, judge
-from seam_inspector.plugin.toolkit.charts.curve_chart import COMPOSITE_DASHES, DARK, PAPER, curve_look, numbered
-from seam_inspector.plugin.toolkit.charts.variance_curves import ChartCurve, share_text, significance_limit
+from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
 from seam_inspector.plugin.toolkit.desk.theme import contrast
 
 from demo.gaps import Gaps
@@ -232,7 +233,7 @@ def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: Fake
 def test_without_matplotlib_it_says_how_to_get_it(
     session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name in ("seams.desk.curves.curves_chart", "toolkit.charts.chart_painter"):
+    for name in ("seams.desk.curves.curves_chart", "seams.desk.curves.curves_painter"):
         monkeypatch.delitem(sys.modules, f"seam_inspector.plugin.{name}", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_agg", None)
     select_one(session)

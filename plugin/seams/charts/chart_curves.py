@@ -4,15 +4,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-from ..translation import tr
-
-if TYPE_CHECKING:
-    pass
-
-
-BAND_ORDER = ("luminance", "red", "green", "blue", "nir")
 
 
 @dataclass(frozen=True)
@@ -43,18 +34,6 @@ class ChartCurve:
     def values(self) -> tuple[float, ...]:
         """Levels 1..R, then the background; NaN for a constant clip."""
         return (*self.detail, self.background)
-
-
-def band_title(name: str) -> str:
-    """A band's name for the user."""
-    titles = {
-        "luminance": tr("luminance"),
-        "red": tr("red"),
-        "green": tr("green"),
-        "blue": tr("blue"),
-        "nir": tr("near infrared"),
-    }
-    return titles.get(name) or tr("band {number}").format(number=name[len("band_") :])
 
 
 def least_of_sources(curves: Sequence[ChartCurve], component: int) -> float | None:

@@ -6,26 +6,25 @@ mark of the one that the mouse points at. A new window, band or hidden raster mo
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..interface_first import interface_first
-from .curve_chart import ChartStyle, draw_frame, draw_lines, level_labels, share_range
-from .variance_curves import ChartCurve
+from ....toolkit.charts.chart_style import ChartStyle
+from ....toolkit.charts.figure_painter import ROOMY_LINES, TICK_PX, Room, fit_figure, set_font
+from ....toolkit.charts.variance_axes import draw_frame, level_labels
+from ....toolkit.interface_first import interface_first
+from ...charts.chart_curves import ChartCurve
+from ...charts.curve_chart import draw_lines, share_range
 
 from matplotlib.artist import Artist  # isort: skip
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # isort: skip
 from matplotlib.figure import Figure  # isort: skip
-from matplotlib.font_manager import FontProperties, fontManager  # isort: skip
+
 
 Key = tuple[bool, str]
 Point = tuple[int, int]
 """A curve's index and a component's."""
-
-TICK_PX = 10  # a tick and the gap to its label: 7 points, matplotlib's own
-ROOMY_LINES = 12  # a lower chart does without the axes' titles
-_FALLBACK_FAMILY = "DejaVu Sans"  # matplotlib brings it along
 
 
 @dataclass(frozen=True)
@@ -36,22 +35,6 @@ class Chart:
     max_ratio: float
     logarithmic: bool = True
     hidden: frozenset[Key] = frozenset()
-
-
-class Room(NamedTuple):
-    """What a chart has to fit into, in the interface's pixels."""
-
-    width: int
-    height: int
-    ratio: float
-    """Pixels of the screen on one of the interface."""
-    family: str
-    font: int
-    """Height of the font."""
-    line: int
-    digit: int
-    word: int
-    """Width of the longest label below the axis."""
 
 
 class PaintRequest(NamedTuple):
@@ -77,16 +60,6 @@ class PaintedPicture(NamedTuple):
     """Where the points that can be seen are, in the interface's pixels from the upper left."""
     axes: tuple[float, float, float, float]
     """Left, top, right, bottom of the axes, likewise."""
-
-
-class FigurePicture(NamedTuple):
-    """A whole figure that was drawn."""
-
-    request: Any
-    pixels: bytes
-    """RGBA, row by row."""
-    width: int
-    height: int
 
 
 class ChartPainter:
@@ -219,35 +192,3 @@ class ChartPainter:
         axes.xaxis.set_label_coords(0.5, -(TICK_PX + line) / up)  # their own places take a third of the drawing
         axes.yaxis.set_label_coords(-(left - 1.2 * line) / across, 0.5)
         set_font(axes, room)
-
-
-def draw_figure(figure: Callable[[Any], Figure], request: Any) -> FigurePicture:
-    """What ``figure`` makes of a request, as pixels. Has no part in Qt."""
-    with interface_first():
-        canvas = FigureCanvasAgg(figure(request))
-        canvas.draw()
-        pixels = np.asarray(canvas.buffer_rgba())
-        return FigurePicture(request, pixels.tobytes(), pixels.shape[1], pixels.shape[0])
-
-
-def fit_figure(figure: Figure, room: Room) -> None:
-    """As many pixels as there is room for; points grow with the screen's."""
-    dpi = 100 * room.ratio
-    figure.set_dpi(dpi)
-    figure.set_size_inches(room.width * room.ratio / dpi, room.height * room.ratio / dpi)
-
-
-def set_font(axes: Any, room: Room) -> FontProperties:
-    """The interface's font for the words around axes."""
-    family = room.family if room.family in _families() else _FALLBACK_FAMILY
-    size = round(room.font * 0.72, 2)  # points of 1/72 inch, at 100 pixels per inch
-    font = FontProperties(family=family, size=size)
-    labels = [*axes.get_xticklabels(), *axes.get_yticklabels()]  # later ones are made from these
-    for text in (*labels, axes.xaxis.label, axes.yaxis.label):
-        text.set_fontproperties(font)
-    axes.tick_params(labelsize=size)
-    return font
-
-
-def _families() -> set[str]:
-    return {font.name for font in fontManager.ttflist}

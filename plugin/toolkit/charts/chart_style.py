@@ -1,0 +1,49 @@
+"""Colours and lines of all charts, on paper and in dark themes."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Union
+
+BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
+"""Of bands that are drawn together."""
+_LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used up
+
+
+@dataclass(frozen=True)
+class ChartStyle:
+    """Colours of a chart, and how heavy its lines are."""
+
+    text: str
+    """Of words, axes and the mosaic's curve."""
+    background: str
+    grid: str
+    limit: str
+    sources: tuple[str, ...]
+    scale: float = 1.0
+    """Factor on the widths of lines and the sizes of points."""
+
+
+PAPER = ChartStyle(
+    text="#111111",
+    background="#ffffff",
+    grid="#dddddd",
+    limit="#b00020",
+    sources=("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"),  # Okabe and Ito, for all eyes
+)
+DARK = ChartStyle(
+    text="#eeeeee",
+    background="#232629",
+    grid="#454a4f",
+    limit="#ff6b6b",
+    sources=("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00"),  # theirs that show on black
+)
+
+
+LineStyle = Union[str, tuple[int, tuple[float, ...]]]
+"""As matplotlib takes it: a word, or an offset with lengths of dashes and gaps in widths of the line."""
+
+
+def source_look(number: int, style: ChartStyle) -> tuple[str, str]:
+    """Colour and line style of a source."""
+    count = len(style.sources)
+    return style.sources[number % count], _LINE_STYLES[number // count % len(_LINE_STYLES)]
