@@ -105,6 +105,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         made: Orientation,
     ) -> dict[str, Any]:
         """Write the files asked for; without a transformation the report alone, and say so."""
+        from ...imagery.atomic_files import save_text
         from ...toolkit.pages.html_page import save_page
         from ..measure import orientation_files
         from ..report import orientation_page
@@ -124,7 +125,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         ):
             path = self.file_path(parameters, name, context)
             if path is not None:
-                orientation_files.save(text, path)
+                save_text(text, path)
                 results[name] = str(path)
         return results
 

@@ -3,12 +3,10 @@ from __future__ import annotations
 
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 
-from ...imagery import messages as imagery_messages
-from ...imagery.errors import PhotoError, SettingsError
+from ...imagery.errors import PhotoError
 from ...imagery.photos import Photo
 from . import messages
 from .camera_calibration import CameraCalibration
@@ -69,14 +67,6 @@ def world_file(photo: Photo, made: Orientation) -> str:
     a, b, c, d, e, f = fitted.to_mm.linear(places).ravel()
     lines = (a, d, b, e, a / 2 + b / 2 + c, d / 2 + e / 2 + f)
     return "".join(f"{value:.15g}\n" for value in lines)
-
-
-def save(text: str, path: Path) -> None:
-    """Write a text file. Raises SettingsError where none can be."""
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error.strerror or error)) from None
 
 
 def parameters_text(photo: Photo, calibration: CameraCalibration, made: Orientation) -> str:

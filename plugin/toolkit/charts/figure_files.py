@@ -8,7 +8,7 @@ from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ...imagery import messages as imagery_messages
+from ...imagery.atomic_files import whole_file
 from ...imagery.errors import SettingsError
 from .. import messages
 
@@ -33,11 +33,8 @@ def check_figure_path(path: Path) -> None:
 def save_figure(figure: Figure, path: Path) -> None:
     """Write PNG, SVG or PDF, by the path's ending. Raises SettingsError for another ending or where none can be."""
     check_figure_path(path)
-    try:
-        with rc_context(_SVG):
-            figure.savefig(path, dpi=_DPI)
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error.strerror or error)) from None
+    with whole_file(path) as unfinished, rc_context(_SVG):
+        figure.savefig(unfinished, dpi=_DPI)
 
 
 def svg_text(figure: Figure) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from qgis.core import NULL
 
+from ....imagery.atomic_files import replacing
 from ....toolkit.charts.chart_style import PAPER
 from ...charts.curve_chart import draw_curves
 from ...tables.result_tables import curve_features
@@ -40,7 +41,8 @@ def picture(chart: Chart, title: str) -> Figure:
 
 def save_picture(chart: Chart, title: str, path: Path) -> None:
     """Write PNG or SVG, by the path's ending."""
-    picture(chart, title).savefig(path, dpi=_DPI)
+    with replacing(path) as unfinished:
+        picture(chart, title).savefig(unfinished, dpi=_DPI)
 
 
 def png_bytes(chart: Chart, title: str) -> bytes:
@@ -52,7 +54,7 @@ def png_bytes(chart: Chart, title: str) -> bytes:
 
 def write_csv(results: Iterable[WindowResult], path: Path) -> None:
     """All rasters and bands of the windows, one row per component; empty where a clip is constant."""
-    with path.open("w", newline="", encoding="utf-8") as file:
+    with replacing(path) as unfinished, unfinished.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(COLUMNS)
         writer.writerows(_rows(results))

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import SensorModelError, SettingsError
+from ....imagery.atomic_files import save_text
+from ....imagery.errors import SensorModelError
 from .. import messages
 from .bias import BiasedRpc
 from .polynomials import Polynomial2D, Polynomial3D
@@ -63,10 +64,7 @@ def save_model(file: ModelFile, path: Path) -> None:
         "parameters": _plain(file.model),
         "facts": _plain(file.facts),
     }
-    try:
-        path.write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error.strerror or error)) from None
+    save_text(json.dumps(document, indent=1, allow_nan=False) + "\n", path)
 
 
 def load_model(path: Path) -> ModelFile:

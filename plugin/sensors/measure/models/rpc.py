@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import SensorModelError, SettingsError
+from ....imagery.atomic_files import save_text
+from ....imagery.errors import SensorModelError
 from .. import messages
 from ..ground_system import GEOGRAPHIC, GroundSystem
 from ..image_description import SensorImage
@@ -180,10 +181,7 @@ def write_rpc(rpc: Rational, path: Path) -> None:
             lines += [f"{name}_{number}: {one}" for number, one in enumerate(values, 1)]
         else:
             lines.append(f"{name}: {value}")
-    try:
-        path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error.strerror or error)) from None
+    save_text("\n".join(lines) + "\n", path, "ascii")
 
 
 def read_rpc(path: Path) -> Rational:

@@ -1,0 +1,91 @@
+"""Files that an algorithm writes are there whole or not at all."""
+from __future__ import annotations
+
+import os
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+from seam_inspector.plugin.imagery.atomic_files import save_text, whole_file
+from seam_inspector.plugin.imagery.errors import SettingsError
+
+from tests.numbers.disks import full_disk
+
+
+def test_a_file_appears_when_all_is_written(tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text("older")
+    with whole_file(path) as unfinished:
+        unfinished.write_text("new")
+        assert unfinished.suffix == ".html"  # writers choose the format by it
+        assert path.read_text() == "older"
+    assert path.read_text() == "new"
+    assert os.listdir(tmp_path) == ["page.html"]
+
+
+def test_what_is_written_beside_it_comes_along(tmp_path: Path) -> None:
+    with whole_file(tmp_path / "image.tif") as unfinished:
+        unfinished.write_text("pixels")
+        Path(f"{unfinished}.msk").write_text("mask")
+    assert sorted(os.listdir(tmp_path)) == ["image.tif", "image.tif.msk"]
+
+
+@pytest.mark.parametrize("older", [None, "older"])
+def test_an_exception_leaves_things_as_they_were(tmp_path: Path, older: str | None) -> None:
+    path = tmp_path / "page.html"
+    if older is not None:
+        path.write_text(older)
+    with suppress(KeyboardInterrupt), whole_file(path) as unfinished:
+        unfinished.write_text("half")
+        Path(f"{unfinished}.aux.xml").write_text("sidecar")
+        raise KeyboardInterrupt
+    assert os.listdir(tmp_path) == ([] if older is None else ["page.html"])
+    assert older is None or path.read_text() == older
+
+
+def test_a_folder_that_is_not_there_gets_a_sentence(tmp_path: Path) -> None:
+    path = tmp_path / "gone" / "page.html"
+    with pytest.raises(SettingsError, match=r"page\.html can't be written \(No such file or directory\)"):
+        save_text("page", path)
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_folder_of_that_name_stays(tmp_path: Path) -> None:
+    (tmp_path / "page.html").mkdir()
+    with pytest.raises(SettingsError, match="can't be written"):
+        save_text("page", tmp_path / "page.html")
+    assert (tmp_path / "page.html").is_dir()
+
+
+def test_a_full_disk_gets_a_sentence_and_keeps_the_older_file(tmp_path: Path) -> None:
+    path = tmp_path / "page.html"
+    path.write_text("older")
+    with full_disk(4096), pytest.raises(SettingsError, match="can't be written"):
+        save_text("x" * 100_000, path)
+    assert path.read_text() == "older"
+    assert os.listdir(tmp_path) == ["page.html"]
+
+
+def test_a_write_protected_file_is_not_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "page.html"
+    path.write_text("kept")
+    monkeypatch.setattr(os, "access", lambda *arguments: False)  # root may write everywhere
+    with pytest.raises(SettingsError, match="Permission denied"):
+        save_text("new", path)
+    assert path.read_text() == "kept"
+
+
+def test_the_file_behind_a_link_is_replaced_and_keeps_its_rights(tmp_path: Path) -> None:
+    target, link = tmp_path / "target.json", tmp_path / "link.json"
+    target.write_text("older")
+    target.chmod(0o640)
+    link.symlink_to(target)
+    save_text("new", link)
+    assert link.is_symlink()
+    assert target.read_text() == "new"
+    assert target.stat().st_mode & 0o777 == 0o640
+
+
+def test_a_device_takes_what_is_written(tmp_path: Path) -> None:
+    save_text("page", Path(os.devnull))
+    assert not Path(os.devnull).is_file()
