@@ -4,11 +4,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from qgis.core import NULL, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsWkbTypes
+from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsWkbTypes
 
 from ..imagery.errors import PhotoError
 from ..imagery.photos import Photo
 from ..imagery.rasters import GeoTransform
+from ..toolkit.attribute_values import attributes, is_known, is_true
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
@@ -67,15 +68,13 @@ def positions(rows: Iterable[QgsFeature], names: Sequence[str], photo: Photo, me
     if MARK not in names:
         raise PhotoError(messages.POSITIONS_WITHOUT_MARK())
     made: dict[str, Position] = {}
-    for row in rows:
-        name = _text(row[MARK])
-        point = _point(row)
+    for row in attributes(rows, names):
+        name, own, point = row.text(MARK), row.value(MEASURE), _point(row.feature)
         if not name or point is None:
             continue
         if name in made:
             raise PhotoError(messages.POSITION_TWICE(mark=name))
-        own = row[MEASURE] if MEASURE in names else NULL
-        made[name] = Position(place(photo.geotransform, point), measure if own == NULL else _is_true(own))
+        made[name] = Position(place(photo.geotransform, point), is_true(own) if is_known(own) else measure)
     if not made:
         raise PhotoError(messages.POSITIONS_EMPTY())
     return made
@@ -88,21 +87,18 @@ def measured(rows: Iterable[QgsFeature], names: Sequence[str], layer: str) -> li
     """
     if MARK not in names:
         raise PhotoError(messages.COMPARED_WITHOUT_MARK(layer=layer))
-    photo = next((field for field in (PHOTO, "layer") if field in names), None)
+    photo = PHOTO if PHOTO in names else "layer"
     made = []
-    for row in rows:
-        name, column, line = _text(row[MARK]), None, None
-        if {"column", "row"} <= set(names):
-            column, line = _value(row["column"]), _value(row["row"])
-        else:
-            point = _point(row)
-            if point is not None:
-                column, line = point.x(), -point.y()
+    for row in attributes(rows, names):
+        name, column, line = row.text(MARK), row.number("column"), row.number("row")
+        point = None if {"column", "row"} <= set(names) else _point(row.feature)
+        if point is not None:
+            column, line = point.x(), -point.y()
         if not name or column is None or line is None:
             continue
-        mm = [_value(row[field]) if field in names else None for field in ("x_mm", "y_mm")]
-        calibrated = None if mm[0] is None or mm[1] is None else (mm[0], mm[1])
-        made.append(Measured(_text(row[photo]) if photo else "", name, (column, line), calibrated))
+        x_mm, y_mm = row.number("x_mm"), row.number("y_mm")
+        calibrated = None if x_mm is None or y_mm is None else (x_mm, y_mm)
+        made.append(Measured(row.text(photo), name, (column, line), calibrated))
     return made
 
 
@@ -132,23 +128,3 @@ def _point(row: QgsFeature) -> QgsPointXY | None:
     if geometry.isNull() or geometry.isEmpty() or geometry.type() != QgsWkbTypes.GeometryType.PointGeometry:
         return None
     return geometry.centroid().asPoint()
-
-
-def _text(value: object) -> str:
-    """A name from a field of any type; 1 and 1.0 are the same."""
-    if value is None or value == NULL:
-        return ""
-    if isinstance(value, float) and value.is_integer():
-        value = int(value)
-    return str(value).strip()
-
-
-def _value(value: object) -> float | None:
-    try:
-        return None if value == NULL else float(str(value))
-    except ValueError:
-        return None
-
-
-def _is_true(value: object) -> bool:
-    return str(value).strip().lower() not in ("0", "0.0", "false", "no", "off", "f", "n", "")

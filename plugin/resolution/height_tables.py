@@ -3,10 +3,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from qgis.core import NULL, QgsFeature, QgsFields
+from qgis.core import QgsFeature, QgsFields
 
 from ..imagery.errors import SettingsError
 from ..imagery.message import Message
+from ..toolkit.attribute_values import number, text
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
@@ -30,10 +31,10 @@ def key_fields(names: Sequence[str], by_height: bool) -> tuple[str, ...]:
 
 def observation(row: QgsFeature, keys: Sequence[str]) -> tuple[Observation | None, Message | None]:
     """A row as an observation, or why it is none."""
-    height, grd = _number(row[HEIGHT]), _number(row[GRD])
+    height, grd = number(row[HEIGHT]), number(row[GRD])
     if height is None or grd is None:
         return None, messages.OBSERVATION_EMPTY()
-    found = Observation(height, grd, tuple(_text(row[name]) for name in keys))
+    found = Observation(height, grd, tuple(text(row[name]) for name in keys))
     return (found, None) if found.fault is None else (None, found.fault)
 
 
@@ -67,17 +68,3 @@ def pass_feature(one: Observation, keys: Sequence[str], required_cm: float) -> Q
     """The row of HEIGHTS for an observation."""
     words = [word for name, word in zip(keys, one.key) if name != HEIGHT]
     return feature(pass_fields(keys), [*words, one.height_m, one.grd_cm, one.minimum_height(required_cm)])
-
-
-def _number(value: object) -> float | None:
-    """A number from a field of any type."""
-    try:
-        return float(str(value))
-    except ValueError:
-        return None
-
-
-def _text(value: object) -> str:
-    if value is None or value == NULL:
-        return ""
-    return f"{value:g}" if isinstance(value, float) else str(value)

@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from qgis.core import NULL, QgsCoordinateTransform, QgsCsException, QgsFeature, QgsFields, QgsGeometry, QgsPointXY
+from qgis.core import QgsCoordinateTransform, QgsCsException, QgsFeature, QgsFields, QgsGeometry, QgsPointXY
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
 from ..imagery.grids import Grid
 from ..imagery.message import Message
+from ..toolkit.attribute_values import text, whole_number
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
@@ -21,6 +22,7 @@ from .measure.target import DIRECTIONS
 
 MAX_LINE_BEND = 0.05  # of its length that a line across the bars may leave its chord
 
+LARGEST_GROUP = 999
 GROUP, DIRECTION = "group", "direction"
 
 
@@ -33,9 +35,8 @@ def check_fields(names: Sequence[str]) -> None:
 
 def bar_line(row: QgsFeature, grid: Grid, transform: QgsCoordinateTransform) -> BarLine:
     """A line of the layer in pixels of a raster; what can't be measured says why. ``transform``: to the raster."""
-    group = _whole(row[GROUP])
-    given = "" if row[DIRECTION] is None or row[DIRECTION] == NULL else str(row[DIRECTION])
-    direction = given.strip().lower()
+    group, given = whole_number(row[GROUP], LARGEST_GROUP), text(row[DIRECTION])
+    direction = given.lower()
     segment, reason = _segment(QgsGeometry(row.geometry()), grid, transform)
     if direction not in DIRECTIONS:
         reason = messages.DIRECTION_UNKNOWN(direction=given)
@@ -124,12 +125,3 @@ def _segment(
     if chord.length() == 0 or bend > MAX_LINE_BEND * chord.length():
         return None if chord.length() == 0 else segment, messages.BAR_LINE_BENT()
     return segment, None
-
-
-def _whole(value: object) -> int | None:
-    """A group's number from a field of any type."""
-    try:
-        number = float(str(value))
-    except ValueError:
-        return None
-    return int(number) if number.is_integer() and abs(number) < 1000 else None

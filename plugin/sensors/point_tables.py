@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from qgis.core import NULL, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsProcessingFeatureSource, QgsWkbTypes
+from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsProcessingFeatureSource, QgsWkbTypes
 
 from ..imagery.errors import SensorModelError
 from ..imagery.message import Message
+from ..toolkit.attribute_values import Attributes, attributes
 from ..toolkit.layers import features, system_wkt
 from ..toolkit.table_fields import feature
 from ..toolkit.translation import sentence
@@ -27,7 +28,7 @@ def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list
 
     Raises SensorModelError for a layer without columns and rows, without a reference system or without points.
     """
-    names = {name.lower(): name for name in source.fields().names()}
+    names = [name.lower() for name in source.fields().names()]
     for needed in ("column", "row"):
         if needed not in names:
             raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=needed))
@@ -35,10 +36,10 @@ def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
     rows: list[tuple[str, list[float], str]] = []
     notices: list[Message] = []
-    for one in features(source):
-        name = _text(one, names, "id") or str(one.id())
-        role = _text(one, names, "role").lower()
-        numbers = _numbers(one, names)
+    for row in attributes(features(source), names):
+        name = row.text("id") or str(row.feature.id())
+        role = row.text("role").lower()
+        numbers = _numbers(row)
         if role not in ("", CONTROL, CHECK):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_ROLE_UNKNOWN(role=role)))
         elif not all(map(math.isfinite, numbers[:4])):
@@ -80,28 +81,17 @@ def file_points(path: str, wkt: str, image: SensorImage | None) -> tuple[Points,
     return points, [messages.POINTS_DISABLED(count=file.disabled)] if file.disabled else []
 
 
-def _numbers(one: QgsFeature, names: dict[str, str]) -> list[float]:
+def _numbers(row: Attributes) -> list[float]:
     """Column, row, x, y, z, sigma; NaN for what is missing."""
-    geometry = one.geometry()
+    geometry = row.feature.geometry()
     x = y = height = math.nan
     if not geometry.isNull() and not geometry.isEmpty() and geometry.type() == QgsWkbTypes.GeometryType.PointGeometry:
         vertex = geometry.vertexAt(0)
         x, y, height = vertex.x(), vertex.y(), vertex.z() if vertex.is3D() else math.nan
-    z = _number(one, names, "z")
-    place = [_number(one, names, "column"), _number(one, names, "row")]
-    return [*place, x, y, height if math.isnan(z) else z, _number(one, names, "sigma")]
-
-
-def _text(one: QgsFeature, names: dict[str, str], name: str) -> str:
-    value = one[names[name]] if name in names else None
-    return "" if value is None or value == NULL else str(value).strip()
-
-
-def _number(one: QgsFeature, names: dict[str, str], name: str) -> float:
-    try:
-        return float(str(one[names[name]]))
-    except (KeyError, ValueError):
-        return math.nan
+    column, line, z, sigma = (
+        math.nan if found is None else found for found in map(row.number, ("column", "row", "z", "sigma"))
+    )
+    return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 
 def residual_fields() -> QgsFields:

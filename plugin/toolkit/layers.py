@@ -4,7 +4,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from qgis.core import (
-    NULL,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCsException,
@@ -125,10 +124,6 @@ def line_wkb(feature: QgsFeature, transform: QgsCoordinateTransform) -> bytes | 
     if geometry.isNull() or geometry.isEmpty():
         return None
     return bytes(_transformed(geometry, transform).asWkb())
-
-
-def _is_text(value: object) -> bool:
-    return value is not None and value != NULL and str(value) != ""
 
 
 def transformed_extent(

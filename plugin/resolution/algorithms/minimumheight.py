@@ -4,7 +4,6 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
-    NULL,
     QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeedback,
@@ -18,6 +17,7 @@ from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.attribute_values import text
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
 
@@ -118,6 +118,5 @@ class MinimumHeight(SeamInspectorAlgorithm):
     def _limits(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[float, float | None]:
         """The required distance in cm, and the reference height in m where one is given."""
         given = parameters.get(REFERENCE_HEIGHT)
-        has_reference = given is not None and given != "" and given != NULL
-        reference = self.parameterAsDouble(parameters, REFERENCE_HEIGHT, context) if has_reference else None
+        reference = self.parameterAsDouble(parameters, REFERENCE_HEIGHT, context) if text(given) else None
         return self.parameterAsDouble(parameters, REQUIRED_GRD, context), reference

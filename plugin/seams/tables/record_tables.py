@@ -10,6 +10,7 @@ from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ...imagery.band_names import judged_band
 from ...imagery.errors import SettingsError
+from ...toolkit.attribute_values import attributes
 from ...toolkit.layers import outline_extent
 from ..measure import messages
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
@@ -30,19 +31,19 @@ def read_findings(
     ratios, composite, expected = (_levels(names, kind) for kind in ("ratio", "composite_ratio", "expected_ratio"))
     return [
         WindowRecord(
-            window_id=whole(row, "window_id", names) or 0,
-            verdict=text(row, "verdict", names),
-            reason=text(row, "reason", names),
-            cause=text(row, "cause", names),
-            observer=text(row, "observer", names).lower(),
-            ratios=tuple(number(row, name, names) for name in ratios),
-            composite_ratios=tuple(number(row, name, names) for name in composite),
-            expected_ratios=tuple(number(row, name, names) for name in expected),
-            background_ratio=number(row, "background_ratio", names),
-            unclear_share=number(row, "unclear_share", names),
-            extent=outline_extent(row, transform),
+            window_id=row.whole_number("window_id") or 0,
+            verdict=row.text("verdict"),
+            reason=row.text("reason"),
+            cause=row.text("cause"),
+            observer=row.text("observer").lower(),
+            ratios=tuple(map(row.number, ratios)),
+            composite_ratios=tuple(map(row.number, composite)),
+            expected_ratios=tuple(map(row.number, expected)),
+            background_ratio=row.number("background_ratio"),
+            unclear_share=row.number("unclear_share"),
+            extent=outline_extent(row.feature, transform),
         )
-        for row in rows
+        for row in attributes(rows, names)
     ]
 
 
@@ -52,11 +53,10 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
         if name not in names:
             raise SettingsError(messages.PAIRS_WITHOUT_FIELD(field=name))
     found: dict[int, list[PairRecord]] = {}
-    for row in rows:
-        window_id = whole(row, "window_id", names)
+    for row in attributes(rows, names):
+        window_id = row.whole_number("window_id")
         if window_id is not None:
-            source, band = text(row, "source", names), text(row, "band", names)
-            pair = PairRecord(source, band, number(row, "ratio_1", names), number(row, "contrast_1", names))
+            pair = PairRecord(row.text("source"), row.text("band"), row.number("ratio_1"), row.number("contrast_1"))
             found.setdefault(window_id, []).append(pair)
     return found
 
@@ -71,18 +71,18 @@ def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, l
         if name not in names:
             raise SettingsError(messages.CURVES_WITHOUT_FIELD(field=name))
     windows: dict[int, dict[str, list[_Components]]] = {}
-    for row in rows:
-        window_id, level = whole(row, "window_id", names), whole(row, "level", names)
+    for row in attributes(rows, names):
+        window_id, level = row.whole_number("window_id"), row.whole_number("level")
         if window_id is None or level is None:
             continue
-        raster, role, band = (text(row, name, names) for name in ("raster", "role", "band"))
-        place = level if text(row, "component", names) == "detail" else _BACKGROUND
+        raster, role, band = map(row.text, ("raster", "role", "band"))
+        place = level if row.text("component") == "detail" else _BACKGROUND
         curves = windows.setdefault(window_id, {}).setdefault(band, [])
         own = [one for one in curves if (one.raster, one.role) == (raster, role)]
         if not own or place in own[-1].shares:
             own.append(_Components(raster, role, {}))
             curves.append(own[-1])
-        share = number(row, "relative_variance", names)
+        share = row.number("relative_variance")
         own[-1].shares[place] = math.nan if share is None else share
     return {
         window_id: [curve for found in bands[judged_band(bands)] if (curve := found.curve()) is not None]
@@ -111,25 +111,3 @@ def _levels(names: Sequence[str], kind: str) -> list[str]:
     """The fields of a kind, level by level."""
     found = (re.fullmatch(rf"{kind}_([1-9][0-9]*)", name) for name in names)
     return [match[0] for match in sorted(filter(None, found), key=lambda match: int(match[1]))]
-
-
-def text(row: QgsFeature, name: str, names: Sequence[str]) -> str:
-    """A word or sentence; empty where there is none."""
-    value = row[name] if name in names else None
-    return value.strip() if isinstance(value, str) else ""
-
-
-def number(row: QgsFeature, name: str, names: Sequence[str]) -> float | None:
-    """A finite number."""
-    try:
-        value = float(str(row[name])) if name in names else math.nan
-    except ValueError:  # NULL, or a word
-        return None
-    return value if math.isfinite(value) else None
-
-
-def whole(row: QgsFeature, name: str, names: Sequence[str]) -> int | None:
-    """A whole number."""
-    value = number(row, name, names)
-    return int(value) if value is not None and value.is_integer() else None
-

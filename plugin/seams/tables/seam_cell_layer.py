@@ -9,7 +9,8 @@ from qgis.core import (
     QgsGeometry,
 )
 
-from ...toolkit.layers import _is_text, _transformed, extent
+from ...toolkit.attribute_values import text
+from ...toolkit.layers import _transformed, extent
 from ..measure.seam_cells import Cell
 
 CELL_FIELD = "source"
@@ -19,8 +20,8 @@ def seam_cells(rows: Iterable[QgsFeature], transform: QgsCoordinateTransform) ->
     """Polygons that say in their field ``source`` which orthoimage the mosaic was cut from."""
     cells = []
     for feature in rows:
-        name, geometry = feature[CELL_FIELD], QgsGeometry(feature.geometry())
-        if _is_text(name) and not geometry.isEmpty():
+        name, geometry = text(feature[CELL_FIELD]), QgsGeometry(feature.geometry())
+        if name and not geometry.isEmpty():
             outline = _transformed(geometry, transform)
-            cells.append(Cell(str(name), bytes(outline.asWkb()), extent(outline)))
+            cells.append(Cell(name, bytes(outline.asWkb()), extent(outline)))
     return cells

@@ -12,6 +12,7 @@ from qgis.core import (
 
 from ...imagery.errors import SettingsError
 from ...imagery.rasters import RasterRef
+from ...toolkit.attribute_values import text
 from ...toolkit.layers import _transformed, extent
 from ..measure import messages
 from ..measure.source_images import Source
@@ -33,10 +34,9 @@ def indexed_sources(
     folder = os.path.dirname(os.path.abspath(index_path)) if index_path else ""
     sources = []
     for feature in rows:
-        location, geometry = feature[LOCATION_FIELD], QgsGeometry(feature.geometry())
-        if not location or geometry.isEmpty():
+        path, geometry = text(feature[LOCATION_FIELD]), QgsGeometry(feature.geometry())
+        if not path or geometry.isEmpty():
             continue
-        path = str(location)
         if folder and not (os.path.isabs(path) or path.startswith("/vsi") or ":" in path):
             path = os.path.normpath(os.path.join(folder, path))
         sources.append(Source(RasterRef(path), extent(_transformed(geometry, transform))))

@@ -15,6 +15,7 @@ from qgis.core import (
 from ...imagery.errors import WindowError
 from ...imagery.grids import Extent
 from ...imagery.message import Message
+from ..attribute_values import text, whole_number
 from . import parameters as common
 
 _LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
@@ -60,7 +61,7 @@ class WindowFeatures:
                 window = WindowFeature(number, extent)
             except WindowError as error:
                 window = WindowFeature(number, None, error.message)
-            observer = (feature["observer"] or None) if "observer" in self._names else None
+            observer = (text(feature["observer"]) or None) if "observer" in self._names else None
             self._waiting[number] = geometry, observer
             yield window
 
@@ -73,12 +74,12 @@ class WindowFeatures:
 
         if "window_id" not in self._names:
             return set()
-        numbers = (_whole_number(feature["window_id"]) for feature in layers.features(self._source))
+        numbers = map(_own_number, layers.features(self._source))
         return {number for number in numbers if number is not None}
 
     def _number(self, feature: QgsFeature) -> int:
         """The feature's own number when it is the first to have it, else the next free one."""
-        own = _whole_number(feature["window_id"]) if "window_id" in self._names else None
+        own = _own_number(feature) if "window_id" in self._names else None
         if own is not None and own in self._numbers:
             self._numbers.remove(own)
             return own
@@ -87,10 +88,5 @@ class WindowFeatures:
         return self._last
 
 
-def _whole_number(value: object) -> int | None:
-    """A window's number from a field of any type."""
-    try:
-        number = float(str(value))
-    except ValueError:
-        return None
-    return int(number) if number.is_integer() and abs(number) <= _LARGEST_NUMBER else None
+def _own_number(feature: QgsFeature) -> int | None:
+    return whole_number(feature["window_id"], _LARGEST_NUMBER)

@@ -7,9 +7,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import NULL
-
 from ....imagery.atomic_files import replacing
+from ....toolkit.attribute_values import is_known
 from ....toolkit.charts.chart_style import PAPER
 from ...charts.curve_chart import draw_curves
 from ...tables.result_tables import curve_features
@@ -69,4 +68,4 @@ def _rows(results: Iterable[WindowResult]) -> Iterable[list[object]]:
     for result in results:
         for feature in curve_features(result):
             values = (feature[name] for name in COLUMNS)
-            yield ["" if value is None or value == NULL else value for value in values]
+            yield [value if is_known(value) else "" for value in values]
