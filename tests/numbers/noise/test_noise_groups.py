@@ -213,6 +213,28 @@ def test_masks_go_over_to_other_pixel_sizes(make_raster: MakeRaster) -> None:
     assert np.argwhere(masks[0]).tolist() == [[400, 600], [400, 601], [401, 600], [401, 601]]
 
 
+@pytest.mark.parametrize(("beside", "rows", "columns"), [
+    ((0.0, 0.0), (200, 200), (300, 300)),
+    ((0.2, 0.2), (199, 200), (300, 301)),  # a fifth of a pixel of the others beside: an edge is enough
+    ((-0.2, -0.2), (200, 201), (299, 300)),
+    ((0.0004, 0.0004), (200, 200), (300, 300)),  # what rounding of coordinates leaves is no edge
+])
+def test_pixels_that_touch_an_invalid_one_with_an_edge_are_left_out(
+    make_raster: MakeRaster, beside: tuple[float, float], rows: tuple[int, int], columns: tuple[int, int]
+) -> None:
+    origin = (ORIGIN[0] + 0.1 * beside[0], ORIGIN[1] + 0.1 * beside[1])  # right and up, in pixels
+    first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
+    middle = DrawnWindow(1, (ORIGIN[0] + 6.4, ORIGIN[1] - 44.8, ORIGIN[0] + 44.8, ORIGIN[1] - 6.4), wkt(32633))
+    (request,) = window_plan.plan_drawn([*images([first]), *images([second], 2)], [middle], 3).requests
+    ours, theirs = (part.window for part in request.parts)
+    invalid = np.zeros((theirs.height, theirs.width), bool)
+    invalid[200 - theirs.row, 300 - theirs.column] = True
+    mask, _ = group_noise._joined_masks(request.parts, [np.zeros((ours.height, ours.width), bool), invalid])
+    found = np.argwhere(mask) + (ours.row, ours.column)
+    assert found.min(axis=0).tolist() == [rows[0], columns[0]]
+    assert found.max(axis=0).tolist() == [rows[1], columns[1]]
+
+
 def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster: MakeRaster) -> None:
     pixels = grey()
     holes = np.ones((512, 512), bool)

@@ -111,6 +111,15 @@ def test_a_blur_is_no_mixture_and_less_is_kept(sources: list[np.ndarray], labels
     assert found.kept < 0.8
 
 
+def test_a_blurred_mosaic_follows_areas_and_no_specks(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    blurred = ndimage.gaussian_filter(cut(labels, sources).astype(np.float32), (0, 2, 2))
+    found = followed(blurred, sources)
+    cells = found.labels[::4, ::4]  # what is followed is told for squares of 4 px
+    alone = [ndimage.uniform_filter((cells == i).astype(float), 3)[cells == i] < 1.5 / 9 for i in range(len(sources))]
+    assert sum(map(np.count_nonzero, alone)) == 0  # none that is like no neighbour
+    assert right(found, labels) > 0.95
+
+
 def test_a_stranger_is_not_explained(sources: list[np.ndarray]) -> None:
     stranger = orthoimage(SHAPE, seed=99)[:, ::-1]
     found = followed(stranger, sources)

@@ -100,6 +100,26 @@ def test_a_narrower_histogram_is_not_clipped(band: np.ndarray, gain: float, bias
     assert clipped_share(np.rint(gain * band + bias).astype(np.uint8), band) < MIN_CLIPPED_SHARE
 
 
+def evenly_spread() -> np.ndarray:
+    """8 bit, every value as often as the others."""
+    return np.random.default_rng(3).permuted(np.arange(256).repeat(SIDE)).reshape(SIDE, SIDE).astype(np.uint8)
+
+
+@pytest.mark.parametrize("gain", [0.5, 0.3, 0.15, 0.08])
+def test_values_that_a_gain_merges_at_the_ends_are_not_clipped(gain: float) -> None:
+    source = evenly_spread()
+    narrowed = np.rint(gain * source + 20).astype(np.uint8)
+    assert np.count_nonzero(narrowed == narrowed.min()) > SIDE  # several values have become one
+    assert clipped_share(narrowed, source) == 0
+
+
+@pytest.mark.parametrize("gain", [0.5, 0.3, 0.15, 0.08])
+def test_what_is_cut_off_a_narrowed_histogram_is_clipped(gain: float) -> None:
+    source = evenly_spread()
+    clipped = np.rint(gain * np.clip(source, 24, 239) + 20).astype(np.uint8)
+    assert clipped_share(clipped, source) == pytest.approx((24 + 16) / 256, abs=2 / gain / 256)  # merged ones with them
+
+
 def test_colour_shift_is_largest_over_smallest_gain() -> None:
     assert colour_shift([0.8, 1.0, 0.9]) == pytest.approx(1.25)
     assert colour_shift([1.0]) is None

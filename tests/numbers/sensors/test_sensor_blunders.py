@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy import stats
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.sensors.measure.adjustment import adjust
 from seam_inspector.plugin.sensors.measure.comparison import CHECK_POINTS, LEAVE_ONE_OUT, candidates, compare
@@ -69,6 +70,21 @@ def test_a_blunder_among_the_check_points_is_flagged_and_not_counted() -> None:
     assert plain.check.max_x is not None
     assert done.check.max_x is not None
     assert plain.check.max_x > 5 * done.check.max_x
+
+
+@pytest.mark.parametrize(("sigmas", "flagged"), [(4.5, False), (5.5, True)])
+def test_a_check_point_is_a_blunder_beyond_five_standard_deviations_of_the_check_points(
+    sigmas: float, flagged: bool
+) -> None:
+    ground = places(100, 1)
+    image = made_rational(1, 2).project(ground)  # the control points fit exactly, so they say nothing of the others
+    check = np.arange(100) >= 20
+    normal = SIGMA * stats.norm.ppf((np.arange(80) + 0.5) / 80)  # quantiles: the standard deviation is no estimate
+    random = np.random.default_rng(1)
+    image[check] += np.column_stack([random.permutation(normal), random.permutation(normal)])
+    image[50, 0] += sigmas * SIGMA - (image[50, 0] - made_rational(1, 2).project(ground)[50, 0])
+    done = adjust(Wanted(registry.RATIONAL), points(image, ground, check), robust=True)
+    assert np.flatnonzero(done.blunder).tolist() == ([50] if flagged else [])
 
 
 def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
