@@ -14,31 +14,36 @@ from ..toolkit.translation import sentence, tr
 from .charts import comparison_chart, residual_chart
 from .measure.adjustment import Accuracy, Adjustment
 from .measure.comparison import LEAVE_ONE_OUT, Comparison
-from .measure.models.registry import PUSHBROOM
-from .measure.point_layout import Box, Layout
+from .measure.control_coverage import ControlCoverage, ImageBox
+from .measure.models.registry import Variant
 
 _MOST_POINTS = 200  # listed one by one
 
 
 def save_fit_report(
-    done: Adjustment, found: Layout, box: Box, warnings: Sequence[Message], notes: Sequence[Message], path: Path
+    done: Adjustment,
+    coverage: ControlCoverage,
+    box: ImageBox,
+    warnings: Sequence[Message],
+    notes: Sequence[Message],
+    path: Path,
 ) -> None:
     """The report of one model. Raises SettingsError where no file can be written."""
     parts = [html_page.paragraph(sentence(notice), "warning") for notice in warnings]
     parts += [html_page.paragraph(sentence(notice)) for notice in notes]
-    wanted, fit = done.wanted, done.fit
+    request, fitted = done.request, done.fitted
     parts += [
         html_page.heading(tr("Model")),
         html_page.table(
             (tr("Property"), tr("Value")),
             [
-                (tr("Model"), wanted.name),
-                (tr("Unknowns"), tr("20, held by priors") if wanted.kind == PUSHBROOM else wanted.unknowns),
+                (tr("Model"), request.name),
+                (tr("Unknowns"), _unknowns(request.variant)),
                 (tr("Control points"), done.control.count),
-                (tr("Iterations"), fit.iterations),
-                (tr("Condition number"), f"{fit.condition:.3g}"),
+                (tr("Iterations"), fitted.iterations),
+                (tr("Condition number"), f"{fitted.condition:.3g}"),
                 (tr("Standard deviation of a control point"), _number(done.sigma_px, "px")),
-                (tr("Image outside the control points' outline"), f"{found.extrapolated:.0%}"),
+                (tr("Image outside the control points' outline"), f"{coverage.extrapolated:.0%}"),
             ],
         ),
         html_page.heading(tr("Accuracy")),
@@ -58,7 +63,7 @@ def save_fit_report(
         ),
         html_page.heading(tr("Residuals")),
         html_page.drawing(
-            svg_text(residual_chart(done, found, box)),
+            svg_text(residual_chart(done, coverage, box)),
             tr("Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated."),
         ),
         html_page.heading(tr("Points")),
@@ -76,7 +81,7 @@ def save_fit_report(
             ],
         ),
     ]  # fmt: skip
-    html_page.save_page(html_page.page(tr("Sensor model: {name}").format(name=wanted.name), parts), path)
+    html_page.save_page(html_page.page(tr("Sensor model: {name}").format(name=request.name), parts), path)
 
 
 def save_comparison_report(result: Comparison, notices: Sequence[Message], path: Path) -> None:
@@ -98,7 +103,7 @@ def save_comparison_report(result: Comparison, notices: Sequence[Message], path:
             ),
             [
                 (
-                    _unbroken(row.wanted.name),
+                    _unbroken(row.request.name),
                     *_errors(row.errors)[1:5],
                     row.control_count,
                     row.errors.count,
@@ -109,11 +114,16 @@ def save_comparison_report(result: Comparison, notices: Sequence[Message], path:
         ),
         html_page.paragraph(how + " " + tr("Mean errors are root mean squares."), "small"),
     ]  # fmt: skip
-    doubtful = [(_unbroken(row.wanted.name), sentence(row.reason)) for row in result.rows if row.reason is not None]
+    doubtful = [(_unbroken(row.request.name), sentence(row.reason)) for row in result.rows if row.reason is not None]
     if doubtful:
         parts.append(html_page.heading(tr("Not fitted, or not to be trusted")))
         parts.append(html_page.table((tr("Model"), tr("Why")), doubtful))
     html_page.save_page(html_page.page(tr("Sensor models compared"), parts), path)
+
+
+def _unknowns(variant: Variant) -> str:
+    words = tr("{count}, held by priors") if variant.with_priors else "{count}"
+    return words.format(count=variant.with_priors or variant.unknowns)
 
 
 def _unbroken(name: str) -> str:
