@@ -60,7 +60,9 @@ benchmark-detection: link ## Measure how well lost contrast and its causes are f
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.detection
 
 translate: link ## Collect new texts into the translations, then compile them
-	pylupdate5 -noobsolete -tr-function Message $$(find plugin -name '*.py') -ts i18n/seam_inspector_pl.ts
+	$(PYTHON) tools/template_texts.py resources/reports > build/template_texts.py
+	pylupdate5 -noobsolete -tr-function Message $$(find plugin build/template_texts.py -name '*.py') \
+		-ts i18n/seam_inspector_pl.ts
 	$(MAKE) link
 
 package: link ## Make the plugin's zip of the last commit, in build/

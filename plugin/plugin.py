@@ -96,7 +96,7 @@ class Desk:
 
     def _show(self, shown: bool) -> None:
         if self.dock is None:
-            why_not = missing_packages_sentence(desk=True)
+            why_not = missing_packages_sentence(charts=True, pages=True)
             if not why_not:
                 try:
                     self.dock = self._make(self._iface)

@@ -167,7 +167,6 @@ class CheckNoise(RasterListAlgorithm):
 def _save_report(
     path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int
 ) -> None:
-    from ..toolkit.pages.html_page import save_page
-    from .report import noise_page
+    from .report import save_noise_report
 
-    save_page(noise_page(results, notices, wavelet, levels), path)
+    save_noise_report(path, results, notices, wavelet, levels)

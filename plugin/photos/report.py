@@ -2,15 +2,17 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 from scipy import ndimage
 
 from ..imagery.photos import Photo
-from ..toolkit.pages import html_page
+from ..toolkit.pages.picture_files import encoded
+from ..toolkit.pages.templates import said_once, save_page
 from ..toolkit.translation import sentence, tr
 from .measure.measuring_marks import Window
-from .measure.orientation import Mark, Orientation, Status
+from .measure.orientation import Fitted, Mark, Orientation, Status
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
@@ -18,85 +20,57 @@ PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
 _COLOURS = {Status.MEASURED: (0, 230, 130), Status.GIVEN: (255, 170, 0)}
 
 
-def orientation_page(photo: Photo, made: Orientation) -> str:
-    """One HTML page."""
-    parts = [_summary(photo, made)]
-    parts += [html_page.paragraph(sentence(notice), "warning") for notice in made.notices]
-    parts += [html_page.heading(tr("Marks")), _table(made)]
-    pictures = [_picture(mark, made.views[mark.name]) for mark in made.marks if mark.name in made.views]
-    if pictures:
-        parts += [html_page.heading(tr("Pictures")), _legend(), html_page.row(pictures)]
-    if made.fitted is not None:
-        parts += [html_page.heading(tr("Transformation")), _transformation(made)]
-    return html_page.page(tr("Interior orientation of {name}").format(name=photo.ref.name), parts)
-
-
-def _summary(photo: Photo, made: Orientation) -> html_page.Html:
-    measured, given = made.count(Status.MEASURED), made.count(Status.GIVEN)
-    words = tr("{columns} x {rows} px. Marks measured: {measured}, given: {given}, failed: {failed}.").format(
-        columns=photo.columns, rows=photo.rows, measured=measured, given=given, failed=made.count(Status.FAILED)
-    )
-    if made.fitted is not None and made.fitted.redundancy:
-        words += " " + tr("Root mean square of the residuals: {rms:.1f} um.").format(rms=made.fitted.rms)
-    return html_page.paragraph(words)
-
-
-def _table(made: Orientation) -> html_page.Html:
-    headings = [
-        tr("Mark"), tr("Column, px"), tr("Row, px"), tr("x, mm"), tr("y, mm"), tr("Residual x, um"),
-        tr("Residual y, um"), tr("Correlation"), tr("Status"), tr("Reason"),
-    ]
-    rows = []
-    for mark in made.marks:
-        column, row = mark.place or (None, None)
-        residual_x, residual_y = mark.residual or (None, None)
-        rows.append([
-            mark.name, _number(column, 3), _number(row, 3), _number(mark.calibrated[0], 3),
-            _number(mark.calibrated[1], 3), _number(residual_x, 1), _number(residual_y, 1),
-            _number(mark.correlation, 3), mark.status.value,
-            None if mark.reason is None else sentence(mark.reason),
-        ])
-    note = tr("Pixel centres are at .5: the first pixel reaches from 0 to 1. Millimetres: x to the right, y upwards.")
-    return html_page.Html(html_page.table(headings, rows) + html_page.paragraph(note, "small"))
-
-
-def _transformation(made: Orientation) -> html_page.Html:
-    assert made.fitted is not None
-    rows = [
-        [name, *(f"{value:.9g}" for value in matrix.ravel())]
-        for name, matrix in (
-            (tr("to millimetres"), made.fitted.to_mm.matrix), (tr("to pixels"), made.fitted.to_pixels.matrix)
-        )
-    ]
-    words = tr("Model: {model}, marks: {marks}, degrees of freedom: {redundancy}.").format(
-        model=made.fitted.to_mm.model.value, marks=made.fitted.marks, redundancy=made.fitted.redundancy
-    )
-    if made.lying is not None and made.evidence is not None:
-        words += " " + tr(
-            "The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}."
-        ).format(
-            turned=made.lying.turned, mirrored=tr(" and mirrored") if made.lying.mirrored else "",
-            evidence=made.evidence.value,
-        )
-    headings = ["", *(f"m{row}{column}" for row in "123" for column in "123")]
-    return html_page.Html(html_page.paragraph(words) + html_page.table(headings, rows))
-
-
-def _legend() -> html_page.Html:
-    return html_page.paragraph(
-        tr("Each pixel is shown {times} times as wide; the cross stands where the mark was found.").format(
-            times=PICTURE_MAGNIFICATION
-        ),
-        "small",
+def save_orientation_report(path: Path, photo: Photo, made: Orientation) -> None:
+    """Write the report. Raises SettingsError where no file can be."""
+    save_page(
+        path,
+        "interior_orientation",
+        name=photo.ref.name,
+        columns=photo.columns,
+        rows=photo.rows,
+        measured=made.count(Status.MEASURED),
+        given=made.count(Status.GIVEN),
+        failed=made.count(Status.FAILED),
+        notices=said_once(made.notices),
+        marks=[_row(mark) for mark in made.marks],
+        pictures=[_picture(mark, made.views[mark.name]) for mark in made.marks if mark.name in made.views],
+        magnification=PICTURE_MAGNIFICATION,
+        transformation=None if made.fitted is None else _transformation(made.fitted),
+        lying=made.lying,
+        evidence=None if made.evidence is None else made.evidence.value,
     )
 
 
-def _picture(mark: Mark, view: Window) -> html_page.Html:
+def _row(mark: Mark) -> list[str | None]:
+    column, row = mark.place or (None, None)
+    residual_x, residual_y = mark.residual or (None, None)
+    return [
+        mark.name, _number(column, 3), _number(row, 3), _number(mark.calibrated[0], 3),
+        _number(mark.calibrated[1], 3), _number(residual_x, 1), _number(residual_y, 1),
+        _number(mark.correlation, 3), mark.status.value,
+        None if mark.reason is None else sentence(mark.reason),
+    ]  # fmt: skip
+
+
+def _transformation(fitted: Fitted) -> dict[str, object]:
+    return {
+        "model": fitted.to_mm.model.value,
+        "marks": fitted.marks,
+        "redundancy": fitted.redundancy,
+        "rms": fitted.rms,
+        "to_mm": [f"{value:.9g}" for value in fitted.to_mm.matrix.ravel()],
+        "to_pixels": [f"{value:.9g}" for value in fitted.to_pixels.matrix.ravel()],
+    }
+
+
+def _picture(mark: Mark, view: Window) -> tuple[bytes, int, str]:
+    """A PNG file, its columns, and its caption."""
     assert mark.place is not None
     words = f"{mark.name}: {mark.place[0]:.2f}, {mark.place[1]:.2f}"
     if mark.correlation is not None:
         words += ", " + tr("correlation {value:.2f}").format(value=mark.correlation)
-    return html_page.picture(marked(mark, view), words, lossless=True)
+    pixels = marked(mark, view)
+    return encoded(pixels, "PNG"), pixels.shape[1], words
 
 
 def marked(mark: Mark, view: Window) -> np.ndarray:

@@ -9,121 +9,66 @@ import numpy as np
 
 from ..imagery.message import Message
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.pages import html_page
+from ..toolkit.pages.templates import said_once, save_page
 from ..toolkit.translation import sentence, tr
 from .charts import comparison_chart, residual_chart
 from .measure.adjustment import Accuracy, Adjustment
 from .measure.comparison import LEAVE_ONE_OUT, Comparison
-from .measure.control_coverage import ControlCoverage, ImageBox
-from .measure.models.registry import Variant
+from .measure.models.registry import PUSHBROOM
+from .measure.point_layout import Box, Layout
 
 _MOST_POINTS = 200  # listed one by one
 
 
 def save_fit_report(
-    done: Adjustment,
-    coverage: ControlCoverage,
-    box: ImageBox,
-    warnings: Sequence[Message],
-    notes: Sequence[Message],
-    path: Path,
+    path: Path, done: Adjustment, found: Layout, box: Box, warnings: Sequence[Message], notes: Sequence[Message]
 ) -> None:
     """The report of one model. Raises SettingsError where no file can be written."""
-    parts = [html_page.paragraph(sentence(notice), "warning") for notice in warnings]
-    parts += [html_page.paragraph(sentence(notice)) for notice in notes]
-    request, fitted = done.request, done.fitted
-    parts += [
-        html_page.heading(tr("Model")),
-        html_page.table(
-            (tr("Property"), tr("Value")),
-            [
-                (tr("Model"), request.name),
-                (tr("Unknowns"), _unknowns(request.variant)),
-                (tr("Control points"), done.control.count),
-                (tr("Iterations"), fitted.iterations),
-                (tr("Condition number"), f"{fitted.condition:.3g}"),
-                (tr("Standard deviation of a control point"), _number(done.sigma_px, "px")),
-                (tr("Image outside the control points' outline"), f"{coverage.extrapolated:.0%}"),
-            ],
-        ),
-        html_page.heading(tr("Accuracy")),
-        html_page.table(
+    wanted = done.wanted
+    save_page(
+        path,
+        "sensor_model",
+        name=wanted.name,
+        notices=said_once(warnings),
+        notes=said_once(notes),
+        unknowns=tr("20, held by priors") if wanted.kind == PUSHBROOM else wanted.unknowns,
+        control_count=done.control.count,
+        iterations=done.fit.iterations,
+        condition=done.fit.condition,
+        sigma=_number(done.sigma_px, "px"),
+        extrapolated=found.extrapolated,
+        check=_errors(done.check),
+        control=_errors(done.control),
+        chart=svg_text(residual_chart(done, found, box)),
+        points=[
             (
-                tr("Points"), tr("Count"), tr("Mean X (m)"), tr("Mean Y (m)"), tr("Largest X (m)"), tr("Largest Y (m)"),
-                tr("Mean column (px)"), tr("Mean row (px)"),
-            ),
-            [(tr("Check points"), *_errors(done.check)), (tr("Control points"), *_errors(done.control))],
-        ),
-        html_page.paragraph(
-            tr(
-                "Mean errors are root mean squares. Only check points, which took no part in the fit, say how accurate "
-                "the image becomes."
-            ),
-            "small",
-        ),
-        html_page.heading(tr("Residuals")),
-        html_page.drawing(
-            svg_text(residual_chart(done, coverage, box)),
-            tr("Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated."),
-        ),
-        html_page.heading(tr("Points")),
-        html_page.table(
-            (tr("Point"), tr("Role"), tr("Column (px)"), tr("Row (px)"), "X (m)", "Y (m)", tr("Blunder")),
-            [
-                (
-                    done.points.ids[index],
-                    tr("check") if done.points.check[index] else tr("control"),
-                    *(_number(value) for value in done.residuals_px[index]),
-                    *(_number(value) for value in done.residuals_m[index]),
-                    tr("yes") if done.blunder[index] else "",
-                )
-                for index in _worst(done)
-            ],
-        ),
-    ]  # fmt: skip
-    html_page.save_page(html_page.page(tr("Sensor model: {name}").format(name=request.name), parts), path)
-
-
-def save_comparison_report(result: Comparison, notices: Sequence[Message], path: Path) -> None:
-    """The report of all models. Raises SettingsError where no file can be written."""
-    how = (
-        tr("Each point was predicted by a fit to all others (leave-one-out), since check points are few.")
-        if result.method == LEAVE_ONE_OUT
-        else tr("Errors are those of check points, which took no part in the fit.")
+                done.points.ids[index],
+                tr("check") if done.points.check[index] else tr("control"),
+                *(_number(value) for value in done.residuals_px[index]),
+                *(_number(value) for value in done.residuals_m[index]),
+                tr("yes") if done.blunder[index] else "",
+            )
+            for index in _worst(done)
+        ],
     )
-    parts = [
-        html_page.paragraph(sentence(result.reason)),
-        *(html_page.paragraph(sentence(notice), "warning") for notice in notices),
-        html_page.drawing(svg_text(comparison_chart(result)), tr("The recommended model stands out.")),
-        html_page.heading(tr("Table")),
-        html_page.table(
-            (
-                tr("Model"), tr("Mean X (m)"), tr("Mean Y (m)"), tr("Largest X (m)"), tr("Largest Y (m)"),
-                tr("Control points"), tr("Judged on"),
-            ),
-            [
-                (
-                    _unbroken(row.request.name),
-                    *_errors(row.errors)[1:5],
-                    row.control_count,
-                    row.errors.count,
-                )
-                for row in result.rows
-                if row.errors is not None
-            ],
-        ),
-        html_page.paragraph(how + " " + tr("Mean errors are root mean squares."), "small"),
-    ]  # fmt: skip
-    doubtful = [(_unbroken(row.request.name), sentence(row.reason)) for row in result.rows if row.reason is not None]
-    if doubtful:
-        parts.append(html_page.heading(tr("Not fitted, or not to be trusted")))
-        parts.append(html_page.table((tr("Model"), tr("Why")), doubtful))
-    html_page.save_page(html_page.page(tr("Sensor models compared"), parts), path)
 
 
-def _unknowns(variant: Variant) -> str:
-    words = tr("{count}, held by priors") if variant.with_priors else "{count}"
-    return words.format(count=variant.with_priors or variant.unknowns)
+def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Message]) -> None:
+    """The report of all models. Raises SettingsError where no file can be written."""
+    save_page(
+        path,
+        "sensor_comparison",
+        recommendation=sentence(result.reason),
+        notices=said_once(notices),
+        chart=svg_text(comparison_chart(result)),
+        models=[
+            (_unbroken(row.wanted.name), *_errors(row.errors)[1:5], row.control_count, row.errors.count)
+            for row in result.rows
+            if row.errors is not None
+        ],
+        is_leave_one_out=result.method == LEAVE_ONE_OUT,
+        doubtful=[(_unbroken(row.wanted.name), sentence(row.reason)) for row in result.rows if row.reason is not None],
+    )
 
 
 def _unbroken(name: str) -> str:
@@ -131,9 +76,9 @@ def _unbroken(name: str) -> str:
     return name.replace(" ", "\N{NO-BREAK SPACE}")
 
 
-def _errors(errors: Accuracy) -> tuple[object, ...]:
+def _errors(errors: Accuracy) -> list[object]:
     values = (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y, errors.rmse_column, errors.rmse_row)
-    return errors.count, *("" if value is None else _number(value) for value in values)
+    return [errors.count, *("" if value is None else _number(value) for value in values)]
 
 
 def _worst(done: Adjustment) -> list[int]:

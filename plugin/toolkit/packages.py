@@ -9,24 +9,26 @@ from importlib.util import find_spec
 from .translation import tr
 
 _MEASUREMENT = {"numpy": "numpy", "pywt": "PyWavelets", "scipy": "scipy"}
-_DESK = {**_MEASUREMENT, "matplotlib": "matplotlib"}
+_CHARTS = {"matplotlib": "matplotlib"}
+_PAGES = {"jinja2": "Jinja2"}
 _DEBIAN = {
     "numpy": "python3-numpy",
     "PyWavelets": "python3-pywt",
     "scipy": "python3-scipy",
     "matplotlib": "python3-matplotlib",
+    "Jinja2": "python3-jinja2",
 }
 
 
-def missing_packages(desk: bool = False) -> list[str]:
-    """Names, as one would install them, of the packages that the measurement, or the desk too, lacks here."""
-    needed = _DESK if desk else _MEASUREMENT
+def missing_packages(charts: bool = False, pages: bool = False) -> list[str]:
+    """Names, as one would install them, of the packages that are not here; charts and pages need more."""
+    needed = {**_MEASUREMENT, **(_CHARTS if charts else {}), **(_PAGES if pages else {})}
     return [name for module, name in needed.items() if find_spec(module) is None]
 
 
-def missing_packages_sentence(desk: bool = False) -> str:
+def missing_packages_sentence(charts: bool = False, pages: bool = False) -> str:
     """What is missing and how to get it on this system; empty when nothing is."""
-    missing = missing_packages(desk)
+    missing = missing_packages(charts, pages)
     if not missing:
         return ""
     needs = tr("Seam Inspector needs the Python package(s) {packages}.").format(packages=", ".join(missing))
@@ -35,7 +37,7 @@ def missing_packages_sentence(desk: bool = False) -> str:
 
 def broken_package_sentence(error: ImportError) -> str:
     """What is there but can't be loaded, and how to mend it; empty when it is no package that we need."""
-    package = _DESK.get((error.name or "").split(".")[0])
+    package = {**_MEASUREMENT, **_CHARTS, **_PAGES}.get((error.name or "").split(".")[0])
     if package is None:
         return ""
     broken = tr("The Python package {package} can't be loaded ({error}).").format(package=package, error=error)

@@ -17,6 +17,11 @@ def style_path(name: str) -> str:
     return str(_RESOURCES / "styles" / f"{name}.qml")
 
 
+def reports_path() -> str:
+    """The folder of the reports' templates."""
+    return str(_RESOURCES / "reports")
+
+
 def model_paths() -> list[str]:
     """The ready models."""
     return [str(path) for path in sorted((_RESOURCES / "models").glob("*.model3"))]

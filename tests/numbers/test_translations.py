@@ -12,6 +12,8 @@ from types import ModuleType
 import pytest
 from seam_inspector.plugin.imagery.message import Message
 
+from tools import template_texts
+
 TEXT_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1}
 """Which argument of a call is a text to translate."""
 CONTEXT = "@default"
@@ -48,7 +50,8 @@ def placeholders(text: str) -> list[tuple[str, str, str | None]]:
 
 
 def texts(package: Path) -> Iterator[str]:
-    """Every text that the code of a package marks for translation."""
+    """Every text that the code of a package, or a template, marks for translation."""
+    yield from template_texts.texts(package)
     for path in sorted(package.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in TEXT_ARGUMENT:
@@ -111,7 +114,9 @@ def test_no_message_hides_another_of_its_name(repository: Path) -> None:
 
 
 def test_texts_are_those_of_the_code(entries: list[ElementTree.Element], repository: Path) -> None:
-    translated, used = [source(entry) for entry in entries], set(texts(repository / "plugin"))
+    translated, used = [source(entry) for entry in entries], set()
+    for folder in ("plugin", "resources"):
+        used.update(texts(repository / folder))
     assert sorted(used - set(translated)) == [], "run `make translate`, then translate these"
     assert sorted(set(translated) - used) == [], "run `make translate`: the code has these no longer"
     assert len(translated) == len(set(translated))
@@ -141,3 +146,17 @@ def test_the_order_of_placeholders_is_free() -> None:
 def test_a_text_in_the_code_is_found(tmp_path: Path, code: str) -> None:
     (tmp_path / "a.py").write_text(code, encoding="utf-8")
     assert list(texts(tmp_path)) == ["a text"]
+
+
+@pytest.mark.parametrize(
+    "code", ["{{ tr('a text') }}", '{{ table([tr(\n"a "\n"text"\n).format(a=1)]) }}', "{% set a = tr('a text') %}"]
+)
+def test_a_text_in_a_template_is_found(tmp_path: Path, code: str) -> None:
+    (tmp_path / "a.html.j2").write_text(code, encoding="utf-8")
+    assert list(texts(tmp_path)) == ["a text"]
+
+
+def test_a_text_in_a_template_that_nobody_could_collect_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "a.html.j2").write_text("\n{{ tr(words) }}", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"a\.html\.j2, line 2"):
+        list(texts(tmp_path))

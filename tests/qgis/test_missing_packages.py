@@ -19,7 +19,7 @@ from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import Scene
 
 Told = list[tuple[str, Any]]
-NAMES = {"pywt": "PyWavelets", "matplotlib": "matplotlib"}
+NAMES = {"pywt": "PyWavelets", "matplotlib": "matplotlib", "jinja2": "Jinja2"}
 DRAWN = (
     ("calibratethreshold", "CHART"),
     ("checknoise", "CHART"),
@@ -32,9 +32,14 @@ DRAWN = (
     ("report", "OUTPUT"),
 )
 """Algorithms and their files with charts."""
+PAGES = (*(one for one in DRAWN if one[1] != "CHART"), ("interiororientation", "REPORT"))
+"""Algorithms and their pages."""
 DRAWING = """resolution.charts resolution.report seams.charts.calibration_chart seams.charts.curve_chart noise.charts
 noise.report radiometry.report toolkit.charts.variance_axes toolkit.charts.figure_files""".split()
 """Modules that can't be imported without matplotlib."""
+WRITING = """noise.report photos.report radiometry.report resolution.report seams.report.inspection_report
+sensors.report toolkit.pages.templates""".split()
+"""Modules that can't be imported without jinja2."""
 
 
 @pytest.fixture
@@ -88,41 +93,65 @@ def test_a_missing_package_is_named_once_and_used_after_a_restart(
     assert told == []
 
 
-@pytest.fixture
-def without_matplotlib(provider: QgsProcessingProvider, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A system where only matplotlib is missing; modules that need it can't be imported."""
+def take_away(monkeypatch: pytest.MonkeyPatch, package: str, modules: list[str]) -> None:
+    """A system where only one package is missing; our modules that need it can't be imported."""
     find = packages.find_spec
-    monkeypatch.setattr(packages, "find_spec", lambda name: None if name == "matplotlib" else find(name))
-    for name in ("matplotlib", *(f"seam_inspector.plugin.{name}" for name in DRAWING)):
+    monkeypatch.setattr(packages, "find_spec", lambda name: None if name == package else find(name))
+    for name in (package, *(f"seam_inspector.plugin.{name}" for name in modules)):
         monkeypatch.setitem(sys.modules, name, None)
 
 
-@pytest.mark.usefixtures("without_matplotlib")
-@pytest.mark.parametrize(("name", "output"), DRAWN)
-def test_a_chart_or_report_is_refused_before_anything_is_measured(name: str, output: str, tmp_path: Path) -> None:
+def asked_for(name: str, output: str, path: Path) -> dict[str, Any]:
+    """One of an algorithm's outputs and no other."""
     job = algorithm(name)
     others = {one.name(): None for one in job.destinationParameterDefinitions()}
-    asked_for = {**others, output: str(tmp_path / "page.html")}
-    assert_refused(name, "the Python package.s. matplotlib.*then restart QGIS", **asked_for)
+    return {**others, output: str(path)}
 
 
-@pytest.mark.usefixtures("without_matplotlib")
+@pytest.mark.usefixtures("provider")
+@pytest.mark.parametrize(("name", "output"), DRAWN)
+def test_a_chart_or_report_is_refused_before_anything_is_measured(
+    name: str, output: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    take_away(monkeypatch, "matplotlib", DRAWING)
+    words = "the Python package.s. matplotlib.*then restart QGIS"
+    assert_refused(name, words, **asked_for(name, output, tmp_path / "page.html"))
+
+
+@pytest.mark.usefixtures("provider")
+@pytest.mark.parametrize(("name", "output"), PAGES)
+def test_a_report_without_its_templates_package_is_refused_before_anything_is_measured(
+    name: str, output: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    take_away(monkeypatch, "jinja2", WRITING)
+    words = "the Python package.s. Jinja2.*then restart QGIS"
+    assert_refused(name, words, **asked_for(name, output, tmp_path / "page.html"))
+
+
+@pytest.mark.usefixtures("provider")
+@pytest.mark.parametrize(("package", "modules"), [("matplotlib", DRAWING), ("jinja2", WRITING)])
 @pytest.mark.parametrize("name", ["checknoise", "checkradiometry"])
-def test_without_chart_and_report_images_are_measured_all_the_same(name: str, scene: Scene) -> None:
+def test_without_chart_and_report_images_are_measured_all_the_same(
+    name: str, scene: Scene, package: str, modules: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    take_away(monkeypatch, package, modules)
     assert algorithm(name).canExecute() == (True, "")
     outcome = run(name, RASTERS=[str(scene.mosaic)], CHART=None, REPORT=None)
     assert outcome.complaint is None
     assert outcome.rows()
 
 
-def test_every_file_with_charts_is_among_those_tested(provider: QgsProcessingProvider) -> None:
-    drawn = {
+@pytest.mark.parametrize(("kind", "tested"), [("DRAWN", DRAWN), ("PAGES", PAGES)])
+def test_every_file_with_charts_and_every_page_is_among_those_tested(
+    provider: QgsProcessingProvider, kind: str, tested: tuple[tuple[str, str], ...]
+) -> None:
+    found = {
         (one.name(), output.name())
         for one in provider.algorithms()
         for output in one.destinationParameterDefinitions()
-        if output.name() in getattr(algorithm(one.name()), "DRAWN", ())
+        if output.name() in getattr(algorithm(one.name()), kind, ())
     }
-    assert drawn == set(DRAWN)
+    assert found == set(tested)
 
 
 @pytest.mark.parametrize(
@@ -146,8 +175,11 @@ def test_how_to_get_it_depends_on_the_system(
 @pytest.mark.skipif(shutil.which("apt") is None, reason="another system gives other advice")
 def test_all_that_is_missing_is_in_one_message(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(packages, "find_spec", lambda _name: None)
-    words = "numpy, PyWavelets, scipy, matplotlib.*install python3-numpy python3-pywt python3-scipy python3-matplotlib"
-    assert_sentence(packages.missing_packages_sentence(desk=True), words)
+    words = (
+        "numpy, PyWavelets, scipy, matplotlib, Jinja2.*"
+        "install python3-numpy python3-pywt python3-scipy python3-matplotlib python3-jinja2"
+    )
+    assert_sentence(packages.missing_packages_sentence(charts=True, pages=True), words)
 
 
 def test_a_package_that_cant_be_loaded_is_named(repository: Path, tmp_path: Path) -> None:

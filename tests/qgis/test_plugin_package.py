@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-HEAVY = ("scipy", "pywt", "matplotlib", "dask")
+HEAVY = ("scipy", "pywt", "matplotlib", "jinja2", "dask")
 
 
 def test_start_up_imports_nothing_heavy(repository: Path) -> None:

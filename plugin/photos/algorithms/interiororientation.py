@@ -106,14 +106,13 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     ) -> dict[str, Any]:
         """Write the files asked for; without a transformation the report alone, and say so."""
         from ...imagery.atomic_files import save_text
-        from ...toolkit.pages.html_page import save_page
         from ..measure import orientation_files
-        from ..report import orientation_page
+        from ..report import save_orientation_report
 
         results: dict[str, Any] = {}
         path = self.file_path(parameters, common.REPORT, context)
         if path is not None:
-            save_page(orientation_page(photo, made), path)
+            save_orientation_report(path, photo, made)
             results[common.REPORT] = str(path)
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()

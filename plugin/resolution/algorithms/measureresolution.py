@@ -178,10 +178,9 @@ class MeasureResolution(SeamInspectorAlgorithm):
             save_figure(group_chart(resolution.results, target.criterion), chart)
             results[common.CHART] = str(chart)
         if report is not None:
-            from ...toolkit.pages.html_page import save_page
-            from ..report import resolution_page
+            from ..report import save_resolution_report
 
-            save_page(resolution_page(raster, resolution, target), report)
+            save_resolution_report(report, raster, resolution, target)
             results[common.REPORT] = str(report)
         return results
 

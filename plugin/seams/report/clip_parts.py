@@ -12,7 +12,7 @@ from ...imagery.errors import RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
 from ...imagery.rasters import Clip, read_clip
-from ...toolkit.pages.html_page import encoded
+from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss
 from ..measure.inspection import Block, Source

@@ -3,24 +3,45 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import repeat
 
 from ...imagery.band_names import judged_band
 from ...imagery.message import Message
-from ...toolkit.pages import html_page
-from ...toolkit.pages.html_page import Html
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, WindowRecord, contrast_of
 from ..verdict_words import cause_sentence, cause_word, observer_word, verdict_word
-from .clip_parts import ClipJob, WindowParts, window_parts
+from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
 from .curve_pictures import CurveDrawer, curve_legend
+from .variance_table import anchor, two_digits
 
 REPORT_CLIPS_BYTES = 14_000_000  # of all JPEG clips together: with charts and base64 a report stays below 30 MB
 
-_MAGNIFICATION = 2.0  # Pyka 2010: where loss is seen best
-_CHART_MM = 84.6  # 320 px, as wide as a clip
+MAGNIFICATION = 2  # Pyka 2010: where loss is seen best
+CHART_MM = 84.6  # 320 px, as wide as a clip
+
+
+@dataclass(frozen=True)
+class WindowSection:
+    """What the page shows of one window."""
+
+    anchor: str
+    title: str
+    facts: Sequence[str]
+    levels: Sequence[int]
+    ratios: Sequence[Sequence[str]]
+    """Rows: what the mosaic is compared with, its ratio by level, that of the background."""
+    problem: str
+    """Why there are no clips."""
+    chart: str
+    """SVG; empty without curves."""
+    legend: Sequence[tuple[str, str]]
+    """Colours and words."""
+    clips: Sequence[PartPicture]
+    place: str
+    """Where the clips lie."""
 
 
 class WindowSections:
@@ -41,8 +62,8 @@ class WindowSections:
         self._drawer = CurveDrawer(max_ratio)
         self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
-    def parts(self, findings: Sequence[WindowRecord]) -> Iterator[Html]:
-        """One section for each."""
+    def sections(self, findings: Sequence[WindowRecord]) -> Iterator[WindowSection]:
+        """One for each."""
         for finding, clips in zip(findings, self._clips(findings)):
             yield self._section(finding, clips)
 
@@ -62,38 +83,35 @@ class WindowSections:
         curves = self._curves.get(finding.window_id, ())
         return ClipJob(finding.extent, tuple(curve.raster for curve in curves if curve.role == "source"))
 
-    def _section(self, finding: WindowRecord, clips: WindowParts) -> Html:
-        title = tr("Window {number}: {verdict}").format(
-            number=finding.window_id, verdict=verdict_word(finding.verdict)
-        )
-        made = [html_page.heading(title, 3, anchor(finding.window_id)), *self._facts(finding)]
+    def _section(self, finding: WindowRecord, clips: WindowParts) -> WindowSection:
+        problem = ""
         if clips.problem is not None:
             notice = messages.CLIP_NOT_SHOWN(window=finding.window_id, why=clips.problem)
             self.notices.append(notice)
-            made.append(html_page.paragraph(sentence(notice), "small"))
-        figures = []
+            problem = sentence(notice)
         curves = self._curves.get(finding.window_id, ())
-        if any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic"):
-            same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)]
-            chart = html_page.drawing(self._drawer.draw(same), width_mm=_CHART_MM)
-            figures.append(html_page.column([chart, html_page.legend(curve_legend(same))]))
-        for part in clips.pictures:
-            caption = tr("{name} (mosaic)").format(name=part.raster) if part.is_mosaic else part.raster
-            figures.append(html_page.photograph(part.jpeg, part.columns, caption, _MAGNIFICATION))
-        if figures:
-            made.append(html_page.row(figures))
-        if clips.extent is not None:
-            made.append(html_page.paragraph(_place_words(clips), "small"))
-        return html_page.together(made)
+        has_curve = any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic")
+        same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)] if has_curve else []
+        title = tr("Window {number}: {verdict}")
+        return WindowSection(
+            anchor(finding.window_id),
+            title.format(number=finding.window_id, verdict=verdict_word(finding.verdict)),
+            list(self._facts(finding)),
+            *_ratios(finding),
+            problem,
+            self._drawer.draw(same) if same else "",
+            curve_legend(same) if same else (),
+            clips.pictures,
+            "" if clips.extent is None else _place_words(clips),
+        )
 
-    def _facts(self, finding: WindowRecord) -> Iterator[Html]:
-        """Verdict, cause and observer in words, and the ratios by level."""
+    def _facts(self, finding: WindowRecord) -> Iterator[str]:
+        """Verdict, cause and observer in words."""
         ratio = finding.ratios[0] if finding.ratios else None
         if ratio is not None:
-            words = tr("Detail at level 1 is {percent:.0f} % of the least sharp source's.")
-            yield html_page.paragraph(words.format(percent=100 * ratio))
+            yield tr("Detail at level 1 is {percent:.0f} % of the least sharp source's.").format(percent=100 * ratio)
         elif finding.reason:
-            yield html_page.paragraph(finding.reason)
+            yield finding.reason
         said = []
         if finding.cause:
             said.append(tr("Cause: {cause}.").format(cause=cause_word(finding.cause)))
@@ -106,26 +124,22 @@ class WindowSections:
         if finding.unclear_share is not None:
             words = tr("Pixels where no source wins clearly: {percent:.0f} %.")
             said.append(words.format(percent=100 * finding.unclear_share))
-        yield html_page.paragraph(" ".join(filter(None, said)))
-        rows = [
-            (tr("against the sources"), finding.ratios, finding.background_ratio),
-            (tr("against the hard-cut composite"), finding.composite_ratios, None),
-            (tr("expected of a 50:50 feather"), finding.expected_ratios, None),
-        ]
-        known = [row for row in rows if any(value is not None for value in row[1])]
-        if known:
-            levels = max(len(row[1]) for row in known)
-            headings = [tr("ratio, level"), *map(str, range(1, levels + 1)), tr("background")]
-            yield html_page.table(
-                headings,
-                [[name, *map(_digits, [*values, *[None] * (levels - len(values))]), _digits(background)]
-                 for name, values, background in known],
-            )
+        yield " ".join(filter(None, said))
 
 
-def anchor(window_id: int) -> str:
-    """The name that links to a window's section go to."""
-    return f"window-{window_id}"
+def _ratios(finding: WindowRecord) -> tuple[list[int], list[list[str]]]:
+    """The levels, and a row for each ratio that is known."""
+    rows = [
+        (tr("against the sources"), finding.ratios, finding.background_ratio),
+        (tr("against the hard-cut composite"), finding.composite_ratios, None),
+        (tr("expected of a 50:50 feather"), finding.expected_ratios, None),
+    ]
+    known = [row for row in rows if any(value is not None for value in row[1])]
+    levels = max((len(row[1]) for row in known), default=0)
+    return list(range(1, levels + 1)), [
+        [name, *map(two_digits, values), *[""] * (levels - len(values)), two_digits(background)]
+        for name, values, background in known
+    ]
 
 
 def _place_words(clips: WindowParts) -> str:
@@ -139,7 +153,3 @@ def _place_words(clips: WindowParts) -> str:
     if clips.left_out:
         words += " " + tr("Sources that are not shown: {count}.").format(count=clips.left_out)
     return words
-
-
-def _digits(value: float | None) -> str:
-    return "" if value is None else f"{value:.2f}"

@@ -19,17 +19,17 @@ from ...imagery.errors import RasterError
 from ...imagery.message import Message
 from ...imagery.rasters import read_overview
 from ...imagery.reference_systems import metres_per_unit
-from ...toolkit.pages import html_page
-from ...toolkit.pages.html_page import Html
-from ...toolkit.translation import language, sentence, tr
+from ...toolkit.pages.picture_files import encoded
+from ...toolkit.pages.templates import said_once, save_page
+from ...toolkit.translation import tr
 from ..clip_pictures import bytes_picture
 from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from ..verdict_words import VERDICT_COLOURS, cause_word, verdict_colour, verdict_word
-from .flagged_windows import WindowSections, anchor
+from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
-from .variance_table import variance_table
+from .variance_table import anchor, window_rows
 
 MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
 OVERVIEW_SIDE_PX = 900  # of the sketch's background, 170 mm wide
@@ -75,24 +75,34 @@ def write_report(
         notices.append(messages.DETAILS_LIMITED(count=len(flagged), most=len(detailed)))
     sections = WindowSections(request.block, request.curves, request.pairs, request.max_ratio, len(detailed))
 
-    def parts() -> Iterator[Html]:
-        yield from _opening(request, flagged, notices)
-        yield from _summary(request)
-        yield from _map(request, linked)
-        yield variance_table(request.findings, request.curves, linked)
-        yield html_page.heading(tr("Flagged windows"))
-        if not flagged:
-            none = tr("None: no window has a significant loss, and in none did the observer see one.")
-            yield html_page.paragraph(none)
-        for done, part in enumerate(sections.parts(detailed), 1):
+    def shown() -> Iterator[WindowSection]:
+        for done, section in enumerate(sections.sections(detailed), 1):
             if cancelled():
                 raise _CancelledError
-            yield part
+            yield section
             progress(done / len(detailed))
-        yield from _explanations()
 
+    levels = max((len(curve.detail) for rows in request.curves.values() for curve in rows), default=0)
     try:
-        html_page.write_page(path, request.title or _mosaics_title(request), parts(), language())
+        save_page(
+            path,
+            "inspection",
+            title=request.title or _mosaics_title(request),
+            made_on=request.made_on.isoformat(),
+            count=len(request.findings),
+            flagged=len(flagged),
+            notices=said_once(notices),
+            **_summary(request),
+            **_map(request, linked),
+            levels=levels,
+            ratio_levels=max((len(one.ratios) for one in request.findings), default=0),
+            windows=(
+                window_rows(one, request.curves.get(one.window_id, ()), levels, linked) for one in request.findings
+            ),
+            sections=shown(),
+            magnification=MAGNIFICATION,
+            chart_mm=CHART_MM,
+        )
     except _CancelledError:
         return None
     return notices + sections.notices
@@ -139,62 +149,52 @@ def _mosaics_title(request: ReportRequest) -> str:
     return tr("Seam inspection: {names}").format(names=", ".join(names)) if names else tr("Seam inspection")
 
 
-def _opening(request: ReportRequest, flagged: Sequence[WindowRecord], notices: Iterable[Message]) -> Iterator[Html]:
-    words = tr("{date}. {count} windows, {flagged} of them flagged: a significant loss, or one that the observer saw.")
-    yield html_page.paragraph(
-        words.format(date=request.made_on.isoformat(), count=len(request.findings), flagged=len(flagged)), "small"
-    )
-    for notice in notices:
-        yield html_page.paragraph(sentence(notice), "warning")
-
-
-def _summary(request: ReportRequest) -> Iterator[Html]:
-    yield html_page.heading(tr("Summary"))
+def _summary(request: ReportRequest) -> dict[str, object]:
+    """Verdicts, observer's words and ratios of each mosaic, and its causes."""
     verdicts = [verdict for verdict in VERDICT_COLOURS if verdict or any(not one.verdict for one in request.findings)]
-    headings = [
-        [(tr("mosaic"), 1, 2), (tr("windows"), 1, 2), (tr("verdict"), len(verdicts), 1), (tr("observer"), 2, 1),
-         (tr("median ratio 1"), 1, 2)],
-        [*((verdict_word(verdict), 1, 1) for verdict in verdicts), (tr("visible"), 1, 1), (tr("invisible"), 1, 1)],
-    ]
-    groups: list[html_page.Group] = []
-    for mosaic, findings in _by_mosaic(request).items():
-        counts = Counter(one.verdict for one in findings)
-        words = Counter(one.observer for one in findings)
-        ratios = [ratio for one in findings if (ratio := _ratio(one)) is not None]
-        median = f"{statistics.median(ratios):.2f}" if ratios else ""
-        row = [len(findings), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], median]
-        groups.append(([html_page.lines(mosaic)], [row]))
-    yield html_page.grouped_table(headings, groups, 1)
     causes = Counter((_mosaic_of(request, one), one.cause) for one in request.findings if one.cause)
-    if causes:
-        flagged = Counter((_mosaic_of(request, one), one.cause) for one in flagged_windows(request.findings))
-        ordered = sorted(causes.items(), key=lambda item: (item[0][0], -item[1], item[0][1]))
-        rows = [
-            [html_page.lines(mosaic), cause_word(cause), count, flagged[mosaic, cause]]
-            for (mosaic, cause), count in ordered
-        ]
-        yield html_page.heading(tr("Causes"), 3)
-        yield html_page.table([tr("mosaic"), tr("cause"), tr("windows"), tr("of them flagged")], rows)
+    flagged = Counter((_mosaic_of(request, one), one.cause) for one in flagged_windows(request.findings))
+    ordered = sorted(causes.items(), key=lambda item: (item[0][0], -item[1], item[0][1]))
+    return {
+        "verdicts": [verdict_word(verdict) for verdict in verdicts],
+        "mosaics": [(mosaic, _counts(findings, verdicts)) for mosaic, findings in _by_mosaic(request).items()],
+        "causes": [
+            (mosaic, cause_word(cause), (count, flagged[mosaic, cause])) for (mosaic, cause), count in ordered
+        ],
+    }
+
+
+def _counts(findings: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[object]:
+    """Windows, those of each verdict and of each of the observer's words, and their median ratio."""
+    counts = Counter(one.verdict for one in findings)
+    words = Counter(one.observer for one in findings)
+    ratios = [ratio for one in findings if (ratio := _ratio(one)) is not None]
+    median = f"{statistics.median(ratios):.2f}" if ratios else ""
+    return [len(findings), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], median]
 
 
 # The map
 
 
-def _map(request: ReportRequest, detailed: set[int]) -> Iterator[Html]:
+def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
+    """The sketch and its legend."""
     order = list(VERDICT_COLOURS)[::-1]
     known = [one for one in request.findings if one.extent is not None]
     known.sort(key=lambda one: (order.index(one.verdict) if one.verdict in order else 0, one.window_id in detailed))
     if not known:
-        return
+        return {"sketch": None}
     shapes = [_shape(one, one.window_id in detailed) for one in known]
     middle = (shapes[0].extent[1] + shapes[0].extent[3]) / 2
     metres = metres_per_unit(request.wkt, middle)
-    yield html_page.heading(tr("Map"))
-    sketch = map_sketch(shapes, tr("N"), *metres, background=_background(request, shapes, metres))
     counts = Counter(one.verdict for one in known)
-    entries = [(colour, f"{verdict_word(word)} ({counts[word]})") for word, colour in VERDICT_COLOURS.items()
-               if counts[word]]
-    yield html_page.together([html_page.inline_svg(sketch), html_page.legend(entries, in_line=True)])
+    return {
+        "sketch": map_sketch(shapes, *metres, background=_background(request, shapes, metres)),
+        "map_legend": [
+            (colour, f"{verdict_word(word)} ({counts[word]})")
+            for word, colour in VERDICT_COLOURS.items()
+            if counts[word]
+        ],
+    }
 
 
 def _shape(finding: WindowRecord, detailed: bool) -> SketchShape:
@@ -217,28 +217,5 @@ def _background(
         if overview is not None:
             bands, valid, place = overview
             pixels = bytes_picture(bands, request.block.mosaic.has_luminance, valid)
-            return SketchBackground(html_page.encoded(pixels, "JPEG"), place)
+            return SketchBackground(encoded(pixels, "JPEG"), place)
     return None
-
-
-def _explanations() -> Iterator[Html]:
-    yield html_page.heading(tr("How to read it"))
-    for words in (
-        tr(
-            "Relative variance: the share of a clip's variance that lies in the details of each level, finest first, "
-            "and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic's share at "
-            "level 1 divided by a source's; a window's ratio is the largest over its sources."
-        ),
-        tr(
-            "Significant: at most half of the finest detail is left, or the share that the inspection was set to. "
-            "Reduced: less than all of it. Preserved: as much as in one of the sources, or more. Observer: what the "
-            "operator saw at 2x magnification."
-        ),
-        tr(
-            "The clips show, at 2x and all stretched alike, the part of the window where the mosaic lost most of the "
-            "finest detail. JPEG takes a little of it from all of them."
-        ),
-    ):
-        yield html_page.paragraph(words, "small")
-
-

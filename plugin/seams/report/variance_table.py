@@ -1,54 +1,64 @@
 """The relative variances of all windows, as table 1 of Pyka 2010 gives them."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Sequence, Set
+from dataclasses import dataclass
 
-from ...toolkit.pages import html_page
-from ...toolkit.pages.html_page import Group, Heading, Html, Markup
 from ...toolkit.translation import tr
 from ..measure.window_records import COMPOSITE, CurveRecord, WindowRecord
 from ..verdict_words import cause_word, observer_word, verdict_colour, verdict_word
-from .flagged_windows import anchor
 
 _ROLES = ("mosaic", "source", COMPOSITE)
 
 
-def variance_table(
-    findings: Sequence[WindowRecord], curves: Mapping[int, Sequence[CurveRecord]], linked: Set[int]
-) -> Html:
-    """Window, its character, and mosaic and sources with their shares by level; ``linked`` windows lead to theirs."""
-    levels = max((len(curve.detail) for rows in curves.values() for curve in rows), default=0)
-    windows = [tr("window"), tr("verdict, cause, observer")]
-    if not levels:
-        ratio_levels = max((len(one.ratios) for one in findings), default=0)
-        headings: list[list[Heading]] = [[(words, 1, 1) for words in windows]]
-        headings[0] += [(tr("ratio {level}").format(level=level), 1, 1) for level in range(1, ratio_levels + 1)]
-        headings[0].append((tr("background"), 1, 1))
-        groups: list[Group] = [
-            (_leading(one, linked), [[*map(_two_digits, one.ratios), _two_digits(one.background_ratio)]])
-            for one in findings
-        ]
-        return html_page.together([html_page.heading(tr("Windows")), html_page.grouped_table(headings, groups, 2)])
-    headings = [
-        [*((words, 1, 3) for words in windows), (tr("raster"), 1, 3), (tr("relative variance"), levels + 1, 1)],
-        [(tr("detail, level"), levels, 1), (tr("background"), 1, 1)],
-        [*((str(level), 1, 1) for level in range(1, levels + 1)), (str(levels), 1, 1)],
-    ]
-    rows = [
-        (_leading(one, linked), list(_curve_rows(curves.get(one.window_id, ()), levels)) or [[""] * (levels + 2)])
-        for one in findings
-    ]
-    return Html(html_page.heading(tr("Relative variances")) + html_page.grouped_table(headings, rows, 3))
+@dataclass(frozen=True)
+class RasterRow:
+    """The shares of one raster in a window."""
+
+    name: str
+    is_mosaic: bool
+    shares: Sequence[str]
+    """By level, finest first, then the background."""
 
 
-def _leading(finding: WindowRecord, linked: Set[int]) -> list[object]:
-    number = str(finding.window_id)
-    return [html_page.link(number, anchor(finding.window_id)) if finding.window_id in linked else number,
-            _character(finding)]
+@dataclass(frozen=True)
+class WindowRows:
+    """A window, what was found in it, and its rasters."""
+
+    number: int
+    anchor: str
+    """Where its number leads; empty for nowhere."""
+    colour: str
+    found: Sequence[str]
+    """In two or three lines, its verdict the first."""
+    ratios: Sequence[str]
+    """By level, then that of the background."""
+    rasters: Sequence[RasterRow]
 
 
-def _character(finding: WindowRecord) -> Markup:
-    """What was found in a window, in two or three lines."""
+def window_rows(finding: WindowRecord, curves: Sequence[CurveRecord], levels: int, linked: Set[int]) -> WindowRows:
+    """The rows of one window; ``linked`` windows lead to theirs. Shallower curves leave their last levels empty."""
+    return WindowRows(
+        finding.window_id,
+        anchor(finding.window_id) if finding.window_id in linked else "",
+        verdict_colour(finding.verdict),
+        list(_found(finding)),
+        [*map(two_digits, finding.ratios), two_digits(finding.background_ratio)],
+        [_raster_row(curve, levels) for role in _ROLES for curve in curves if curve.role == role],
+    )
+
+
+def anchor(window_id: int) -> str:
+    """The name that links to a window's section go to."""
+    return f"window-{window_id}"
+
+
+def two_digits(value: float | None) -> str:
+    """A ratio; empty where it is not known."""
+    return "" if value is None else f"{value:.2f}"
+
+
+def _found(finding: WindowRecord) -> Iterator[str]:
     ratios = [
         template.format(ratio=ratios[0])
         for template, ratios in (
@@ -57,25 +67,22 @@ def _character(finding: WindowRecord) -> Markup:
         )
         if ratios and ratios[0] is not None
     ]
-    chip = html_page.chip(verdict_colour(finding.verdict), ", ".join([verdict_word(finding.verdict), *ratios]))
+    yield ", ".join([verdict_word(finding.verdict), *ratios])
+    if finding.reason:
+        yield finding.reason
     known = []
     if finding.cause:
         known.append(tr("cause: {cause}").format(cause=cause_word(finding.cause)))
     if finding.observer:
         known.append(tr("observer: {word}").format(word=observer_word(finding.observer)))
-    return html_page.lines(*filter(None, [chip, finding.reason, "; ".join(known)]))
+    if known:
+        yield "; ".join(known)
 
 
-def _curve_rows(curves: Sequence[CurveRecord], levels: int) -> Iterator[list[object]]:
-    """Mosaic, sources, composite; shallower curves leave their last levels empty."""
-    for role in _ROLES:
-        for curve in curves:
-            if curve.role == role:
-                name: object = tr("hard-cut composite") if role == COMPOSITE else curve.raster
-                if role == "mosaic":
-                    name = Markup(f"<b>{html_page.text(curve.raster)}</b>")
-                detail = [*map(_share, curve.detail), *[""] * (levels - len(curve.detail))]
-                yield [html_page.lines(name), *detail, _share(curve.background)]
+def _raster_row(curve: CurveRecord, levels: int) -> RasterRow:
+    shares = [*map(_share, curve.detail), *[""] * (levels - len(curve.detail)), _share(curve.background)]
+    name = tr("hard-cut composite") if curve.role == COMPOSITE else curve.raster
+    return RasterRow(name, curve.role == "mosaic", shares)
 
 
 def _share(value: float) -> str:
@@ -83,7 +90,3 @@ def _share(value: float) -> str:
     if value != value:
         return ""
     return f"{value:.3f}" if value >= 0.001 or value == 0 else f"{value:.1e}"
-
-
-def _two_digits(value: float | None) -> str:
-    return "" if value is None else f"{value:.2f}"

@@ -46,6 +46,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     """Parameters with many rasters, which are opened one by one and not by QGIS."""
     DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)
     """Outputs with charts: where they are asked for, the package that draws them has to be there."""
+    PAGES: tuple[str, ...] = (common.REPORT,)
+    """Outputs that are made from templates, likewise."""
 
     def name(self) -> str:
         return self.ID
@@ -139,7 +141,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def _missing_packages(self, parameters: dict[str, Any]) -> str:
         """What lacks for the outputs asked for; empty when nothing does."""
-        return missing_packages_sentence(desk=any(parameters.get(name) for name in self.DRAWN))
+        charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
+        return missing_packages_sentence(charts, pages)
 
     def decomposition(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
         """The values of WAVELET and LEVELS."""

@@ -273,6 +273,20 @@ def test_300_windows_stay_below_30_megabytes(qgis_app: Any, tmp_path: Path) -> N
     assert decoded(page.pictures("jpeg")[1]).shape[0] >= 64
 
 
+def test_each_window_is_on_disk_before_the_next_is_made(qgis_app: Any, tmp_path: Path) -> None:
+    """So memory does not grow with their number."""
+    sizes: list[int] = []
+
+    def told(share: float) -> None:
+        (unfinished,) = tmp_path.rglob(".unfinished-*/report.html")
+        sizes.append(unfinished.stat().st_size)
+
+    request = many(noisy_block(tmp_path, 512), 6)
+    assert write_report(tmp_path / "report.html", request, told) == []
+    assert len(sizes) == 6
+    assert np.diff(sizes).min() > 10_000
+
+
 def test_of_more_windows_the_worst_are_shown(qgis_app: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("seam_inspector.plugin.seams.report.inspection_report.MAX_REPORT_DETAILS", 5)
     request = many(noisy_block(tmp_path, 512), 9)

@@ -1,0 +1,28 @@
+"""Pixels as picture files. No QGIS."""
+from __future__ import annotations
+
+import numpy as np
+from osgeo import gdal
+
+from ...imagery.datasets import drop_from_memory
+from ...imagery.gdal_messages import gdal_silenced
+
+
+def encoded(pixels: np.ndarray, driver: str) -> bytes:
+    """The bytes of a picture file, PNG or JPEG, of (rows, columns) or (rows, columns, 3) uint8."""
+    bands = np.moveaxis(np.atleast_3d(pixels), 2, 0)
+    path = f"/vsimem/report-{id(pixels)}"
+    with gdal_silenced():
+        memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), gdal.GDT_Byte)
+        for i, band in enumerate(bands, 1):
+            memory.GetRasterBand(i).WriteArray(np.ascontiguousarray(band))
+        options = ["QUALITY=88"] if driver == "JPEG" else []
+        copy = gdal.GetDriverByName(driver).CreateCopy(path, memory, options=options)
+        copy = None  # noqa: F841 - closing the dataset writes the file
+        file = gdal.VSIFOpenL(path, "rb")
+        try:
+            data = gdal.VSIFReadL(1, gdal.VSIStatL(path).size, file)
+        finally:
+            gdal.VSIFCloseL(file)
+            drop_from_memory(path)
+    return bytes(data)

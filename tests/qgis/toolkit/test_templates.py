@@ -1,0 +1,113 @@
+"""Reports open anywhere, take any name, and are there whole or not at all."""
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from jinja2 import UndefinedError
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.seams.report.map_sketch import SketchBackground, SketchShape, map_sketch
+from seam_inspector.plugin.toolkit.pages.picture_files import encoded
+from seam_inspector.plugin.toolkit.pages.templates import environment, save_page
+
+from tests.pages import Outline, outline
+
+EVIL = '<script>alert("1")</script> & \'Söhne\' \u202egnp.exe'
+PARTS = """
+{% extends "page.html.j2" %}
+{% from "map_sketch.svg.j2" import map_sketch %}
+{% from "parts.html.j2" import chip, drawing, legend, photograph, table, warnings %}
+{% block body %}BODY{% endblock %}
+"""
+
+
+def page(body: str, **view: object) -> str:
+    """A page with that body, which may use all parts."""
+    return environment().from_string(PARTS.strip().replace("BODY", body)).render(title="Report", **view)
+
+
+def test_words_of_users_never_become_markup() -> None:
+    shape = SketchShape((0, 0, 9, 9), EVIL, EVIL, EVIL, EVIL)
+    text = page(
+        "{{ warnings([evil]) }}{{ table([evil, 'n'], [(evil, 1), (none, 2)]) }}{{ legend([(evil, evil)], evil) }}"
+        "{{ drawing('<svg/>', evil) }}{{ photograph('', evil, 1, evil) }}{{ map_sketch(sketch, evil) }}{{ evil }}",
+        evil=EVIL, sketch=map_sketch([shape]),
+    )  # fmt: skip
+    assert "<script" not in text
+    read = outline(text)
+    # a warning, a heading, a cell, a legend, two captions; the sketch's tip, label and north; and bare
+    assert read.words.count(EVIL) == 10
+    assert read.links == [f"#{EVIL}"]
+    assert read.captions == [EVIL, EVIL]
+
+
+def test_every_template_escapes_and_refuses_what_it_is_not_given() -> None:
+    made = environment()
+    assert len(made.list_templates(["j2"])) > 5
+    for name in made.list_templates(["j2"]):
+        source = made.loader.get_source(made, name)[0]  # type: ignore[union-attr]
+        assert not re.search(r"\|\s*safe\b|autoescape", source), name
+    with pytest.raises(UndefinedError):
+        page("{{ nobody_said }}")
+
+
+def test_a_page_needs_no_network() -> None:
+    data = encoded(np.zeros((4, 6, 3), np.uint8), "JPEG")
+    sketch = map_sketch([SketchShape((0, 0, 9, 9), "#000", "1", "")], background=SketchBackground(data, (0, 0, 9, 9)))
+    text = page(
+        "{{ photograph(data, 'jpeg', 6, 'clip', 2) }}{{ drawing('<svg/>') }}{{ map_sketch(sketch, 'N') }}",
+        data=data, sketch=sketch,
+    )  # fmt: skip
+    read = outline(text)
+    assert len(read.addresses) == 3
+    assert all(address.startswith("data:image/") for address in read.addresses)
+    assert read.pictures("jpeg") == [data, data]
+    assert "url(" not in text
+    assert "@import" not in text
+
+
+def test_numbers_stand_to_the_right() -> None:
+    rows = [("a", 0.5, "3 %"), ("b", None, "12.5 %")]
+    text = page("{{ table(['name', 'ratio', 'share'], rows) }}", rows=rows)
+    assert text.count('class="number"') == 6  # two columns of a heading and two rows
+    assert outline(text).rows[1:] == [["a", "0.5", "3 %"], ["b", "", "12.5 %"]]
+    assert 'class="number"' not in page("{{ table(['nothing'], []) }}")
+
+
+# --- files -----------------------------------------------------------------------------------------------------
+
+
+def rows(count: int, then: type[Exception] | None = None) -> Iterator[tuple[object, ...]]:
+    for number in range(count):
+        yield "image", 1, 0, 0, f"check {number}"
+    if then is not None:
+        raise then
+
+
+def save(path: Path, images: Iterable[object] = ()) -> Outline:
+    """A report whose images come one by one."""
+    save_page(
+        path, "radiometry", rules="JRC", overview=list(rows(3)), notices=[], balance=[], balance_chart=None,
+        images=images, area_side=1, seam_near=1, seam_far=2, seam_station=3,
+    )  # fmt: skip
+    return outline(path.read_text(encoding="utf-8"))
+
+
+def test_an_error_on_the_way_leaves_the_older_page(tmp_path: Path) -> None:
+    path = tmp_path / "report.html"
+    assert ["image", "1", "0", "0", "check 2"] in save(path).rows
+    before = path.read_bytes()
+    with pytest.raises(ZeroDivisionError):
+        save(path, rows(0, ZeroDivisionError))
+    assert path.read_bytes() == before
+    with pytest.raises(ZeroDivisionError):
+        save(tmp_path / "new.html", rows(0, ZeroDivisionError))
+    assert [one.name for one in tmp_path.iterdir()] == ["report.html"]
+
+
+def test_a_page_that_can_not_be_written_is_told(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="can't be written"):
+        save(tmp_path / "none" / "report.html")
