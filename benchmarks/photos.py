@@ -12,9 +12,9 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.photos import Photo
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration
-from seam_inspector.plugin.photos.measure.interior_orientation import orient
+from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
 from seam_inspector.plugin.photos.measure.mark_templates import MarkKind, MarkShape, draw
-from seam_inspector.plugin.photos.measure.orientation import OrientationSettings, Status
+from seam_inspector.plugin.photos.measure.orientation import MarkStatus, OrientationSettings
 
 from .ground import Ground
 from .timing import Goal, interleaved, print_table
@@ -55,8 +55,8 @@ def one_template(path: Path, mark: np.ndarray) -> object:
 
 def whole(path: Path) -> None:
     """Four marks of a kind, size and angle that nobody says, to a fraction of a pixel, and the transformation."""
-    made = orient(Photo(RasterRef(str(path))), CameraCalibration(CAMERA), {}, OrientationSettings())
-    assert made.count(Status.MEASURED) == len(CAMERA)
+    made = orient_photo(Photo(RasterRef(str(path))), CameraCalibration(CAMERA), {}, OrientationSettings())
+    assert made.count(MarkStatus.MEASURED) == len(CAMERA)
 
 
 def run(ground: Ground, quick: bool) -> list[Goal]:

@@ -2629,9 +2629,9 @@
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="49" />
-        <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). polynomial_2d is what a georeferencer does and knows no heights; polynomial_3d, rational (RPC) and dlt have no physics; pushbroom is the parametric model of a line scanner and needs the fewest points; rpc_bias corrects the RPC that came with the image. The result is a model file and an RPC for orthorectification.</source>
-        <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). polynomial_2d to to, co robi georeferencer, bez znajomości wysokości; polynomial_3d, rational (RPC) i dlt nie mają fizyki; pushbroom to model parametryczny skanera liniowego i potrzebuje najmniej punktów; rpc_bias poprawia RPC dostarczone z obrazem. Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="1" />
+        <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
+        <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
         <location filename="../plugin/adapters/sensor_reports.py" line="115" />
@@ -2639,9 +2639,9 @@
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="60" />
-        <source>Fewest control points: polynomial_2d 3, 6, 10 and polynomial_3d 4, 10, 20 and rational 7, 19, 39 for orders 1, 2, 3; dlt 6; pushbroom 4; rpc_bias 1, 2, 3 for shift, shift_drift, affine.</source>
-        <translation>Najmniejsza liczba punktów osnowy: polynomial_2d 3, 6, 10, polynomial_3d 4, 10, 20 i rational 7, 19, 39 dla stopni 1, 2, 3; dlt 6; pushbroom 4; rpc_bias 1, 2, 3 dla shift, shift_drift, affine.</translation>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="1" />
+        <source>{model}: {title}; needs at least {fewest} control points.</source>
+        <translation>{model}: {title}; punktów osnowy potrzebuje co najmniej {fewest}.</translation>
     </message>
     <message>
         <location filename="../plugin/processing/fitsensormodel.py" line="69" />
@@ -4819,9 +4819,39 @@
         <translation>Niewiadome</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
-        <source>20, held by priors</source>
-        <translation>20, ograniczone wartościami a priori</translation>
+        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <source>{count}, held by priors</source>
+        <translation>{count}, ograniczone wartościami a priori</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <source>polynomials of the plane, as in a georeferencer, without heights</source>
+        <translation>wielomiany na płaszczyźnie, jak w georeferencerze, bez wysokości</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <source>polynomials of space, without physics</source>
+        <translation>wielomiany przestrzenne, bez fizyki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <source>quotients of polynomials as in an RPC, without physics</source>
+        <translation>ilorazy wielomianów jak w RPC, bez fizyki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <source>the direct linear transformation, without physics</source>
+        <translation>bezpośrednia transformacja liniowa, bez fizyki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <source>the parametric model of a line scanner</source>
+        <translation>model parametryczny skanera liniowego</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <source>the RPC that came with the image, corrected</source>
+        <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
     <message>
         <location filename="../plugin/adapters/sensor_reports.py" line="32" />

@@ -13,8 +13,8 @@ from ..toolkit.attribute_values import attributes, is_known, is_true
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
-from .measure.mark_comparison import DifferenceStatistics, Measured
-from .measure.orientation import Mark, Position
+from .measure.mark_comparison import ComparedMark, DifferenceStatistics
+from .measure.orientation import GivenPosition, MarkResult
 
 MARK, PHOTO, MEASURE = "mark", "photo", "measure"
 
@@ -35,7 +35,7 @@ def mark_fields() -> QgsFields:
     )
 
 
-def mark_feature(mark: Mark, photo: Photo) -> QgsFeature:
+def mark_feature(mark: MarkResult, photo: Photo) -> QgsFeature:
     """The row of a mark; one that failed has no place."""
     column, row = mark.place or (None, None)
     residual_x, residual_y = mark.residual or (None, None)
@@ -51,7 +51,7 @@ def map_point(transform: GeoTransform, column: float, row: float) -> QgsPointXY:
     return QgsPointXY(a + b * column + c * row, d + e * column + f * row)
 
 
-def place(transform: GeoTransform, point: QgsPointXY) -> tuple[float, float]:
+def photo_place(transform: GeoTransform, point: QgsPointXY) -> tuple[float, float]:
     """Column and row of a point on the map, pixel centres at .5."""
     a, b, c, d, e, f = transform
     x, y = point.x() - a, point.y() - d
@@ -59,7 +59,9 @@ def place(transform: GeoTransform, point: QgsPointXY) -> tuple[float, float]:
     return (f * x - c * y) / below, (b * y - e * x) / below
 
 
-def positions(rows: Iterable[QgsFeature], names: Sequence[str], photo: Photo, measure: bool) -> dict[str, Position]:
+def given_positions(
+    rows: Iterable[QgsFeature], names: Sequence[str], photo: Photo, measure: bool
+) -> dict[str, GivenPosition]:
     """Where the user says that marks are; points without a name or a place are left out.
 
     Whether a position is measured says its field ``measure`` where there is one, else ``measure``. Raises PhotoError
@@ -67,20 +69,21 @@ def positions(rows: Iterable[QgsFeature], names: Sequence[str], photo: Photo, me
     """
     if MARK not in names:
         raise PhotoError(messages.POSITIONS_WITHOUT_MARK())
-    made: dict[str, Position] = {}
+    made: dict[str, GivenPosition] = {}
     for row in attributes(rows, names):
-        name, own, point = row.text(MARK), row.value(MEASURE), _point(row.feature)
+        name, asked, point = row.text(MARK), row.value(MEASURE), _point(row.feature)
         if not name or point is None:
             continue
         if name in made:
             raise PhotoError(messages.POSITION_TWICE(mark=name))
-        made[name] = Position(place(photo.geotransform, point), is_true(own) if is_known(own) else measure)
+        measured = is_true(asked) if is_known(asked) else measure
+        made[name] = GivenPosition(photo_place(photo.geotransform, point), measured)
     if not made:
         raise PhotoError(messages.POSITIONS_EMPTY())
     return made
 
 
-def measured(rows: Iterable[QgsFeature], names: Sequence[str], layer: str) -> list[Measured]:
+def compared_marks(rows: Iterable[QgsFeature], names: Sequence[str], layer: str) -> list[ComparedMark]:
     """The marks of a layer to be compared: by ``column`` and ``row`` where it has them, else by the points themselves.
 
     Raises PhotoError for a layer without the field ``mark``.
@@ -98,7 +101,7 @@ def measured(rows: Iterable[QgsFeature], names: Sequence[str], layer: str) -> li
             continue
         x_mm, y_mm = row.number("x_mm"), row.number("y_mm")
         calibrated = None if x_mm is None or y_mm is None else (x_mm, y_mm)
-        made.append(Measured(row.text(photo), name, (column, line), calibrated))
+        made.append(ComparedMark(row.text(photo), name, (column, line), calibrated))
     return made
 
 

@@ -11,16 +11,16 @@ from ..imagery.photos import Photo
 from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import said_once, save_page
 from ..toolkit.translation import sentence, tr
-from .measure.measuring_marks import Window
-from .measure.orientation import Fitted, Mark, Orientation, Status
+from .measure.measuring_marks import MarkWindow
+from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, PhotoOrientation
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
 
-_COLOURS = {Status.MEASURED: (0, 230, 130), Status.GIVEN: (255, 170, 0)}
+_COLOURS = {MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0)}
 
 
-def save_orientation_report(path: Path, photo: Photo, made: Orientation) -> None:
+def save_orientation_report(path: Path, photo: Photo, made: PhotoOrientation) -> None:
     """Write the report. Raises SettingsError where no file can be."""
     save_page(
         path,
@@ -28,20 +28,20 @@ def save_orientation_report(path: Path, photo: Photo, made: Orientation) -> None
         name=photo.ref.name,
         columns=photo.columns,
         rows=photo.rows,
-        measured=made.count(Status.MEASURED),
-        given=made.count(Status.GIVEN),
-        failed=made.count(Status.FAILED),
+        measured=made.count(MarkStatus.MEASURED),
+        given=made.count(MarkStatus.GIVEN),
+        failed=made.count(MarkStatus.FAILED),
         notices=said_once(made.notices),
         marks=[_row(mark) for mark in made.marks],
         pictures=[_picture(mark, made.views[mark.name]) for mark in made.marks if mark.name in made.views],
         magnification=PICTURE_MAGNIFICATION,
         transformation=None if made.fitted is None else _transformation(made.fitted),
-        lying=made.lying,
+        scan_orientation=made.scan_orientation,
         evidence=None if made.evidence is None else made.evidence.value,
     )
 
 
-def _row(mark: Mark) -> list[str | None]:
+def _row(mark: MarkResult) -> list[str | None]:
     column, row = mark.place or (None, None)
     residual_x, residual_y = mark.residual or (None, None)
     return [
@@ -52,7 +52,7 @@ def _row(mark: Mark) -> list[str | None]:
     ]  # fmt: skip
 
 
-def _transformation(fitted: Fitted) -> dict[str, object]:
+def _transformation(fitted: FittedTransformation) -> dict[str, object]:
     return {
         "model": fitted.to_mm.model.value,
         "marks": fitted.marks,
@@ -63,7 +63,7 @@ def _transformation(fitted: Fitted) -> dict[str, object]:
     }
 
 
-def _picture(mark: Mark, view: Window) -> tuple[bytes, int, str]:
+def _picture(mark: MarkResult, view: MarkWindow) -> tuple[bytes, int, str]:
     """A PNG file, its columns, and its caption."""
     assert mark.place is not None
     words = f"{mark.name}: {mark.place[0]:.2f}, {mark.place[1]:.2f}"
@@ -73,7 +73,7 @@ def _picture(mark: Mark, view: Window) -> tuple[bytes, int, str]:
     return encoded(pixels, "PNG"), pixels.shape[1], words
 
 
-def marked(mark: Mark, view: Window) -> np.ndarray:
+def marked(mark: MarkResult, view: MarkWindow) -> np.ndarray:
     """The surroundings of a mark, magnified, with a cross at its place: (rows, columns, 3) uint8."""
     assert mark.place is not None
     times = PICTURE_MAGNIFICATION

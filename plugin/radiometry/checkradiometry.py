@@ -28,10 +28,10 @@ from ..toolkit.translation import sentence, tr
 if TYPE_CHECKING:
     from ..imagery.drawn_windows import DrawnWindow
     from ..imagery.grids import PixelWindow
+    from ..imagery.lines.seamlines import Seam
     from ..imagery.message import Message
     from ..imagery.pixels import PixelImage
     from ..imagery.rasters import RasterRef
-    from ..imagery.seamlines import Seam
     from .measure.assessment import Assessment
     from .measure.rules import RuleSet
 
@@ -187,7 +187,7 @@ class CheckRadiometry(RasterListAlgorithm):
         seamlines: QgsProcessingFeatureSource, image: PixelImage, context: QgsProcessingContext
     ) -> list[Seam]:
         """The seams in the image's reference system; none for an image without a place on the map."""
-        from ..imagery.seamlines import find_seams
+        from ..imagery.lines.seamlines import find_seams
         from ..toolkit import layers
 
         if image.grid is None or not image.wkt:

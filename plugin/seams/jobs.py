@@ -5,9 +5,9 @@ import os
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 
+from ..imagery.lines.seamlines import find_seams
 from ..imagery.pixels import validity_check
 from ..imagery.rasters import Mosaic
-from ..imagery.seamlines import find_seams
 from ..toolkit.background_task import Cancelled, Job
 from .clip_pictures import make_pictures
 from .measure.inspection import InspectionSettings, WindowRequest

@@ -11,13 +11,13 @@ from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.translation import tr
 from .measure.adjustment import Adjustment
 from .measure.comparison import Comparison
-from .measure.point_layout import Box, Layout
+from .measure.control_coverage import ControlCoverage, ImageBox
 
 _CONTROL, _CHECK, _BLUNDER, _QUIET = "#0072b2", "#d55e00", "#cc3311", "#57606a"
 _ARROW_SHARE = 0.08  # of the image's longer side, for a residual of usual size
 
 
-def residual_chart(done: Adjustment, found: Layout, box: Box) -> Figure:
+def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -> Figure:
     """The residuals as arrows in the image, enlarged; the outline of the control points is what is not extrapolated."""
     width, height = box[2] - box[0], box[3] - box[1]
     figure = new_figure(6.4, min(max(6.4 * height / width, 3.6), 7.5))
@@ -25,8 +25,8 @@ def residual_chart(done: Adjustment, found: Layout, box: Box) -> Figure:
     axes.set_aspect("equal")
     frame = [(0, 1), (2, 1), (2, 3), (0, 3), (0, 1)]
     axes.plot([box[x] for x, _ in frame], [box[y] for _, y in frame], color="#1b1f23", lw=0.8)
-    if len(found.outline) > 2:
-        axes.fill(*found.outline.T, facecolor=_CONTROL, alpha=0.07, edgecolor=_CONTROL, lw=0.7, ls=(0, (4, 3)))
+    if len(coverage.outline) > 2:
+        axes.fill(*coverage.outline.T, facecolor=_CONTROL, alpha=0.07, edgecolor=_CONTROL, lw=0.7, ls=(0, (4, 3)))
     points, residuals = done.points, done.residuals_px
     shown = residuals[~done.blunder] if (~done.blunder).any() else residuals
     usual = float(np.quantile(np.linalg.norm(shown, axis=1), 0.9))
@@ -81,7 +81,7 @@ def comparison_chart(result: Comparison) -> Figure:
             axes.plot(
                 [value], [place], marker, color=_CHECK if chosen else _CONTROL, ms=6, label=name if place == 0 else None
             )
-    axes.set_yticks(range(len(judged)), [row.wanted.name for row in judged], fontsize=9)
+    axes.set_yticks(range(len(judged)), [row.request.name for row in judged], fontsize=9)
     for label, row in zip(axes.get_yticklabels(), judged):
         if row is result.recommended:
             label.set_color(_CHECK)

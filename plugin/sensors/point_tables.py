@@ -133,13 +133,13 @@ def comparison_fields() -> QgsFields:
 def comparison_features(result: Comparison) -> Iterator[QgsFeature]:
     """The rows of that table."""
     for row in result.rows:
-        wanted, errors = row.wanted, row.errors
-        name, _, variant = wanted.name.partition(" ")
+        request, errors = row.request, row.errors
+        variant = request.variant.name
         ordered = variant.isdigit()
         yield feature(
             comparison_fields(),
             [
-                name,
+                request.kind.name,
                 int(variant) if ordered else None,
                 None if ordered else variant or None,
                 *((errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y) if errors else (None,) * 4),

@@ -14,32 +14,36 @@ from ..toolkit.translation import sentence, tr
 from .charts import comparison_chart, residual_chart
 from .measure.adjustment import Accuracy, Adjustment
 from .measure.comparison import LEAVE_ONE_OUT, Comparison
-from .measure.models.registry import PUSHBROOM
-from .measure.point_layout import Box, Layout
+from .measure.control_coverage import ControlCoverage, ImageBox
+from .measure.models.registry import Variant
 
 _MOST_POINTS = 200  # listed one by one
 
 
 def save_fit_report(
-    path: Path, done: Adjustment, found: Layout, box: Box, warnings: Sequence[Message], notes: Sequence[Message]
+    path: Path,
+    done: Adjustment,
+    coverage: ControlCoverage,
+    box: ImageBox,
+    warnings: Sequence[Message],
+    notes: Sequence[Message],
 ) -> None:
     """The report of one model. Raises SettingsError where no file can be written."""
-    wanted = done.wanted
     save_page(
         path,
         "sensor_model",
-        name=wanted.name,
+        name=done.request.name,
         notices=said_once(warnings),
         notes=said_once(notes),
-        unknowns=tr("20, held by priors") if wanted.kind == PUSHBROOM else wanted.unknowns,
+        unknowns=_unknowns(done.request.variant),
         control_count=done.control.count,
-        iterations=done.fit.iterations,
-        condition=done.fit.condition,
+        iterations=done.fitted.iterations,
+        condition=done.fitted.condition,
         sigma=_number(done.sigma_px, "px"),
-        extrapolated=found.extrapolated,
+        extrapolated=coverage.extrapolated,
         check=_errors(done.check),
         control=_errors(done.control),
-        chart=svg_text(residual_chart(done, found, box)),
+        chart=svg_text(residual_chart(done, coverage, box)),
         points=[
             (
                 done.points.ids[index],
@@ -62,13 +66,18 @@ def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Mes
         notices=said_once(notices),
         chart=svg_text(comparison_chart(result)),
         models=[
-            (_unbroken(row.wanted.name), *_errors(row.errors)[1:5], row.control_count, row.errors.count)
+            (_unbroken(row.request.name), *_errors(row.errors)[1:5], row.control_count, row.errors.count)
             for row in result.rows
             if row.errors is not None
         ],
         is_leave_one_out=result.method == LEAVE_ONE_OUT,
-        doubtful=[(_unbroken(row.wanted.name), sentence(row.reason)) for row in result.rows if row.reason is not None],
+        doubtful=[(_unbroken(row.request.name), sentence(row.reason)) for row in result.rows if row.reason is not None],
     )
+
+
+def _unknowns(variant: Variant) -> str:
+    words = tr("{count}, held by priors") if variant.with_priors else "{count}"
+    return words.format(count=variant.with_priors or variant.unknowns)
 
 
 def _unbroken(name: str) -> str:

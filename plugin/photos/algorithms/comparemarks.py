@@ -76,11 +76,12 @@ class CompareMarks(SeamInspectorAlgorithm):
         measured = []
         for name in (FIRST, SECOND):
             source = self.source(parameters, name, context)
-            measured.append(mark_tables.measured(layers.features(source), source.fields().names(), source.sourceName()))
-        found = mark_comparison.differences(*measured)
+            names = source.fields().names()
+            measured.append(mark_tables.compared_marks(layers.features(source), names, source.sourceName()))
+        found = mark_comparison.mark_differences(*measured)
         size = self.parameterAsDouble(parameters, PIXEL_SIZE, context) if parameters.get(PIXEL_SIZE) else None
         size = size or mark_comparison.pixel_size(measured[0]) or mark_comparison.pixel_size(measured[1])
-        made = {"px": mark_comparison.statistics(found)}
+        made = {"px": mark_comparison.distance_statistics(found)}
         if size is None:
             feedback.pushWarning(sentence(messages.PIXEL_SIZE_UNKNOWN()))
         else:

@@ -18,14 +18,14 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
-from . import photo_parameters as own
+from . import photo_parameters
 
 if TYPE_CHECKING:
     from ...imagery.photos import Photo
     from ...imagery.rasters import RasterRef
     from ..measure.camera_calibration import CameraCalibration
     from ..measure.mark_templates import CutOut, MarkShape
-    from ..measure.orientation import Orientation, OrientationSettings, Position
+    from ..measure.orientation import GivenPosition, OrientationSettings, PhotoOrientation
 
 RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
 
@@ -47,9 +47,13 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        for definition, description in (*own.inputs(), *own.template_choices(), *own.settings()):
-            self.addDescribed(definition, description, advanced=definition.name() in own.ADVANCED)
-        for definition, description in own.outputs():
+        for definition, description in (
+            *photo_parameters.input_parameters(),
+            *photo_parameters.template_parameters(),
+            *photo_parameters.measuring_parameters(),
+        ):
+            self.addDescribed(definition, description, advanced=definition.name() in photo_parameters.ADVANCED)
+        for definition, description in photo_parameters.output_parameters():
             self.addDescribed(definition, description)
         self.addNumbers({
             RMS_UM: tr("Root mean square of the residuals (um)"),
@@ -61,34 +65,35 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..measure.camera_calibration import check_calibration
 
         check_calibration(self._calibration(parameters, context), self._settings(parameters, context).model)
-        self._open(common.required_raster(parameters, own.PHOTO, context))
+        self._open(common.required_raster(parameters, photo_parameters.PHOTO, context))
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._photo_ref = common.required_raster(parameters, own.PHOTO, context)
-        self._template_ref = common.raster(parameters, own.TEMPLATE, context)
+        self._photo_ref = common.required_raster(parameters, photo_parameters.PHOTO, context)
+        self._template_ref = common.raster(parameters, photo_parameters.TEMPLATE, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         from .. import mark_tables
-        from ..measure.interior_orientation import orient
-        from ..measure.orientation import Status
+        from ..measure.interior_orientation import orient_photo
+        from ..measure.orientation import MarkStatus
 
         calibration = self._calibration(parameters, context)
         photo = self._open(self._photo_ref)
         positions = self._positions(parameters, context, photo)
         settings = self._settings(parameters, context)
         feedback.setProgress(5)
-        made = orient(photo, calibration, positions, settings, feedback.isCanceled)
+        made = orient_photo(photo, calibration, positions, settings, feedback.isCanceled)
         feedback.setProgress(80)
         crs = QgsCoordinateReferenceSystem.fromWkt(photo.wkt) if photo.wkt else QgsCoordinateReferenceSystem()
         sink, destination = self.sink(
-            parameters, own.OUTPUT, context, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs
+            parameters, photo_parameters.OUTPUT, context, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs
         )
         self.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
         self._tell(made, feedback)
-        failed = made.count(Status.FAILED)
-        results: dict[str, Any] = {own.OUTPUT: destination, MARKS: len(made.marks) - failed, FAILED: failed}
+        failed = made.count(MarkStatus.FAILED)
+        results: dict[str, Any] = {photo_parameters.OUTPUT: destination}
+        results.update({MARKS: len(made.marks) - failed, FAILED: failed})
         if made.fitted is not None and made.fitted.redundancy:
             results[RMS_UM] = made.fitted.rms
         results.update(self._files(parameters, context, feedback, photo, calibration, made))
@@ -102,7 +107,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         feedback: QgsProcessingFeedback,
         photo: Photo,
         calibration: CameraCalibration,
-        made: Orientation,
+        made: PhotoOrientation,
     ) -> dict[str, Any]:
         """Write the files asked for; without a transformation the report alone, and say so."""
         from ...imagery.atomic_files import save_text
@@ -119,8 +124,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             feedback.reportError(sentence(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why)))
             return results
         for name, text in (
-            (own.PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
-            (own.WORLD_FILE, orientation_files.world_file(photo, made)),
+            (photo_parameters.PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
+            (photo_parameters.WORLD_FILE, orientation_files.world_file(photo, made)),
         ):
             path = self.file_path(parameters, name, context)
             if path is not None:
@@ -128,7 +133,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
                 results[name] = str(path)
         return results
 
-    def _tell(self, made: Orientation, feedback: QgsProcessingFeedback) -> None:
+    def _tell(self, made: PhotoOrientation, feedback: QgsProcessingFeedback) -> None:
         for notice in made.notices:
             feedback.pushWarning(sentence(notice))
         for mark in made.marks:
@@ -152,58 +157,58 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     def _calibration(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CameraCalibration:
         from ..measure.camera_calibration import read_calibration
 
-        path = self.parameterAsFile(parameters, own.CALIBRATION, context)
+        path = self.parameterAsFile(parameters, photo_parameters.CALIBRATION, context)
         if not path:
             raise PhotoError(messages.NO_CALIBRATION())
         return read_calibration(Path(path))
 
     def _positions(
         self, parameters: dict[str, Any], context: QgsProcessingContext, photo: Photo
-    ) -> dict[str, Position]:
+    ) -> dict[str, GivenPosition]:
         from ...toolkit import layers
         from .. import mark_tables
 
-        if not parameters.get(own.POSITIONS):
+        if not parameters.get(photo_parameters.POSITIONS):
             return {}
-        source = self.source(parameters, own.POSITIONS, context)
-        measure = self.parameterAsBool(parameters, own.MEASURE, context)
-        return mark_tables.positions(layers.features(source), source.fields().names(), photo, measure)
+        source = self.source(parameters, photo_parameters.POSITIONS, context)
+        measure = self.parameterAsBool(parameters, photo_parameters.MEASURE, context)
+        return mark_tables.given_positions(layers.features(source), source.fields().names(), photo, measure)
 
     def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> OrientationSettings:
-        from ..measure.measuring_marks import Surface
+        from ..measure.measuring_marks import SurfaceBasis
         from ..measure.orientation import OrientationSettings
-        from ..measure.transformations import Model
+        from ..measure.transformations import PlaneModel
 
         surface, model, tone = (
             self.parameterAsEnumString(parameters, name, context)
-            for name in (own.SURFACE, own.MODEL, own.TEMPLATE_TONE)
+            for name in (photo_parameters.SURFACE, photo_parameters.MODEL, photo_parameters.TEMPLATE_TONE)
         )
         return OrientationSettings(
             template=self._template(parameters, context),
-            shapes=() if parameters.get(own.TEMPLATE) else self._shapes(parameters, context),
-            sign={own.TONES[1]: 1, own.TONES[2]: -1}.get(tone),
-            search=self.parameterAsDouble(parameters, own.SEARCH, context),
-            least=self.parameterAsDouble(parameters, own.MIN_CORRELATION, context),
-            surface=Surface(surface),
-            model=Model(model),
+            shapes=() if parameters.get(photo_parameters.TEMPLATE) else self._shapes(parameters, context),
+            sign={photo_parameters.TONES[1]: 1, photo_parameters.TONES[2]: -1}.get(tone),
+            search_mm=self.parameterAsDouble(parameters, photo_parameters.SEARCH, context),
+            min_correlation=self.parameterAsDouble(parameters, photo_parameters.MIN_CORRELATION, context),
+            surface=SurfaceBasis(surface),
+            model=PlaneModel(model),
         )
 
     def _template(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CutOut | None:
         from ..measure.mark_templates import cut_out
 
-        ref = getattr(self, "_template_ref", None) or common.raster(parameters, own.TEMPLATE, context)
+        ref = getattr(self, "_template_ref", None) or common.raster(parameters, photo_parameters.TEMPLATE, context)
         return cut_out(self._open(ref).grey()) if ref is not None else None
 
     def _shapes(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[MarkShape, ...]:
         from ..measure.mark_templates import chosen_shapes
 
         kind, direction, centre = (
-            None if word == own.AUTOMATIC else word
+            None if word == photo_parameters.AUTOMATIC else word
             for word in (
                 self.parameterAsEnumString(parameters, name, context)
-                for name in (own.TEMPLATE_KIND, own.TEMPLATE_DIRECTION, own.TEMPLATE_CENTRE)
+                for name in photo_parameters.FIGURE_CHOICES
             )
         )
-        diagonal = None if direction is None else direction == own.DIRECTIONS[2]
-        interrupted = None if centre is None else centre == own.CENTRES[2]
+        diagonal = None if direction is None else direction == photo_parameters.DIRECTIONS[2]
+        interrupted = None if centre is None else centre == photo_parameters.CENTRES[2]
         return chosen_shapes(kind, diagonal, interrupted)

@@ -32,10 +32,12 @@ TONES = (AUTOMATIC, "light on dark", "dark on light")
 SURFACES = ("correlation", "brightness")
 MODELS = ("affine", "similarity", "projective")
 
+FIGURE_CHOICES = (TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE)
+
 ADVANCED = {TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE, SURFACE}
 
 
-def inputs() -> list[Described]:
+def input_parameters() -> list[Described]:
     point = QgsProcessing.SourceType.TypeVectorPoint
     return [
         (
@@ -73,7 +75,7 @@ def inputs() -> list[Described]:
     ]
 
 
-def template_choices() -> list[Described]:
+def template_parameters() -> list[Described]:
     return [
         (
             common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
@@ -94,7 +96,7 @@ def template_choices() -> list[Described]:
     ]
 
 
-def settings() -> list[Described]:
+def measuring_parameters() -> list[Described]:
     number = QgsProcessingParameterNumber
     return [
         (
@@ -122,7 +124,7 @@ def settings() -> list[Described]:
     ]
 
 
-def outputs() -> list[Described]:
+def output_parameters() -> list[Described]:
     point = QgsProcessing.SourceType.TypeVectorPoint
     return [
         (

@@ -8,7 +8,7 @@ like a mark.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Callable
@@ -16,47 +16,18 @@ from typing import Callable
 import numpy as np
 
 from . import limits
-from .correlation import Field, Peak, peaks
-from .mark_templates import CutOut, MarkKind, MarkShape, draw
-from .transformations import Model, fit
+from .correlation import CorrelatedImage, Peak, peaks
+from .mark_patterns import Pattern, Patterns
+from .mark_templates import MarkShape
+from .photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea
+from .transformations import PlaneModel, fit_transformation
 
-COARSE_SIZES_PX = (10.0, 12.0, 14.3, 17.0)  # of a mark at each level: an octave in steps of 1.19
-COARSEST_SIDE_PX = 150  # of a photo: marks up to a tenth of it wide
 CANDIDATES = 10  # a mark, a figure and a size: places that look alike in a search area
 MIN_CANDIDATE_CORRELATION = 0.4  # of a coarse figure whose size may be off by 10 %
 SURE_CORRELATION = 0.6  # mean of four marks in the right arrangement at one level
 ARRANGEMENT_LEVEL_PX = 1.5  # a candidate's place at its level
 ARRANGEMENT_PAIRS = 6  # all pairs of four marks, the widest of eight
-COARSEST_WINDOW_PX = 64  # of a search window: a coarse figure is 25 px wide with its ground
 TELLING_PIXEL_MM = 0.2  # a ring of 2 mm is ten pixels wide
-
-Place = tuple[float, float]
-"""Column and row in the photo, px."""
-
-
-@dataclass(frozen=True)
-class Area:
-    """A rectangle of the photo, px: left, top, right, bottom."""
-
-    left: float
-    top: float
-    right: float
-    bottom: float
-
-@dataclass(frozen=True)
-class MarkFrame:
-    """The marks of a calibration as they lie in the photo but for shift, scale and a small rotation."""
-
-    marks: tuple[str, ...]
-    places: np.ndarray
-    """(n, 2) mm, x to the right and y downwards in the photo."""
-    areas: tuple[Area, ...]
-    """Where each mark is looked for."""
-    scales: tuple[float, float]
-    """Smallest and largest pixels per millimetre."""
-    rotation: float
-    """Largest rotation, radians."""
-
 
 @dataclass(frozen=True)
 class Arrangement:
@@ -91,118 +62,6 @@ class Arrangement:
         return float(math.hypot(self.matrix[0, 0], self.matrix[1, 0]))
 
 
-@dataclass(frozen=True)
-class Pattern:
-    """One template at one level: its pixels, and where its centre lies in them."""
-
-    pixels: np.ndarray
-    centre: Place
-    """Column and row, pixel centres at .5."""
-    shape: MarkShape | None
-    """None for a user's template; in pixels of the level."""
-
-
-Patterns = Callable[[float, Place], Iterator[Pattern]]
-"""The templates for pixels that are so many of the photo's wide, and a place in the frame in mm (for wedges)."""
-
-
-def bank(kinds: Sequence[MarkShape]) -> Patterns:
-    """Drawn marks: every shape in the sizes of one octave. Wedges lie in line with the middle of the frame."""
-
-    def patterns(factor: float, place: Place) -> Iterator[Pattern]:
-        for shape in kinds:
-            for size in COARSE_SIZES_PX:
-                sized = pointed(replace(shape, size=size), place)
-                pixels = draw(sized)
-                yield Pattern(pixels, (pixels.shape[1] / 2, pixels.shape[0] / 2), sized)
-
-    return patterns
-
-
-def cut_out_patterns(template: CutOut) -> Patterns:
-    """The user's template, reduced to each level; none where too little of it is left."""
-
-    def patterns(factor: float, place: Place) -> Iterator[Pattern]:
-        step = int(factor)
-        rows, columns = (side // step for side in template.pixels.shape)
-        if min(rows, columns) < limits.MIN_TEMPLATE_PX:
-            return
-        yield Pattern(blocks(template.pixels, step), (template.centre[0] / step, template.centre[1] / step), None)
-
-    return patterns
-
-
-def pointed(shape: MarkShape, place: Place) -> MarkShape:
-    """Wedges in line with the middle of the frame, along an axis or a diagonal; other shapes as they are."""
-    if shape.kind is not MarkKind.WEDGE:
-        return shape
-    towards = math.degrees(math.atan2(-place[1], -place[0])) - (45 if shape.diagonal else 0)
-    return replace(shape, angle=90.0 * round(towards / 90))
-
-
-def levels(image: np.ndarray, coarsest: int) -> list[np.ndarray]:
-    """An image and its halves, quarters, ... until a side would be shorter than ``coarsest`` px."""
-    made = [image]
-    while min(made[-1].shape) >= 2 * coarsest:
-        made.append(blocks(made[-1], 2))
-    return made
-
-
-def blocks(pixels: np.ndarray, step: int) -> np.ndarray:
-    """(rows, columns) reduced by an integer, each pixel a mean; what is left over is cut off."""
-    rows, columns = (side // step for side in pixels.shape)
-    return np.asarray(pixels[: rows * step, : columns * step].reshape(rows, step, columns, step).mean(axis=(1, 3)))
-
-
-@dataclass(frozen=True)
-class View:
-    """A piece of the photo, reduced."""
-
-    pixels: np.ndarray
-    """(rows, columns)."""
-    left: float
-    """Column of its left edge in the photo, px."""
-    top: float
-    """Row of its upper edge in the photo, px."""
-    factor: float
-    """Pixels of the photo that one of its pixels is wide."""
-
-
-Scene = Callable[[MarkFrame], Sequence[Sequence[View]]]
-"""One view for each mark of a frame, for each level, coarse to fine."""
-
-
-def whole_photo(image: np.ndarray, factor: int) -> Scene:
-    """Views of the areas in which a frame may have its marks; the image is the photo reduced by a factor."""
-    pyramid = levels(image, COARSEST_SIDE_PX)
-
-    def views(frame: MarkFrame) -> list[list[View]]:
-        made = []
-        for number, level in reversed(list(enumerate(pyramid))):
-            width = factor * 2.0**number
-            made.append([_cut(level, area, width) for area in frame.areas])
-        return made
-
-    return views
-
-
-def windows_only(views: Sequence[View]) -> Scene:
-    """Views of one window for each mark, of one size."""
-    pyramids = [levels(view.pixels, COARSEST_WINDOW_PX) for view in views]
-    count = min(len(pyramid) for pyramid in pyramids)
-    made = [
-        [replace(view, pixels=pyramid[k], factor=view.factor * 2.0**k) for view, pyramid in zip(views, pyramids)]
-        for k in reversed(range(count))
-    ]
-    return lambda frame: made
-
-
-def _cut(level: np.ndarray, area: Area, factor: float) -> View:
-    left, top = max(int(area.left / factor), 0), max(int(area.top / factor), 0)
-    piece = level[top : math.ceil(area.bottom / factor), left : math.ceil(area.right / factor)]
-    return View(piece, left * factor, top * factor, factor)
-
-
 def find_arrangements(
     scene: Scene,
     frames: Sequence[MarkFrame],
@@ -220,11 +79,11 @@ def find_arrangements(
     scenes = [scene(frame) for frame in frames]
     for at_level in zip(*scenes):
         for frame, views in zip(frames, at_level):
-            fields = [Field(view.pixels, np.float32) for view in views]
+            images = [CorrelatedImage(view.pixels, np.float32) for view in views]
             for number, patterns in enumerate(groups):
                 if cancelled():
                     return []
-                found = _at_level(views, fields, frame, patterns, (1, -1) if sign is None else (sign,))
+                found = _at_level(views, images, frame, patterns, (1, -1) if sign is None else (sign,))
                 if found is not None and (number not in best or found.score > best[number][1].score):
                     best[number] = frame, found
         width = at_level[0][0].factor * frames[0].scales[1] ** -1
@@ -239,19 +98,23 @@ def is_sure(found: Arrangement) -> bool:
 
 
 def _at_level(
-    views: Sequence[View], fields: Sequence[Field], frame: MarkFrame, patterns: Patterns, signs: Sequence[int]
+    views: Sequence[ReducedView],
+    images: Sequence[CorrelatedImage],
+    frame: MarkFrame,
+    patterns: Patterns,
+    signs: Sequence[int],
 ) -> Arrangement | None:
     factor = views[0].factor
     runs = [patterns(factor, (float(x), float(y))) for x, y in frame.places]
     best: Arrangement | None = None
     for row in zip(*runs):
         found = [
-            _candidates(field.correlate(pattern.pixels), pattern, view, area)
-            for field, pattern, view, area in zip(fields, row, views, frame.areas)
+            _candidates(image.correlate(pattern.pixels), pattern, view, area)
+            for image, pattern, view, area in zip(images, row, views, frame.areas)
         ]
         for sign in signs:
             lists = [[peak for peak in one if sign * peak.value > 0] for one in found]
-            arranged = arrange(frame, lists, tolerance(frame, factor))
+            arranged = best_arrangement(frame, lists, placing_tolerance(frame, factor))
             if arranged is not None and (best is None or arranged.score > best.score):
                 shape = row[0].shape
                 scaled = shape.scaled(factor) if shape else None
@@ -259,13 +122,13 @@ def _at_level(
     return best
 
 
-def tolerance(frame: MarkFrame, factor: float) -> float:
+def placing_tolerance(frame: MarkFrame, factor: float) -> float:
     """How far a candidate may lie from where the others want it, px: the level's pixels and the film's deformation."""
     span = float(np.ptp(frame.places, axis=0).max())
     return ARRANGEMENT_LEVEL_PX * factor + limits.FILM_DEFORMATION * span * frame.scales[1]
 
 
-def _candidates(field: np.ndarray, pattern: Pattern, view: View, area: Area) -> list[Peak]:
+def _candidates(field: np.ndarray, pattern: Pattern, view: ReducedView, area: SearchArea) -> list[Peak]:
     """The best places in an area; the view may reach further, so that the template has room."""
     if field.size == 0:
         return []
@@ -283,7 +146,7 @@ def _candidates(field: np.ndarray, pattern: Pattern, view: View, area: Area) -> 
     ]
 
 
-def arrange(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], reach: float) -> Arrangement | None:
+def best_arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], reach: float) -> Arrangement | None:
     """The candidates that fit best together, the more marks the better; None for fewer than three (or all, of two).
 
     A single mark's best candidate is taken as it is. Every pair of candidates of two marks gives a shift, a rotation
@@ -334,7 +197,7 @@ def _arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], fitting
     chosen = {frame.marks[k]: candidates[k][index] for k, index in fitting.items()}
     source = frame.places[list(fitting)]
     target = np.array([(candidates[k][index].column, candidates[k][index].row) for k, index in fitting.items()])
-    matrix = fit(Model.SIMILARITY, source, target, mirrored=False).matrix[:2]
+    matrix = fit_transformation(PlaneModel.SIMILARITY, source, target, mirrored=False).matrix[:2]
     return Arrangement(
         None, 1, {mark: (peak.column, peak.row) for mark, peak in chosen.items()},
         {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix,

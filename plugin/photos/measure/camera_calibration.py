@@ -5,17 +5,18 @@ import csv
 import io
 import math
 import re
-import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
+from xml.etree.ElementTree import ParseError
 
 import numpy as np
 
 from ...imagery.errors import PhotoError
+from ...imagery.xml_documents import looks_like_xml, xml_root
 from . import messages
-from .transformations import LEAST_MARKS, Model
+from .transformations import LEAST_MARKS, PlaneModel
 
 MIN_FRAME_MM = 24.0  # the short side of 35 mm film, the smallest frame; 23 cm given in centimetres is below it
 MAX_FRAME_MM = 1000.0  # no frame is that long; 23 cm given in micrometres is far above it
@@ -54,18 +55,19 @@ class CameraCalibration:
 def read_calibration(path: Path) -> CameraCalibration:
     """The calibration in a file. Raises PhotoError when there is none."""
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        content = path.read_bytes()
+        in_xml = looks_like_xml(content)
+        calibration = _micmac(content, path.name) if in_xml else _table(content.decode("utf-8-sig"), path.name)
     except OSError as error:
         raise PhotoError(messages.CALIBRATION_NOT_READ(path=path, error=error.strerror or error)) from None
-    except UnicodeDecodeError:
+    except (UnicodeDecodeError, ParseError):
         raise PhotoError(messages.CALIBRATION_UNKNOWN(name=path.name)) from None
-    made = _micmac(text, path.name) if text.lstrip().startswith("<") else _table(text, path.name)
-    if not made.marks:
+    if not calibration.marks:
         raise PhotoError(messages.CALIBRATION_EMPTY(name=path.name))
-    return made
+    return calibration
 
 
-def check_calibration(calibration: CameraCalibration, model: Model) -> None:
+def check_calibration(calibration: CameraCalibration, model: PlaneModel) -> None:
     """Raise PhotoError for a calibration from which no interior orientation can be had."""
     count, least = len(calibration.marks), LEAST_MARKS[model]
     if count < least:
@@ -80,13 +82,9 @@ def check_calibration(calibration: CameraCalibration, model: Model) -> None:
             raise PhotoError(messages.MARKS_AT_ONE_PLACE(one=one, other=other))
 
 
-def _micmac(text: str, name: str) -> CameraCalibration:
-    try:
-        root = ElementTree.fromstring(text)
-    except ElementTree.ParseError:
-        raise PhotoError(messages.CALIBRATION_UNKNOWN(name=name)) from None
+def _micmac(content: bytes, name: str) -> CameraCalibration:
     marks: dict[str, Point] = {}
-    for measure in root.iter("OneMesureAF1I"):
+    for measure in xml_root(content).iter("OneMesureAF1I"):
         mark = (measure.findtext("NamePt") or "").strip()
         values = [_number(part) for part in (measure.findtext("PtIm") or "").split()]
         if not mark or len(values) != 2 or None in values:

@@ -20,7 +20,7 @@ class Peak:
     """Correlation, negative where the template fits inverted."""
 
 
-class Field:
+class CorrelatedImage:
     """An image in which several templates of one size after another are looked for."""
 
     def __init__(self, image: np.ndarray, precision: type = np.float64) -> None:
@@ -64,7 +64,7 @@ class Field:
 
 def correlate(image: np.ndarray, template: np.ndarray) -> np.ndarray:
     """Normalised cross correlation of one template; see ``Field.correlate``."""
-    return Field(image).correlate(template)
+    return CorrelatedImage(image).correlate(template)
 
 
 def _window_sums(values: np.ndarray, size: tuple[int, int]) -> np.ndarray:

@@ -12,15 +12,28 @@ from ...imagery.errors import PhotoError
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
 from ...imagery.photos import Photo
-from . import limits, messages, scan_orientation
-from .arrangements import Area, MarkFrame, Place, Scene, View, blocks, tolerance, whole_photo, windows_only
+from . import limits, messages
+from .arrangements import placing_tolerance
 from .camera_calibration import CameraCalibration
 from .mark_candidates import Candidate, candidates
 from .mark_templates import CutOut, MarkKind, MarkShape
-from .measuring_marks import Found, Lost, Template, aimed, measure, window_around
-from .orientation import OrientationSettings, Position
-from .scan_orientation import Labelling, OrientationEvidence, ScanOrientation
-from .transformations import Model, fit
+from .measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, measure_mark, window_around
+from .orientation import GivenPosition, OrientationSettings
+from .photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
+from .refining_shapes import turned_with_frame
+from .scan_orientation import (
+    Labelling,
+    OrientationEvidence,
+    ScanOrientation,
+    count_numbering_dots,
+    labellings,
+    matching_data_strip,
+    matching_dots,
+    matching_positions,
+    matching_residuals,
+    possible_frames,
+)
+from .transformations import PlaneModel, fit_transformation
 
 SEARCH_SIDE_PX = 3000  # the longer side of the photo for the first search: 80 um on a 23 cm photo
 SEARCH_WINDOW_PX = 768  # of a search window at its finest: larger ones are reduced
@@ -33,11 +46,11 @@ MARK_ROOM = 0.05  # of the frame: around a search area, so that a mark at its ed
 class FoundMarks:
     """What became of the marks that were looked for."""
 
-    results: Mapping[str, Found | Lost] = field(default_factory=dict)
+    results: Mapping[str, MeasuredMark | UnmeasuredMark] = field(default_factory=dict)
     """By the calibration's names; marks with a given place are not among them."""
     template: MarkShape | CutOut | None = None
     """What they were measured with."""
-    lying: ScanOrientation | None = None
+    scan_orientation: ScanOrientation | None = None
     """How the photo lies, where the search told."""
     evidence: OrientationEvidence | None = None
     """What told."""
@@ -47,13 +60,13 @@ class FoundMarks:
     @property
     def found(self) -> int:
         """How many were measured."""
-        return sum(isinstance(one, Found) for one in self.results.values())
+        return sum(isinstance(one, MeasuredMark) for one in self.results.values())
 
 
 def find_marks(
     photo: Photo,
     calibration: CameraCalibration,
-    positions: Mapping[str, Position],
+    positions: Mapping[str, GivenPosition],
     settings: OrientationSettings,
     cancelled: Callable[[], bool],
 ) -> FoundMarks:
@@ -73,7 +86,7 @@ class _Finder:
         self,
         photo: Photo,
         calibration: CameraCalibration,
-        positions: Mapping[str, Position],
+        positions: Mapping[str, GivenPosition],
         settings: OrientationSettings,
         cancelled: Callable[[], bool],
     ) -> None:
@@ -91,17 +104,17 @@ class _Finder:
             return None
         source = np.array([self._calibration.marks[name] for name in names])
         target = np.array([self._near[name] for name in names])
-        made = fit(Model.SIMILARITY, source, target)
+        made = fit_transformation(PlaneModel.SIMILARITY, source, target)
         scale = float(math.sqrt(abs(np.linalg.det(made.matrix[:2, :2]))))
         worst = float(np.hypot(*(made(source) - target).T).max()) / scale
-        if worst > 2 * self._settings.search + limits.FILM_DEFORMATION * self._calibration.span:
+        if worst > 2 * self._settings.search_mm + limits.FILM_DEFORMATION * self._calibration.span:
             raise PhotoError(messages.POSITIONS_OFF(worst=worst))
         places = made(np.array([self._calibration.marks[name] for name in every]))
         places[[every.index(name) for name in names]] = target
         upright = made.matrix[:2, :2] / scale
         frame = self._calibration.points @ upright.T
         return MarkFrame(
-            tuple(every), frame, tuple(_around(place, scale * self._settings.search) for place in places),
+            tuple(every), frame, tuple(_around(place, scale * self._settings.search_mm) for place in places),
             (0.9 * scale, 1.1 * scale), math.radians(2 * limits.MAX_ROTATION_DEG),
         ), scale
 
@@ -113,35 +126,35 @@ class _Finder:
             frame.scales, frame.rotation,
         )
         self._check_template(scale)
-        found = self._candidates(windows_only(self._search_views(frame)), [frame])
-        finding = _best((self._measured(one, scale) for one in found), len(frame.marks))
-        return self._one_by_one(frame, scale) if finding is None else finding
+        found = self._candidates(window_views(self._search_views(frame)), [frame])
+        found_marks = _best((self._measured(one, scale) for one in found), len(frame.marks))
+        return self._one_by_one(frame, scale) if found_marks is None else found_marks
 
     def in_whole_photo(self) -> FoundMarks:
         """Search the whole photo; what the positions say chooses between ways to lie."""
         photo = self._photo
-        made = scan_orientation.frames(self._calibration, photo.columns, photo.rows)
+        made = possible_frames(self._calibration, photo.columns, photo.rows)
         scale = max(frame.scales[1] for frame in made)
         self._check_template(scale)
         factor = max(1, math.ceil(max(photo.columns, photo.rows) / SEARCH_SIDE_PX))
         image = photo.reduced(factor)
         if np.ptp(image) == 0:
             raise PhotoError(messages.PHOTO_EMPTY(name=photo.ref.name))
-        found = self._candidates(whole_photo(image, factor), made)
-        finding = _best(map(self._named, found), len(made[0].marks))
-        if finding is not None and finding.results:
-            return finding
+        found = self._candidates(whole_photo_views(image, factor), made)
+        found_marks = _best(map(self._named, found), len(made[0].marks))
+        if found_marks is not None and found_marks.results:
+            return found_marks
         alone = self._one_by_one(self._single_frame(made[0], scale), scale)
-        return alone if finding is None else replace(alone, notices=finding.notices)
+        return alone if found_marks is None else replace(alone, notices=found_marks.notices)
 
     def _single_frame(self, frame: MarkFrame, scale: float) -> MarkFrame:
         """The marks that have a position, around it; the scale is that of marks that fill the photo."""
         names = [name for name in self._near if name not in self._given]
         places = np.array([frame.places[frame.marks.index(name)] for name in names]).reshape(-1, 2)
-        areas = tuple(_around(self._near[name], scale * self._settings.search) for name in names)
+        areas = tuple(_around(self._near[name], scale * self._settings.search_mm) for name in names)
         return MarkFrame(tuple(names), places, areas, frame.scales, frame.rotation)
 
-    def _search_views(self, frame: MarkFrame) -> list[View]:
+    def _search_views(self, frame: MarkFrame) -> list[ReducedView]:
         """The areas of a frame with room for a mark around them, reduced where they are large, all of one size."""
         room = math.ceil(MARK_ROOM * self._calibration.span * frame.scales[1])
         side = 2 * room + max(
@@ -149,21 +162,21 @@ class _Finder:
         )
         step = max(1, math.ceil(side / SEARCH_WINDOW_PX))
         side = step * math.ceil(side / step)
-        made: dict[int, View] = {}
+        made: dict[int, ReducedView] = {}
         for k in sorted(range(len(frame.areas)), key=lambda k: frame.areas[k].top):
             area = frame.areas[k]
             left, top = math.floor(area.left) - room, math.floor(area.top) - room
             if not (-side < left < self._photo.columns and -side < top < self._photo.rows):
                 raise PhotoError(messages.POSITION_OUTSIDE(mark=frame.marks[k]))
             pixels = self._photo.grey(PixelWindow(left, top, side, side))
-            made[k] = View(blocks(pixels, step) if step > 1 else pixels, left, top, step)
+            made[k] = ReducedView(block_means(pixels, step) if step > 1 else pixels, left, top, step)
         return [made[k] for k in range(len(frame.areas))]
 
     def _check_template(self, scale: float) -> None:
         template = self._settings.template
         if template is None:
             return
-        side, search = max(template.pixels.shape) / scale, 2 * self._settings.search
+        side, search = max(template.pixels.shape) / scale, 2 * self._settings.search_mm
         if side > search:
             raise PhotoError(messages.TEMPLATE_TOO_LARGE(side=side, search=search))
 
@@ -175,33 +188,34 @@ class _Finder:
     def _named(self, candidate: Candidate) -> FoundMarks:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
         frame, found = candidate.frame, candidate.arrangement
-        candidates = scan_orientation.labellings(self._calibration, frame, found)
+        candidates = labellings(self._calibration, frame, found)
         evidence = OrientationEvidence.MARKS
         if self._near:
-            candidates = scan_orientation.by_positions(candidates, self._near, found.scale * self._settings.search)
+            candidates = matching_positions(candidates, self._near, found.scale * self._settings.search_mm)
             evidence = OrientationEvidence.POSITIONS
             if not candidates:
                 return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
         measured = self._measured(candidate, found.scale)
         chosen, evidence, notices = self._decide(candidates, measured, candidate, evidence)
         results = {mark: measured.results[site] for mark, site in chosen.sites.items() if site in measured.results}
-        return FoundMarks(results, candidate.template, chosen.lying, evidence, notices)
+        return FoundMarks(results, candidate.template, chosen.orientation, evidence, notices)
 
     def _decide(
         self, candidates: Sequence[Labelling], measured: FoundMarks, candidate: Candidate, evidence: OrientationEvidence
     ) -> tuple[Labelling, OrientationEvidence, tuple[Message, ...]]:
         """The way to name the marks that the photo itself tells, what told it, and what is to be said of it."""
-        places = {name: (one.column, one.row) for name, one in measured.results.items() if isinstance(one, Found)}
+        marks = {name: one for name, one in measured.results.items() if isinstance(one, MeasuredMark)}
+        places = {name: (one.column, one.row) for name, one in marks.items()}
         photo, found = self._photo, candidate.arrangement
         tests: tuple[tuple[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]], ...] = (
-            (OrientationEvidence.DOTS, lambda some: scan_orientation.by_dots(some, self._dots(places, candidate))),
+            (OrientationEvidence.DOTS, lambda some: matching_dots(some, self._dot_counts(places, candidate))),
             (
                 OrientationEvidence.DATA_STRIP,
-                lambda some: scan_orientation.by_data_strip(some, self._calibration, found, photo.columns, photo.rows),
+                lambda some: matching_data_strip(some, self._calibration, found, photo.columns, photo.rows),
             ),
             (
                 OrientationEvidence.RESIDUALS,
-                lambda some: scan_orientation.by_residuals(some, self._calibration, places, self._settings.model),
+                lambda some: matching_residuals(some, self._calibration, places, self._settings.model),
             ),
         )
         for kind, test in tests:
@@ -210,18 +224,18 @@ class _Finder:
             left = test(candidates)
             if left:
                 candidates, evidence = left, kind
-        plain = min(candidates, key=lambda one: (one.lying.mirrored, one.lying.turned))
+        plain = min(candidates, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
         if len(candidates) > 2 or (len(candidates) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
-            return plain, OrientationEvidence.ASSUMED, (messages.LYING_ASSUMED(),)
+            return plain, OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
         return plain, evidence, ()
 
-    def _dots(self, places: Mapping[str, Place], candidate: Candidate) -> dict[str, int]:
+    def _dot_counts(self, places: Mapping[str, Place], candidate: Candidate) -> dict[str, int]:
         template, found = candidate.template, candidate.arrangement
         radius = template.size / 2 if isinstance(template, MarkShape) else min(template.pixels.shape) / 4
         counts = {}
         for name, place in places.items():
             window = window_around(self._photo, place, math.ceil(2.6 * radius))
-            count = scan_orientation.count_dots(found.sign * window.pixels, radius, found.angle)
+            count = count_numbering_dots(found.sign * window.pixels, radius, found.angle)
             if count:
                 counts[name] = count
         return counts
@@ -236,16 +250,16 @@ class _Finder:
                 near, reach = found.places[name], 2 * found.uncertainty + 2
             else:
                 x, y = found.matrix @ np.append(sites[name], 1.0)
-                near, reach = (float(x), float(y)), tolerance(frame, found.uncertainty) + 2
+                near, reach = (float(x), float(y)), placing_tolerance(frame, found.uncertainty) + 2
             mark = candidate.template
             if isinstance(mark, MarkShape):
-                mark = aimed(mark, sites[name], found.angle)
-            results[name] = self._measured_mark(Template(mark, found.sign), mark, near, reach, scale)
+                mark = turned_with_frame(mark, sites[name], found.angle)
+            results[name] = self._measured_at(MeasuringTemplate(mark, found.sign), mark, near, reach, scale)
         return FoundMarks(results, candidate.template)
 
-    def _measured_mark(
-        self, template: Template, mark: MarkShape | CutOut, near: Place, reach: float, scale: float
-    ) -> Found | Lost:
+    def _measured_at(
+        self, template: MeasuringTemplate, mark: MarkShape | CutOut, near: Place, reach: float, scale: float
+    ) -> MeasuredMark | UnmeasuredMark:
         around = max(reach, DISTINCT_SHARE * template.size)
         if not (isinstance(mark, MarkShape) and mark.kind is MarkKind.DOT):  # dots there are in every picture
             around = max(around, DISTINCT_FRAME_SHARE * self._calibration.span * scale)
@@ -253,28 +267,28 @@ class _Finder:
         try:
             window = window_around(self._photo, near, half)
         except PhotoError as error:
-            return Lost(error.message)
-        return measure(window, near, reach, template, self._settings.least, self._settings.surface)
+            return UnmeasuredMark(error.message)
+        return measure_mark(window, near, reach, template, self._settings.min_correlation, self._settings.surface)
 
     def _one_by_one(self, frame: MarkFrame, scale: float) -> FoundMarks:
         """No arrangement was found: every mark on its own, where it has a position."""
-        results: dict[str, Found | Lost] = {}
+        results: dict[str, MeasuredMark | UnmeasuredMark] = {}
         template: MarkShape | CutOut | None = self._settings.template
         for k, name in enumerate(frame.marks):
             single = MarkFrame((name,), frame.places[k : k + 1], (frame.areas[k],), frame.scales, frame.rotation)
-            candidate = next(self._candidates(windows_only(self._search_views(single)), [single]), None)
+            candidate = next(self._candidates(window_views(self._search_views(single)), [single]), None)
             if candidate is None:
-                results[name] = Lost(messages.MARK_NOT_SEEN())
+                results[name] = UnmeasuredMark(messages.MARK_NOT_SEEN())
                 continue
             template = candidate.template
             results.update(self._measured(candidate, scale).results)
         return FoundMarks(results, template)
 
 
-def _best(findings: Iterable[FoundMarks], marks: int) -> FoundMarks | None:
+def _best(searches: Iterable[FoundMarks], marks: int) -> FoundMarks | None:
     """The first with enough marks to support each other; where none has, the first of all, which says why."""
     first: FoundMarks | None = None
-    for one in findings:
+    for one in searches:
         if one.found >= min(limits.MIN_SUPPORT, marks):
             return one
         if first is None:
@@ -282,5 +296,5 @@ def _best(findings: Iterable[FoundMarks], marks: int) -> FoundMarks | None:
     return first
 
 
-def _around(place: Place, reach: float) -> Area:
-    return Area(place[0] - reach, place[1] - reach, place[0] + reach, place[1] + reach)
+def _around(place: Place, reach: float) -> SearchArea:
+    return SearchArea(place[0] - reach, place[1] - reach, place[0] + reach, place[1] + reach)

@@ -10,14 +10,14 @@ import numpy as np
 from ...imagery.errors import PhotoError
 from ...imagery.message import Message
 from . import limits, messages
-from .orientation import Fitted, Mark, Status
-from .transformations import LEAST_MARKS, Model, fit, redundancy
+from .orientation import FittedTransformation, MarkResult, MarkStatus
+from .transformations import LEAST_MARKS, PlaneModel, fit_transformation, redundancy
 
 OUTLIER_RATIO = 5.0  # of the others' standard deviation: with a redundancy of two, one in a thousand by chance
 MIN_OUTLIER_MM = 0.05  # film and scanner leave up to that on good photos
 
 
-def off_marks(marks: Sequence[Mark], model: Model) -> tuple[list[Mark], list[Message]]:
+def fail_misplaced_marks(marks: Sequence[MarkResult], model: PlaneModel) -> tuple[list[MarkResult], list[Message]]:
     """Marks that can't be where they are, since the others agree without them.
 
     A photo is its calibration shifted, turned and scaled, but for a thousandth of deformation: a similarity leaves
@@ -36,39 +36,41 @@ def off_marks(marks: Sequence[Mark], model: Model) -> tuple[list[Mark], list[Mes
         misfit, suspect = min(trials, key=lambda trial: trial[0])
         if len(left) == 3 or misfit > limit:
             reason = messages.MARKS_DISAGREE(worst=worst, limit=limit)
-            out.update({mark.name: reason for mark in left if mark.status is Status.MEASURED})
+            out.update({mark.name: reason for mark in left if mark.status is MarkStatus.MEASURED})
             break
-        if suspect.status is Status.GIVEN:
+        if suspect.status is MarkStatus.GIVEN:
             notices.append(messages.GIVEN_IS_OFF(mark=suspect.name, worst=worst))
             break
         out[suspect.name] = messages.MARK_OFF(worst=worst, limit=limit)
     return [
-        replace(mark, status=Status.FAILED, place=None, reason=out[mark.name]) if mark.name in out else mark
+        replace(mark, status=MarkStatus.FAILED, place=None, reason=out[mark.name]) if mark.name in out else mark
         for mark in marks
     ], notices
 
 
-def _limit(marks: Sequence[Mark]) -> float:
+def _limit(marks: Sequence[MarkResult]) -> float:
     """How far a mark may lie from where a similarity puts it, mm."""
     points = np.array([mark.calibrated for mark in marks])
     return float(limits.FILM_DEFORMATION * np.ptp(points, axis=0).max())
 
 
-def _misfit(marks: Sequence[Mark]) -> float:
+def _misfit(marks: Sequence[MarkResult]) -> float:
     """The largest residual of a similarity, mm."""
     source, target = _pairs(marks)
     try:
-        made = fit(Model.SIMILARITY, source, target)
+        made = fit_transformation(PlaneModel.SIMILARITY, source, target)
     except PhotoError:
         return 0.0
     return float(np.hypot(*(made(source) - target).T).max())
 
 
-def _pairs(marks: Sequence[Mark]) -> tuple[np.ndarray, np.ndarray]:
+def _pairs(marks: Sequence[MarkResult]) -> tuple[np.ndarray, np.ndarray]:
     return np.array([mark.place for mark in marks], float), np.array([mark.calibrated for mark in marks], float)
 
 
-def fit_marks(marks: Sequence[Mark], model: Model) -> tuple[Fitted | None, list[Mark], list[Message]]:
+def fit_marks(
+    marks: Sequence[MarkResult], model: PlaneModel
+) -> tuple[FittedTransformation | None, list[MarkResult], list[Message]]:
     """The transformation by all marks that have a place, and the marks with their residuals.
 
     A mark is left out as an outlier where the others, without it, predict another place for it: only with enough
@@ -83,37 +85,38 @@ def fit_marks(marks: Sequence[Mark], model: Model) -> tuple[Fitted | None, list[
             return None, marks, notices
         source, target = _pairs(placed)
         try:
-            made = fit(model, source, target)
+            made = fit_transformation(model, source, target)
         except PhotoError as error:
             return None, marks, [*notices, error.message]
         suspect = _outlier(placed, model) if redundancy(model, len(placed) - 1) >= 2 else None
         if suspect is None:
             break
         index, shift = suspect
-        if placed[index].status is Status.GIVEN:
+        if placed[index].status is MarkStatus.GIVEN:
             notices.append(messages.GIVEN_IS_OFF(mark=placed[index].name, worst=shift))
             break
         reason = messages.MARK_OFF(worst=shift, limit=MIN_OUTLIER_MM)
         marks[marks.index(placed[index])] = replace(
-            placed[index], status=Status.FAILED, place=None, reason=reason
+            placed[index], status=MarkStatus.FAILED, place=None, reason=reason
         )
     residuals = 1000 * (made(source) - target)
     rms = np.sqrt(np.mean(residuals**2, axis=0))
-    fitted = Fitted(made, made.inverse, len(placed), redundancy(model, len(placed)), float(rms[0]), float(rms[1]))
+    left_over = redundancy(model, len(placed))
+    fitted = FittedTransformation(made, made.inverse, len(placed), left_over, float(rms[0]), float(rms[1]))
     by_name = {mark.name: (float(x), float(y)) for mark, (x, y) in zip(placed, residuals)}
     if fitted.redundancy < 1:
         notices.append(messages.NO_REDUNDANCY(model=model.value, count=len(placed)))
     return fitted, [replace(mark, residual=by_name.get(mark.name)) for mark in marks], notices
 
 
-def _outlier(marks: Sequence[Mark], model: Model) -> tuple[int, float] | None:
+def _outlier(marks: Sequence[MarkResult], model: PlaneModel) -> tuple[int, float] | None:
     """The mark that the others put elsewhere, and how far, mm; None where all agree."""
     found: tuple[float, int, float] | None = None
     for index in range(len(marks)):
         others = [mark for mark in marks if mark is not marks[index]]
         source, target = _pairs(others)
         try:
-            made = fit(model, source, target)
+            made = fit_transformation(model, source, target)
         except PhotoError:
             continue
         spread = math.sqrt(float(np.sum((made(source) - target) ** 2)) / redundancy(model, len(others)))

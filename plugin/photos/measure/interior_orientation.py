@@ -11,26 +11,33 @@ import numpy as np
 from ...imagery.errors import PhotoError
 from ...imagery.photos import Photo
 from . import limits, messages, scan_orientation
-from .arrangements import Place
 from .camera_calibration import CameraCalibration, check_calibration
 from .finding_marks import FoundMarks, find_marks
-from .fitting_marks import fit_marks, off_marks
+from .fitting_marks import fail_misplaced_marks, fit_marks
 from .mark_templates import CutOut, MarkShape
-from .measuring_marks import Lost, Window, window_around
-from .orientation import Fitted, Mark, Orientation, OrientationSettings, Position, Status
+from .measuring_marks import MarkWindow, UnmeasuredMark, window_around
+from .orientation import (
+    FittedTransformation,
+    GivenPosition,
+    MarkResult,
+    MarkStatus,
+    OrientationSettings,
+    PhotoOrientation,
+)
+from .photo_views import Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
 
 MIN_PICTURE_PX = 20  # half a side of the picture of a mark
 ONE_PLACE_PX = 3.0  # two marks nearer than that are one that was found twice
 
 
-def orient(
+def orient_photo(
     photo: Photo,
     calibration: CameraCalibration,
-    positions: Mapping[str, Position],
+    positions: Mapping[str, GivenPosition],
     settings: OrientationSettings,
     cancelled: Callable[[], bool] = lambda: False,
-) -> Orientation:
+) -> PhotoOrientation:
     """Measure the marks of a photo and fit the transformation.
 
     Raises PhotoError where nothing can be measured at all.
@@ -38,24 +45,24 @@ def orient(
     check_calibration(calibration, settings.model)
     _check_positions(calibration, positions)
     given = {name: one.place for name, one in positions.items() if not one.measure}
-    finding = FoundMarks(template=settings.template)
+    found = FoundMarks(template=settings.template)
     if set(given) != set(calibration.marks):
-        finding = find_marks(photo, calibration, positions, settings, cancelled)
-    marks = _without_doubles([_mark(name, place, given, finding) for name, place in calibration.marks.items()])
-    marks, off = off_marks(marks, settings.model)
+        found = find_marks(photo, calibration, positions, settings, cancelled)
+    marks = _without_doubles([_mark(name, place, given, found) for name, place in calibration.marks.items()])
+    marks, off = fail_misplaced_marks(marks, settings.model)
     marks = _supported(marks, positions)
     fitted, marks, left_out = fit_marks(marks, settings.model)
     if fitted is None and not any(mark.place for mark in marks):
         _raise_nothing(photo, marks)
-    way, evidence = finding.lying, finding.evidence
+    way, evidence = found.scan_orientation, found.evidence
     if fitted is not None and way is None:
-        way, evidence = _nearest_lying(fitted), OrientationEvidence.POSITIONS
-    notices = (*finding.notices, *off, *left_out)
-    views = _surroundings(photo, marks, finding.template)
-    return Orientation(tuple(marks), fitted, way, evidence, finding.template, notices, views)
+        way, evidence = _nearest_scan_orientation(fitted), OrientationEvidence.POSITIONS
+    notices = (*found.notices, *off, *left_out)
+    views = _surroundings(photo, marks, found.template)
+    return PhotoOrientation(tuple(marks), fitted, way, evidence, found.template, notices, views)
 
 
-def _check_positions(calibration: CameraCalibration, positions: Mapping[str, Position]) -> None:
+def _check_positions(calibration: CameraCalibration, positions: Mapping[str, GivenPosition]) -> None:
     unknown = [name for name in positions if name not in calibration.marks]
     if unknown:
         raise PhotoError(
@@ -69,16 +76,16 @@ def _check_positions(calibration: CameraCalibration, positions: Mapping[str, Pos
         seen[position.place] = name
 
 
-def _mark(name: str, calibrated: Place, given: Mapping[str, Place], finding: FoundMarks) -> Mark:
+def _mark(name: str, calibrated: Place, given: Mapping[str, Place], found: FoundMarks) -> MarkResult:
     if name in given:
-        return Mark(name, calibrated, Status.GIVEN, given[name])
-    found = finding.results.get(name, Lost(messages.MARK_NOT_ARRANGED()))
-    if isinstance(found, Lost):
-        return Mark(name, calibrated, Status.FAILED, None, found.correlation, found.reason)
-    return Mark(name, calibrated, Status.MEASURED, (found.column, found.row), found.correlation)
+        return MarkResult(name, calibrated, MarkStatus.GIVEN, given[name])
+    one = found.results.get(name, UnmeasuredMark(messages.MARK_NOT_ARRANGED()))
+    if isinstance(one, UnmeasuredMark):
+        return MarkResult(name, calibrated, MarkStatus.FAILED, None, one.correlation, one.reason)
+    return MarkResult(name, calibrated, MarkStatus.MEASURED, (one.column, one.row), one.correlation)
 
 
-def _without_doubles(marks: Sequence[Mark]) -> list[Mark]:
+def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
     """Two marks at one place are none."""
     made = []
     for mark in marks:
@@ -90,13 +97,13 @@ def _without_doubles(marks: Sequence[Mark]) -> list[Mark]:
             ),
             None,
         )
-        if twin is not None and mark.status is Status.MEASURED:
-            mark = replace(mark, status=Status.FAILED, place=None, reason=messages.MARK_TWICE(other=twin.name))
+        if twin is not None and mark.status is MarkStatus.MEASURED:
+            mark = replace(mark, status=MarkStatus.FAILED, place=None, reason=messages.MARK_TWICE(other=twin.name))
         made.append(mark)
     return made
 
 
-def _supported(marks: Sequence[Mark], positions: Mapping[str, Position]) -> list[Mark]:
+def _supported(marks: Sequence[MarkResult], positions: Mapping[str, GivenPosition]) -> list[MarkResult]:
     """Marks that nobody pointed at have to confirm each other."""
     count = sum(mark.place is not None for mark in marks)
     least = min(limits.MIN_SUPPORT, len(marks))
@@ -104,18 +111,20 @@ def _supported(marks: Sequence[Mark], positions: Mapping[str, Position]) -> list
         return list(marks)
     reason = messages.MARK_UNSUPPORTED(count=count, least=least)
     return [
-        replace(mark, status=Status.FAILED, place=None, reason=reason)
-        if mark.status is Status.MEASURED and mark.name not in positions else mark
+        replace(mark, status=MarkStatus.FAILED, place=None, reason=reason)
+        if mark.status is MarkStatus.MEASURED and mark.name not in positions else mark
         for mark in marks
     ]
 
 
-def _raise_nothing(photo: Photo, marks: Sequence[Mark]) -> None:
+def _raise_nothing(photo: Photo, marks: Sequence[MarkResult]) -> None:
     why = next(mark.reason for mark in marks if mark.reason is not None)
     raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
 
 
-def _surroundings(photo: Photo, marks: Sequence[Mark], template: MarkShape | CutOut | None) -> dict[str, Window]:
+def _surroundings(
+    photo: Photo, marks: Sequence[MarkResult], template: MarkShape | CutOut | None
+) -> dict[str, MarkWindow]:
     """The photo around every mark that has a place, for the report."""
     size = template.size if isinstance(template, MarkShape) else max(template.pixels.shape) if template else 0.0
     half = math.ceil(max(size, 2 * MIN_PICTURE_PX) * 0.75)
@@ -125,7 +134,7 @@ def _surroundings(photo: Photo, marks: Sequence[Mark], template: MarkShape | Cut
     }
 
 
-def _nearest_lying(fitted: Fitted) -> ScanOrientation:
+def _nearest_scan_orientation(fitted: FittedTransformation) -> ScanOrientation:
     """The way to lie that a transformation comes nearest."""
     back = fitted.to_pixels.linear(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))[:, :2]
-    return max(scan_orientation.LYINGS, key=lambda one: float(np.sum(one.matrix * back)))
+    return max(scan_orientation.SCAN_ORIENTATIONS, key=lambda one: float(np.sum(one.matrix * back)))

@@ -9,10 +9,13 @@ from typing import Callable
 import numpy as np
 
 from ...imagery.photos import Photo
-from .arrangements import Arrangement, MarkFrame, Scene, bank, cut_out_patterns, find_arrangements
+from .arrangements import Arrangement, find_arrangements
+from .mark_patterns import cut_out_patterns, drawn_patterns
 from .mark_templates import CutOut, MarkShape, all_shapes
-from .measuring_marks import levelled, refined, window_around
+from .measuring_marks import window_around
 from .orientation import OrientationSettings
+from .photo_views import MarkFrame, Scene
+from .refining_shapes import refine_shape, without_plane
 
 REFINING_SIZE_PX = 40.0  # of a mark while its figure is fitted: larger ones are reduced for it
 GLANCING_SIZE_PX = 20.0  # the same while figures are compared
@@ -52,7 +55,7 @@ def candidates(
     """Arrangements, the likeliest first: its marks, looked at closely, are most like the figure they have."""
     template = settings.template
     shapes = settings.shapes or all_shapes()
-    groups = [cut_out_patterns(template)] if template is not None else [bank([shape]) for shape in shapes]
+    groups = [cut_out_patterns(template)] if template is not None else [drawn_patterns([shape]) for shape in shapes]
     found = find_arrangements(scene, frames, groups, settings.sign, cancelled)
     if template is not None:
         yield from (Candidate(frame, arrangement, template) for frame, arrangement in found[:1])
@@ -75,9 +78,9 @@ def _refined(
 ) -> tuple[MarkShape, float]:
     """The drawn mark fitted to the photo's marks, and how well it fits."""
     half = math.ceil(1.7 * begin.size + 2 * found.uncertainty + 4)
-    windows = {name: levelled(window_around(photo, place, half)) for name, place in found.places.items()}
+    windows = {name: without_plane(window_around(photo, place, half)) for name, place in found.places.items()}
     places = {name: (float(x), float(y)) for name, (x, y) in zip(frame.marks, frame.places)}
-    return refined(windows, places, begin, found.sign, found.angle, finest)
+    return refine_shape(windows, places, begin, found.sign, found.angle, finest)
 
 
 def _by_fitness(looked_at: Sequence[Candidate]) -> Iterator[Candidate]:

@@ -9,14 +9,14 @@ import numpy as np
 
 from ...imagery.errors import PhotoError
 from . import messages
-from .transformations import Model, fit
+from .transformations import PlaneModel, fit_transformation
 
-Key = tuple[str, str]
+MarkKey = tuple[str, str]
 """Photo and mark."""
 
 
 @dataclass(frozen=True)
-class Measured:
+class ComparedMark:
     """A mark as one operator or program measured it."""
 
     photo: str
@@ -29,7 +29,7 @@ class Measured:
 
 
 @dataclass(frozen=True)
-class Difference:
+class MarkDifference:
     """One mark, the second measurement less the first, px."""
 
     photo: str
@@ -62,7 +62,7 @@ class DifferenceStatistics:
         )
 
 
-def differences(first: Sequence[Measured], second: Sequence[Measured]) -> list[Difference]:
+def mark_differences(first: Sequence[ComparedMark], second: Sequence[ComparedMark]) -> list[MarkDifference]:
     """The marks that both have, in the first one's order.
 
     Marks are joined by photo and mark where both say the photo, else by mark. Raises PhotoError for a mark that a
@@ -74,7 +74,7 @@ def differences(first: Sequence[Measured], second: Sequence[Measured]) -> list[D
     for key, one in _by_key(first, by_photo).items():
         other = known.get(key)
         if other is not None:
-            made.append(Difference(
+            made.append(MarkDifference(
                 one.photo, one.mark, other.place[0] - one.place[0], other.place[1] - one.place[1]
             ))
     if not made:
@@ -82,8 +82,8 @@ def differences(first: Sequence[Measured], second: Sequence[Measured]) -> list[D
     return made
 
 
-def _by_key(marks: Sequence[Measured], by_photo: bool) -> dict[Key, Measured]:
-    made: dict[Key, Measured] = {}
+def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, ComparedMark]:
+    made: dict[MarkKey, ComparedMark] = {}
     for one in marks:
         key = one.photo if by_photo else "", one.mark
         if key in made:
@@ -92,7 +92,7 @@ def _by_key(marks: Sequence[Measured], by_photo: bool) -> dict[Key, Measured]:
     return made
 
 
-def statistics(found: Sequence[Difference]) -> DifferenceStatistics:
+def distance_statistics(found: Sequence[MarkDifference]) -> DifferenceStatistics:
     """Of the distances, px."""
     distances = np.array([one.distance for one in found])
     spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
@@ -101,9 +101,9 @@ def statistics(found: Sequence[Difference]) -> DifferenceStatistics:
     )
 
 
-def pixel_size(marks: Sequence[Measured]) -> float | None:
+def pixel_size(marks: Sequence[ComparedMark]) -> float | None:
     """um per pixel from the calibrated coordinates beside the measured ones; None where they do not tell."""
-    photos: dict[str, list[Measured]] = {}
+    photos: dict[str, list[ComparedMark]] = {}
     for one in marks:
         if one.calibrated is not None:
             photos.setdefault(one.photo, []).append(one)
@@ -114,7 +114,7 @@ def pixel_size(marks: Sequence[Measured]) -> float | None:
         source = np.array([one.place for one in group])
         target = np.array([one.calibrated for one in group])
         try:
-            matrix = fit(Model.SIMILARITY, source, target).matrix
+            matrix = fit_transformation(PlaneModel.SIMILARITY, source, target).matrix
         except PhotoError:
             continue
         sizes.append(1000 * math.sqrt(abs(float(np.linalg.det(matrix[:2, :2])))))

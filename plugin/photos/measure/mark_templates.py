@@ -16,7 +16,7 @@ from scipy import special
 from ...imagery.errors import PhotoError
 from . import limits, messages
 from .correlation import correlate, peak_pixel
-from .correlation_surface import SurfaceError, extremum
+from .correlation_surface import SurfaceError, subpixel_maximum
 
 ARM_WIDTH = 0.6  # the arms of a ring with cross against its ring: UNBC's photo, Wild RC10
 WEDGE_HALF_ANGLE_DEG = 30.0  # equilateral
@@ -213,7 +213,7 @@ def cut_out(pixels: np.ndarray) -> CutOut:
     if alike[row, column] < MIN_SYMMETRY:
         return CutOut(pixels, middle)
     try:
-        x, y = extremum(alike, row, column)
+        x, y = subpixel_maximum(alike, row, column)
     except SurfaceError:
         return CutOut(pixels, middle)
     return CutOut(pixels, (middle[0] - (x - reach[1]) / 2, middle[1] - (y - reach[0]) / 2))

@@ -2,8 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
@@ -14,15 +13,13 @@ from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
 from ...imagery.photos import Photo
 from ...imagery.shifts import shifted
-from . import limits, messages
-from .arrangements import Place, blocks, pointed
-from .correlation import Field, correlate, peak_pixel
-from .correlation_surface import SurfaceError, extremum, fit_surface, surface_extremum
+from . import messages
+from .correlation import correlate, peak_pixel
+from .correlation_surface import SurfaceError, fit_surface, subpixel_maximum, surface_extremum
 from .mark_templates import CutOut, MarkKind, MarkShape, draw
+from .photo_views import Place
 
 BRIGHTNESS_REACH_PX = 2  # 5 x 5 grey values: they hold the grain itself
-REFINING_SIZES = (0.87, 0.93, 1.0, 1.07, 1.15)  # against the coarse size, which is good to 10 %
-REFINING_ROUNDS = 6
 SETTLING_ROUNDS = 5  # two or three are enough to stay within 0.005 px
 LOBE_SHARE = 0.7  # of a mark's size: a ring on its own edge, a cross on its own arm still correlates
 MAX_SECOND_SHARE = 0.85  # of the best correlation: above it, which of the two is the mark is a guess
@@ -31,7 +28,7 @@ MAX_HALF_SHIFT_PX = 1.0  # of a half against the whole: UNBC's marks 0.3 px
 SMOOTHING_PX = 0.5  # standard deviation of the blur against grain before a mark is measured: the lines are wider
 
 
-class Surface(Enum):
+class SurfaceBasis(Enum):
     """What the second-degree surface is laid through."""
 
     CORRELATION = "correlation"
@@ -39,7 +36,7 @@ class Surface(Enum):
 
 
 @dataclass(frozen=True)
-class Window:
+class MarkWindow:
     """A piece of the photo around where a mark should be."""
 
     pixels: np.ndarray
@@ -50,17 +47,17 @@ class Window:
     """Row of its first pixel in the photo."""
 
 
-def window_around(photo: Photo, place: Place, half: int) -> Window:
+def window_around(photo: Photo, place: Place, half: int) -> MarkWindow:
     """The photo around a place, (2 half + 1, 2 half + 1), a little smoothed. Raises PhotoError outside the photo."""
     if not photo.contains(place):
         raise PhotoError(messages.MARK_OUTSIDE())
     left, top = math.floor(place[0]) - half, math.floor(place[1]) - half
     pixels = photo.grey(PixelWindow(left, top, 2 * half + 1, 2 * half + 1))
-    return Window(ndimage.gaussian_filter(pixels, SMOOTHING_PX), left, top)
+    return MarkWindow(ndimage.gaussian_filter(pixels, SMOOTHING_PX), left, top)
 
 
 @dataclass(frozen=True)
-class Found:
+class MeasuredMark:
     """A mark's place."""
 
     column: float
@@ -72,7 +69,7 @@ class Found:
 
 
 @dataclass(frozen=True)
-class Lost:
+class UnmeasuredMark:
     """A mark that could not be measured."""
 
     reason: Message
@@ -81,77 +78,7 @@ class Lost:
     """The best one, where there was any."""
 
 
-def refined(
-    windows: Mapping[str, Window], places: Mapping[str, Place], begin: MarkShape, sign: int, angle: float, finest: float
-) -> tuple[MarkShape, float]:
-    """The drawn mark that correlates best with a photo's marks, in pixels of the photo, and its median correlation.
-
-    ``begin`` has a size good to 15 %; ``places`` are the marks in the frame, mm, and ``angle`` is the frame's rotation
-    in degrees. A mark wider than ``finest`` px is reduced to about that, which is faster.
-    """
-    step = max(1, round(begin.size / finest))
-    fields = {mark: Field(sign * blocks(window.pixels, step)) for mark, window in windows.items()}
-
-    def fitness(shape: MarkShape) -> float:
-        found = []
-        for mark, field in fields.items():
-            values = field.correlate(draw(aimed(shape, places[mark], angle)))
-            found.append(float(values.max()) if values.size else -1.0)
-        return float(np.median(found))
-
-    tried = sorted(((fitness(one), n, one) for n, one in enumerate(_begin(begin.scaled(1 / step)))), reverse=True)
-    best, _, shape = tried[0]
-    for _ in range(REFINING_ROUNDS):
-        before = best
-        for other in _neighbours(shape):
-            value = fitness(other)
-            if value > best:
-                best, shape = value, other
-        if best - before < 1e-3:
-            break
-    return shape.scaled(step), best
-
-
-def levelled(window: Window) -> Window:
-    """A window less the plane that fits it best."""
-    y, x = np.indices(window.pixels.shape, dtype=np.float64)
-    terms = np.column_stack([x.ravel(), y.ravel(), np.ones(x.size)])
-    plane = np.linalg.lstsq(terms, window.pixels.ravel().astype(np.float64), rcond=None)[0]
-    return replace(window, pixels=window.pixels - (terms @ plane).reshape(x.shape))
-
-
-def aimed(shape: MarkShape, place: Place, angle: float) -> MarkShape:
-    """A shape as it stands in a frame turned by an angle: a wedge looks to the middle."""
-    turned = pointed(shape, place)
-    return replace(turned, angle=turned.angle + angle)
-
-
-def _begin(shape: MarkShape) -> Iterator[MarkShape]:
-    for factor in REFINING_SIZES:
-        sized = replace(shape, size=shape.size * factor, softness=0.8)
-        if shape.kind in (MarkKind.DOT, MarkKind.WEDGE):
-            yield sized
-            continue
-        for width in (0.06, 0.12):
-            yield replace(sized, width=width)
-            if shape.kind is MarkKind.RING_WITH_CROSS:
-                yield replace(sized, width=width, reach=1.6)
-
-
-def _neighbours(shape: MarkShape) -> Iterator[MarkShape]:
-    for factor in (0.95, 1.05, 0.98, 1.02):
-        yield replace(shape, size=shape.size * factor)
-    for factor in (0.8, 1.25):
-        yield replace(shape, softness=min(max(shape.softness * factor, limits.PIXEL_SOFTNESS), shape.size / 4))
-        yield replace(shape, width=min(max(shape.width * factor, 0.02), 0.3))
-    if shape.kind in (MarkKind.CROSS, MarkKind.RING_WITH_CROSS):
-        yield replace(shape, interrupted=not shape.interrupted)
-    if shape.kind is MarkKind.RING_WITH_CROSS:
-        for reach in (1.0, 1.4, 1.8):
-            yield replace(shape, reach=reach)
-
-
-class Template:
+class MeasuringTemplate:
     """A mark to measure with: drawn at any sub-pixel place, or the user's cut-out moved there."""
 
     def __init__(self, mark: MarkShape | CutOut, sign: int) -> None:
@@ -174,9 +101,9 @@ class Template:
         return self._sign * draw(self._mark, offset)
 
 
-def measure(
-    window: Window, near: Place, reach: float, template: Template, least: float, surface: Surface
-) -> Found | Lost:
+def measure_mark(
+    window: MarkWindow, near: Place, reach: float, template: MeasuringTemplate, least: float, surface: SurfaceBasis
+) -> MeasuredMark | UnmeasuredMark:
     """The mark's place: the correlation's best pixel within reach (px) of where it should be, then the extremum.
 
     With the surface over the correlation the template is moved to the sub-pixel place and correlated again until
@@ -185,33 +112,35 @@ def measure(
     """
     field = correlate(window.pixels, template.at((0.0, 0.0)))
     if field.size == 0:
-        return Lost(messages.MARK_NO_ROOM())
+        return UnmeasuredMark(messages.MARK_NO_ROOM())
     row, column = _best_near(field, window, near, reach, template)
     best = float(field[row, column])
     if best < least:
-        return Lost(messages.MARK_TOO_WEAK(value=best, least=least), best)
-    second = _second(field, row, column, template.size)
+        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=best, least=least), best)
+    second = _second_best(field, row, column, template.size)
     if second > MAX_SECOND_SHARE * best:
-        return Lost(messages.MARK_AMBIGUOUS(best=best, second=second), best)
+        return UnmeasuredMark(messages.MARK_AMBIGUOUS(best=best, second=second), best)
     try:
-        if surface is Surface.BRIGHTNESS:
+        if surface is SurfaceBasis.BRIGHTNESS:
             x, y = _brightness_extremum(window.pixels, column + template.centre[0], row + template.centre[1])
             pixels = window.pixels
         else:
-            x, y, best, pixels = _settled(window.pixels, template, (row, column))
+            x, y, best, pixels = _settled_place(window.pixels, template, (row, column))
     except SurfaceError as error:
-        return Lost(error.message, best)
+        return UnmeasuredMark(error.message, best)
     if best < least:
-        return Lost(messages.MARK_TOO_WEAK(value=best, least=least), best)
+        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=best, least=least), best)
     if math.dist((window.left + x, window.top + y), near) > reach + 2:
-        return Lost(messages.MARK_WANDERS(), best)
-    doubt = _doubt(pixels, template, (x, y))
+        return UnmeasuredMark(messages.MARK_WANDERS(), best)
+    doubt = _halves_doubt(pixels, template, (x, y))
     if doubt is not None:
-        return Lost(doubt, best)
-    return Found(window.left + x, window.top + y, best)
+        return UnmeasuredMark(doubt, best)
+    return MeasuredMark(window.left + x, window.top + y, best)
 
 
-def _best_near(field: np.ndarray, window: Window, near: Place, reach: float, template: Template) -> tuple[int, int]:
+def _best_near(
+    field: np.ndarray, window: MarkWindow, near: Place, reach: float, template: MeasuringTemplate
+) -> tuple[int, int]:
     """Row and column of the best correlation among places within reach of one; the nearest where there are none."""
     rows, columns = np.indices(field.shape)
     x = window.left + columns + template.centre[0] - near[0]
@@ -221,7 +150,7 @@ def _best_near(field: np.ndarray, window: Window, near: Place, reach: float, tem
     return peak_pixel(np.where(inside, field, -2.0))
 
 
-def _second(field: np.ndarray, row: int, column: int, size: float) -> float:
+def _second_best(field: np.ndarray, row: int, column: int, size: float) -> float:
     """The highest correlation that is not on the best peak's own slope; -1 where there is no room."""
     reach = max(3, math.ceil(size * LOBE_SHARE))
     others = field.copy()
@@ -229,8 +158,8 @@ def _second(field: np.ndarray, row: int, column: int, size: float) -> float:
     return float(others.max())
 
 
-def _settled(
-    pixels: np.ndarray, template: Template, start: tuple[int, int]
+def _settled_place(
+    pixels: np.ndarray, template: MeasuringTemplate, start: tuple[int, int]
 ) -> tuple[float, float, float, np.ndarray]:
     """Column and row in the window, px, the correlation there, and the pixels less the ground's slope.
 
@@ -249,7 +178,7 @@ def _settled(
         area = level[top : middle[0] + pattern.shape[0] + reach, left : middle[1] + pattern.shape[1] + reach]
         field = correlate(area, pattern)
         row, column = peak_pixel(field)
-        x, y = extremum(field, row, column)
+        x, y = subpixel_maximum(field, row, column)
         best, before = float(field[row, column]), place
         place = left + x + template.centre[0] + offset[0], top + y + template.centre[1] + offset[1]
         offset = _fraction(place[0]), _fraction(place[1])
@@ -287,7 +216,7 @@ def _brightness_extremum(pixels: np.ndarray, x: float, y: float) -> tuple[float,
     return column + 0.5 + dx, row + 0.5 + dy
 
 
-def _doubt(pixels: np.ndarray, template: Template, place: Place) -> Message | None:
+def _halves_doubt(pixels: np.ndarray, template: MeasuringTemplate, place: Place) -> Message | None:
     """Why a place can't be trusted: each half of the template, alone, has to find the mark at the same place.
 
     Dirt, a scratch or the edge of the frame pulls at one half; a place that is no mark has halves that wander off.
@@ -313,7 +242,7 @@ def _doubt(pixels: np.ndarray, template: Template, place: Place) -> Message | No
             return messages.MARK_AT_THE_EDGE()
         row, column = peak_pixel(field)
         try:
-            x, y = extremum(field, row, column)
+            x, y = subpixel_maximum(field, row, column)
         except SurfaceError:
             x, y = float(column), float(row)
         worst = max(worst, abs(x - reach), abs(y - reach))

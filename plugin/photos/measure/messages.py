@@ -74,7 +74,7 @@ TEMPLATE_TOO_LARGE = Message(
 ARRANGEMENT_NOT_AT_POSITIONS = Message(
     "Marks were found in the photo, but not where the positions say; each was looked for on its own there."
 )
-LYING_ASSUMED = Message(
+SCAN_ORIENTATION_ASSUMED = Message(
     "Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the "
     "positions "
     "of three marks if that is wrong."

@@ -8,15 +8,15 @@ from enum import Enum
 
 from ...imagery.message import Message
 from . import limits
-from .arrangements import Place
 from .mark_templates import CutOut, MarkShape
-from .measuring_marks import Surface, Window
+from .measuring_marks import MarkWindow, SurfaceBasis
+from .photo_views import Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
-from .transformations import Model, Transformation
+from .transformations import PlaneModel, Transformation
 
 
 @dataclass(frozen=True)
-class Fitted:
+class FittedTransformation:
     """A transformation and what it leaves."""
 
     to_mm: Transformation
@@ -38,7 +38,7 @@ class Fitted:
         return math.hypot(self.rms_x, self.rms_y)
 
 
-class Status(Enum):
+class MarkStatus(Enum):
     """How a mark came to its place."""
 
     MEASURED = "measured"
@@ -56,16 +56,16 @@ class OrientationSettings:
     """Which marks are drawn, their sizes of no meaning; none for all there are."""
     sign: int | None = None
     """1 for marks lighter than their ground (or like the template), -1 for darker ones; None for either."""
-    search: float = limits.DEFAULT_SEARCH_MM
+    search_mm: float = limits.DEFAULT_SEARCH_MM
     """How far around a position a mark is looked for, mm."""
-    least: float = limits.DEFAULT_MIN_CORRELATION
+    min_correlation: float = limits.DEFAULT_MIN_CORRELATION
     """Smallest correlation of a measured mark."""
-    surface: Surface = Surface.CORRELATION
-    model: Model = Model.AFFINE
+    surface: SurfaceBasis = SurfaceBasis.CORRELATION
+    model: PlaneModel = PlaneModel.AFFINE
 
 
 @dataclass(frozen=True)
-class Position:
+class GivenPosition:
     """Where the user says that a mark is."""
 
     place: Place
@@ -75,13 +75,13 @@ class Position:
 
 
 @dataclass(frozen=True)
-class Mark:
+class MarkResult:
     """What became of a mark of the calibration."""
 
     name: str
     calibrated: Place
     """mm."""
-    status: Status
+    status: MarkStatus
     place: Place | None
     """Column and row, px, pixel centres at .5; None where it failed."""
     correlation: float | None = None
@@ -92,14 +92,14 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Orientation:
+class PhotoOrientation:
     """The result for one photo."""
 
-    marks: tuple[Mark, ...]
+    marks: tuple[MarkResult, ...]
     """In the order of the calibration."""
-    fitted: Fitted | None
+    fitted: FittedTransformation | None
     """The transformation; None where too few marks were found."""
-    lying: ScanOrientation | None
+    scan_orientation: ScanOrientation | None
     """How the photo lies in the scan; None where it is not known."""
     evidence: OrientationEvidence | None
     """What decided that."""
@@ -107,9 +107,9 @@ class Orientation:
     """What the marks were measured with."""
     notices: tuple[Message, ...] = ()
     """What the user should know."""
-    views: Mapping[str, Window] = field(default_factory=dict)
+    views: Mapping[str, MarkWindow] = field(default_factory=dict)
     """The surroundings of each mark, for pictures."""
 
-    def count(self, status: Status) -> int:
+    def count(self, status: MarkStatus) -> int:
         """How many marks have a status."""
         return sum(mark.status is status for mark in self.marks)

@@ -10,10 +10,10 @@ from ...imagery.errors import PhotoError
 from ...imagery.photos import Photo
 from . import messages
 from .camera_calibration import CameraCalibration
-from .orientation import Fitted, Orientation
+from .orientation import FittedTransformation, PhotoOrientation
 
 
-def parameters(photo: Photo, calibration: CameraCalibration, made: Orientation) -> dict[str, object]:
+def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, object]:
     """All there is to know about a transformation, ready for JSON. Raises PhotoError where there is none."""
     fitted = _fitted(made)
     corners = np.array([[0.0, 0.0], [photo.columns, 0.0], [0.0, photo.rows], [photo.columns, photo.rows]])
@@ -22,7 +22,7 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: Orientation) 
     turned = math.degrees(math.atan2(linear[1, 0], linear[0, 0]))
     shear = math.degrees(math.asin(float(np.clip(linear[:, 0] @ linear[:, 1] / (across * down), -1, 1))))
     principal = fitted.to_pixels(np.array([calibration.principal_point]))[0]
-    lying = made.lying
+    orientation = made.scan_orientation
     return {
         "photo": photo.ref.name,
         "columns": photo.columns,
@@ -37,9 +37,9 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: Orientation) 
         "rotation_deg": turned,
         "shear_deg": shear,
         "mirrored": bool(np.linalg.det(linear) > 0),
-        "lies": None if lying is None else {
-            "turned_deg": lying.turned,
-            "mirrored": lying.mirrored,
+        "lies": None if orientation is None else {
+            "turned_deg": orientation.turned,
+            "mirrored": orientation.mirrored,
             "known_by": None if made.evidence is None else made.evidence.value,
         },
         "marks": fitted.marks,
@@ -56,7 +56,7 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: Orientation) 
     }
 
 
-def world_file(photo: Photo, made: Orientation) -> str:
+def world_file(photo: Photo, made: PhotoOrientation) -> str:
     """The six lines of a world file that puts a photo's pixels in millimetres.
 
     A projective transformation is replaced by the affine one that comes nearest at the photo's marks. Raises PhotoError
@@ -69,12 +69,12 @@ def world_file(photo: Photo, made: Orientation) -> str:
     return "".join(f"{value:.15g}\n" for value in lines)
 
 
-def parameters_text(photo: Photo, calibration: CameraCalibration, made: Orientation) -> str:
+def parameters_text(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> str:
     """``parameters`` as JSON."""
     return json.dumps(parameters(photo, calibration, made), indent=2, ensure_ascii=False) + "\n"
 
 
-def _fitted(made: Orientation) -> Fitted:
+def _fitted(made: PhotoOrientation) -> FittedTransformation:
     if made.fitted is None:
         raise PhotoError(messages.NO_TRANSFORMATION())
     return made.fitted

@@ -11,16 +11,17 @@ import numpy as np
 from scipy import ndimage, signal
 
 from . import limits
-from .arrangements import Area, Arrangement, MarkFrame, Place
+from .arrangements import Arrangement
 from .camera_calibration import CameraCalibration
-from .transformations import Model, fit, redundancy
+from .photo_views import MarkFrame, Place, SearchArea
+from .transformations import PlaneModel, fit_transformation, redundancy
 
 MIN_FRAME_SHARE = 0.7  # of the scan's shorter extent that the marks span at least
 SAME_PLACE = 0.02  # of the frame: marks of a square differ from it by far less
 MIN_TELLING_MISFIT_MM = 0.03  # rms: twice what film and scanner leave on UNBC's photo
-RESIDUALS_TELL = 0.5  # of the next best way to lie
-STRIP_TELLS = 1.5  # the strip's margin against the next widest one
-DOTS_TELL = 2.5  # the side with the dots against the next: UNBC 4 to 6
+MAX_RESIDUAL_RATIO = 0.5  # of the next best way to lie
+MIN_STRIP_RATIO = 1.5  # the strip's margin against the next widest one
+MIN_DOTS_RATIO = 2.5  # the side with the dots against the next: UNBC 4 to 6
 DOT_PROMINENCE = 0.25  # of the profile's range: UNBC's four dots 0.4
 
 
@@ -39,7 +40,7 @@ class OrientationEvidence(Enum):
 
 @dataclass(frozen=True)
 class ScanOrientation:
-    """One of the eight ways."""
+    """How a photo lies in the scan: one of eight ways."""
 
     turned: int
     """Degrees clockwise on the screen: 0, 90, 180 or 270."""
@@ -54,20 +55,22 @@ class ScanOrientation:
         return np.asarray(turn @ np.diag([-1.0 if self.mirrored else 1.0, -1.0]))
 
 
-LYINGS = tuple(ScanOrientation(turned, mirrored) for mirrored in (False, True) for turned in (0, 90, 180, 270))
+SCAN_ORIENTATIONS = tuple(
+    ScanOrientation(turned, mirrored) for mirrored in (False, True) for turned in (0, 90, 180, 270)
+)
 
 
-def frames(calibration: CameraCalibration, columns: int, rows: int) -> list[MarkFrame]:
+def possible_frames(calibration: CameraCalibration, columns: int, rows: int) -> list[MarkFrame]:
     """The frames that a photo of a size may hold: ways to lie that put marks at the same places are one frame."""
     made: list[MarkFrame] = []
-    for lying in LYINGS:
-        places = centred(calibration) @ lying.matrix.T
+    for orientation in SCAN_ORIENTATIONS:
+        places = centred_marks(calibration) @ orientation.matrix.T
         if not any(_same_places(places, frame.places) for frame in made):
-            made.append(_frame(tuple(calibration.marks), places, columns, rows))
+            made.append(_frame_in_scan(tuple(calibration.marks), places, columns, rows))
     return made
 
 
-def centred(calibration: CameraCalibration) -> np.ndarray:
+def centred_marks(calibration: CameraCalibration) -> np.ndarray:
     """(n, 2) mm about the middle of the marks' bounding box."""
     points = calibration.points
     return np.asarray(points - (points.min(axis=0) + points.max(axis=0)) / 2)
@@ -78,7 +81,7 @@ def _same_places(a: np.ndarray, b: np.ndarray) -> bool:
     return bool(far < SAME_PLACE * np.ptp(a, axis=0).max())
 
 
-def _frame(marks: tuple[str, ...], places: np.ndarray, columns: int, rows: int) -> MarkFrame:
+def _frame_in_scan(marks: tuple[str, ...], places: np.ndarray, columns: int, rows: int) -> MarkFrame:
     """Marks lie inside the photo, and their extent fills a large part of it, wherever it is."""
     low, extent = places.min(axis=0), np.maximum(np.ptp(places, axis=0), 1e-9)
     largest = min(columns / extent[0], rows / extent[1])
@@ -86,7 +89,7 @@ def _frame(marks: tuple[str, ...], places: np.ndarray, columns: int, rows: int) 
     areas = []
     for x, y in places - low:
         right, bottom = columns - (extent[0] - x) * smallest, rows - (extent[1] - y) * smallest
-        areas.append(Area(x * smallest, y * smallest, right, bottom))
+        areas.append(SearchArea(x * smallest, y * smallest, right, bottom))
     return MarkFrame(marks, places, tuple(areas), (smallest, largest), math.radians(limits.MAX_ROTATION_DEG))
 
 
@@ -94,7 +97,7 @@ def _frame(marks: tuple[str, ...], places: np.ndarray, columns: int, rows: int) 
 class Labelling:
     """Names for the places of an arrangement."""
 
-    lying: ScanOrientation
+    orientation: ScanOrientation
     places: Mapping[str, Place]
     """Where each mark of the calibration should be, px: by the arrangement."""
     sites: Mapping[str, str]
@@ -105,18 +108,21 @@ def labellings(calibration: CameraCalibration, frame: MarkFrame, found: Arrangem
     """All ways to name the places of an arrangement that the calibration allows."""
     made = []
     names = tuple(calibration.marks)
-    for lying in LYINGS:
-        places = centred(calibration) @ lying.matrix.T
+    for orientation in SCAN_ORIENTATIONS:
+        places = centred_marks(calibration) @ orientation.matrix.T
         if not _same_places(places, frame.places):
             continue
         distances = np.hypot(*(places[:, np.newaxis] - frame.places[np.newaxis]).transpose(2, 0, 1))
         sites = {name: frame.marks[int(row.argmin())] for name, row in zip(names, distances)}
         predicted = np.column_stack([places, np.ones(len(places))]) @ found.matrix.T
-        made.append(Labelling(lying, {name: (float(x), float(y)) for name, (x, y) in zip(names, predicted)}, sites))
+        by_name = {name: (float(x), float(y)) for name, (x, y) in zip(names, predicted)}
+        made.append(Labelling(orientation, by_name, sites))
     return made
 
 
-def by_positions(candidates: Sequence[Labelling], positions: Mapping[str, Place], reach: float) -> list[Labelling]:
+def matching_positions(
+    candidates: Sequence[Labelling], positions: Mapping[str, Place], reach: float
+) -> list[Labelling]:
     """Those that put every mark within reach (px) of its approximate position."""
     return [
         one for one in candidates
@@ -124,24 +130,24 @@ def by_positions(candidates: Sequence[Labelling], positions: Mapping[str, Place]
     ]
 
 
-def by_dots(candidates: Sequence[Labelling], dots: Mapping[str, int]) -> list[Labelling]:
+def matching_dots(candidates: Sequence[Labelling], dot_counts: Mapping[str, int]) -> list[Labelling]:
     """Those whose marks' numbers are the dots beside them; none where the dots decide nothing.
 
-    ``dots`` are counts by the frame's names. A mark's number is what its name ends with. All but one of the counts
+    ``dot_counts`` are by the frame's names. A mark's number is what its name ends with. All but one of the counts
     must agree, three at least (two where the calibration has no more).
     """
     def agreeing(one: Labelling) -> int:
-        return sum(mark_number(mark) == dots[site] for mark, site in one.sites.items() if site in dots)
+        return sum(mark_number(mark) == dot_counts[site] for mark, site in one.sites.items() if site in dot_counts)
 
-    if len(dots) < 2 or not candidates:
+    if len(dot_counts) < 2 or not candidates:
         return []
     best = max(agreeing(one) for one in candidates)
-    least = max(len(dots) - 1, min(3, len(candidates[0].sites)))
+    least = max(len(dot_counts) - 1, min(3, len(candidates[0].sites)))
     return [one for one in candidates if agreeing(one) == best] if best >= least else []
 
 
-def by_residuals(
-    candidates: Sequence[Labelling], calibration: CameraCalibration, measured: Mapping[str, Place], model: Model
+def matching_residuals(
+    candidates: Sequence[Labelling], calibration: CameraCalibration, measured: Mapping[str, Place], model: PlaneModel
 ) -> list[Labelling]:
     """The one whose residuals are much smaller than all others'; none where they tell nothing.
 
@@ -153,16 +159,16 @@ def by_residuals(
         if len(pairs) < 3 or redundancy(model, len(pairs)) < 1:
             return []
         source, target = np.array([a for a, _ in pairs]), np.array([b for _, b in pairs])
-        misfits.append(float(np.sqrt(np.mean((fit(model, source, target)(source) - target) ** 2))))
+        misfits.append(float(np.sqrt(np.mean((fit_transformation(model, source, target)(source) - target) ** 2))))
     order = np.argsort(misfits)
     if len(order) < 2 or misfits[order[1]] < MIN_TELLING_MISFIT_MM:
         return []
-    if misfits[order[0]] >= RESIDUALS_TELL * misfits[order[1]]:
+    if misfits[order[0]] >= MAX_RESIDUAL_RATIO * misfits[order[1]]:
         return []
     return [candidates[order[0]]]
 
 
-def by_data_strip(
+def matching_data_strip(
     candidates: Sequence[Labelling], calibration: CameraCalibration, found: Arrangement, columns: int, rows: int
 ) -> list[Labelling]:
     """Those whose data strip lies where the scan goes furthest beyond the marks; none if that is unclear."""
@@ -171,15 +177,15 @@ def by_data_strip(
     x, y = np.array(list(found.places.values())).T
     beyond = [columns - x.max(), rows - y.max(), x.min(), y.min()]  # right, below, left, above
     order = np.argsort(beyond)
-    if beyond[order[-1]] < STRIP_TELLS * max(beyond[order[-2]], 1.0):
+    if beyond[order[-1]] < MIN_STRIP_RATIO * max(beyond[order[-2]], 1.0):
         return []
     side = np.array([(1, 0), (0, 1), (-1, 0), (0, -1)])[order[-1]]
     middle = calibration.points.mean(axis=0)
     strip = np.array(calibration.data_strip) - middle
-    return [one for one in candidates if _side(one.lying.matrix @ strip) == tuple(side)]
+    return [one for one in candidates if _nearest_side(one.orientation.matrix @ strip) == tuple(side)]
 
 
-def _side(direction: np.ndarray) -> tuple[int, int]:
+def _nearest_side(direction: np.ndarray) -> tuple[int, int]:
     if abs(direction[0]) >= abs(direction[1]):
         return (1 if direction[0] > 0 else -1), 0
     return 0, (1 if direction[1] > 0 else -1)
@@ -191,7 +197,7 @@ def mark_number(mark: str) -> int | None:
     return int(ending[1]) if ending else None
 
 
-def count_dots(pixels: np.ndarray, radius: float, angle: float) -> int | None:
+def count_numbering_dots(pixels: np.ndarray, radius: float, angle: float) -> int | None:
     """How many dots stand in a column (or row) beside a mark; None where there are none to be seen.
 
     ``pixels`` are around the mark's centre, as light on dark, (2 n + 1, 2 n + 1) with n of 2.4 radii at least;
@@ -210,7 +216,7 @@ def count_dots(pixels: np.ndarray, radius: float, angle: float) -> int | None:
         profiles.append(columns[columns.std(axis=1).argmax()])
     signals = [float(profile.std()) for profile in profiles]
     order = np.argsort(signals)
-    if signals[order[-1]] < DOTS_TELL * max(signals[order[-2]], 1e-9):
+    if signals[order[-1]] < MIN_DOTS_RATIO * max(signals[order[-2]], 1e-9):
         return None
     profile = ndimage.zoom(profiles[order[-1]], 4, order=3)
     prominence = DOT_PROMINENCE * np.ptp(profile)

@@ -10,7 +10,7 @@ from ...imagery.errors import PhotoError
 from . import messages
 
 
-class Model(Enum):
+class PlaneModel(Enum):
     """A transformation between two planes."""
 
     AFFINE = "affine"
@@ -18,17 +18,17 @@ class Model(Enum):
     PROJECTIVE = "projective"
 
 
-LEAST_MARKS = {Model.SIMILARITY: 2, Model.AFFINE: 3, Model.PROJECTIVE: 4}
+LEAST_MARKS = {PlaneModel.SIMILARITY: 2, PlaneModel.AFFINE: 3, PlaneModel.PROJECTIVE: 4}
 """Marks that determine a model without any left over for a check."""
 
-_PARAMETERS = {Model.SIMILARITY: 4, Model.AFFINE: 6, Model.PROJECTIVE: 8}
+_PARAMETERS = {PlaneModel.SIMILARITY: 4, PlaneModel.AFFINE: 6, PlaneModel.PROJECTIVE: 8}
 
 
 @dataclass(frozen=True)
 class Transformation:
     """A plane to a plane."""
 
-    model: Model
+    model: PlaneModel
     matrix: np.ndarray
     """(3, 3) homogeneous, its last element 1."""
 
@@ -45,17 +45,19 @@ class Transformation:
 
     def linear(self, points: np.ndarray) -> np.ndarray:
         """(2, 3): the affine transformation that comes nearest at some points; itself unless projective."""
-        if self.model is not Model.PROJECTIVE:
+        if self.model is not PlaneModel.PROJECTIVE:
             return np.asarray(self.matrix[:2])
-        return np.asarray(fit(Model.AFFINE, points, self(points), mirrored=None).matrix[:2])
+        return np.asarray(fit_transformation(PlaneModel.AFFINE, points, self(points), mirrored=None).matrix[:2])
 
 
-def redundancy(model: Model, marks: int) -> int:
+def redundancy(model: PlaneModel, marks: int) -> int:
     """Degrees of freedom: observed coordinates less unknowns. Below 1 the residuals say nothing."""
     return 2 * marks - _PARAMETERS[model]
 
 
-def fit(model: Model, source: np.ndarray, target: np.ndarray, mirrored: bool | None = None) -> Transformation:
+def fit_transformation(
+    model: PlaneModel, source: np.ndarray, target: np.ndarray, mirrored: bool | None = None
+) -> Transformation:
     """The transformation of (n, 2) points to (n, 2) points with the least squares of residuals in the target.
 
     A similarity keeps its sense of rotation or, when ``mirrored``, turns it round; None takes the better one.
@@ -66,16 +68,16 @@ def fit(model: Model, source: np.ndarray, target: np.ndarray, mirrored: bool | N
     source, target = np.asarray(source, dtype=np.float64), np.asarray(target, dtype=np.float64)
     centre, size = source.mean(axis=0), max(float(np.abs(source - source.mean(axis=0)).max()), 1e-300)
     spread = np.linalg.svd(source - centre, compute_uv=False)
-    if spread[0] < 1e-9 or (model is not Model.SIMILARITY and spread[1] < 1e-6 * spread[0]):
+    if spread[0] < 1e-9 or (model is not PlaneModel.SIMILARITY and spread[1] < 1e-6 * spread[0]):
         raise PhotoError(messages.MARKS_ON_A_LINE(model=model.value))
     normalise = np.array([[1 / size, 0, -centre[0] / size], [0, 1 / size, -centre[1] / size], [0, 0, 1]])
     scaled = (source - centre) / size
-    if model is Model.SIMILARITY:
+    if model is PlaneModel.SIMILARITY:
         made = min(
             (_similarity(scaled, target, mirror) for mirror in ((False, True) if mirrored is None else (mirrored,))),
             key=lambda matrix: _misfit(matrix, scaled, target),
         )
-    elif model is Model.AFFINE:
+    elif model is PlaneModel.AFFINE:
         made = _affine(scaled, target)
     else:
         made = _projective(scaled, target)
@@ -84,7 +86,7 @@ def fit(model: Model, source: np.ndarray, target: np.ndarray, mirrored: bool | N
 
 
 def _misfit(matrix: np.ndarray, source: np.ndarray, target: np.ndarray) -> float:
-    return float(np.sum((Transformation(Model.AFFINE, matrix)(source) - target) ** 2))
+    return float(np.sum((Transformation(PlaneModel.AFFINE, matrix)(source) - target) ** 2))
 
 
 def _similarity(source: np.ndarray, target: np.ndarray, mirrored: bool) -> np.ndarray:

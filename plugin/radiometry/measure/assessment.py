@@ -9,9 +9,9 @@ from typing import Callable
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
+from ...imagery.lines.seamlines import Seam
 from ...imagery.message import Message
 from ...imagery.pixels import PixelImage, Pixels
-from ...imagery.seamlines import Seam
 from ...imagery.value_ranges import ValueRange, is_range_known, value_range
 from . import limits, messages
 from . import rules as checks

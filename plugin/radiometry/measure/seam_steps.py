@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...imagery.grids import Grid, PixelWindow
+from ...imagery.lines.seamlines import Seam
 from ...imagery.pixels import PixelImage, Pixels
-from ...imagery.seamlines import Seam
 from . import limits
 
 _RUN = 512  # px of seam read at a time

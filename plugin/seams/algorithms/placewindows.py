@@ -76,8 +76,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
+        from ...imagery.lines.seamlines import find_seams
         from ...imagery.pixels import validity_check
-        from ...imagery.seamlines import find_seams
         from ...toolkit import layers
         from ..measure.window_placing import place_windows
         from ..tables import result_tables

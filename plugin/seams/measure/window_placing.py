@@ -19,8 +19,8 @@ from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from ...imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
+from ...imagery.lines.seamlines import Seam
 from ...imagery.message import Message
-from ...imagery.seamlines import Seam
 from . import limits, messages
 
 MAX_SHARED_SHARE = 0.5  # two windows on one seam share at most half of their pixels

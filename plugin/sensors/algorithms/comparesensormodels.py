@@ -60,18 +60,18 @@ class CompareSensorModels(SensorAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         from .. import point_tables
-        from ..measure import comparison, point_heights, point_layout
+        from ..measure import comparison, point_heights
+        from ..measure.control_coverage import control_coverage, coverage_warnings
 
         image = self._image()
         rpc = self._rpc(parameters, sensor_parameters.IMAGE_RPC, context, feedback, image)
         points = self._points(parameters, context, feedback, image)
         size = (float(image.columns), float(image.rows)) if image is not None else None
-        lies = point_layout.layout(points.image[~points.check], image_box(image, points))
-        notices = point_layout.layout_warnings(lies)
+        notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
         warn(feedback, notices)
         result = comparison.compare(
             points,
-            comparison.candidates(rpc, self._orbit_height_m(parameters, context, image), size),
+            comparison.all_requests(rpc, self._orbit_height_m(parameters, context, image), size),
             self.parameterAsBool(parameters, sensor_parameters.ROBUST, context),
             point_heights.is_flat(points),
             lambda share: feedback.setProgress(100 * share),
@@ -83,7 +83,7 @@ class CompareSensorModels(SensorAlgorithm):
         feedback.pushInfo(said)
         results: dict[str, Any] = {
             OUTPUT: output,
-            RECOMMENDED: result.recommended.wanted.name if result.recommended is not None else "",
+            RECOMMENDED: result.recommended.request.name if result.recommended is not None else "",
             RECOMMENDATION: said,
             MODEL_COUNT: sum(row.errors is not None for row in result.rows),
         }

@@ -22,6 +22,8 @@ from ...imagery.errors import SensorModelError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
+from ..measure.models import registry
+from ..model_titles import MODEL_TITLES
 from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm, image_box, warn
 
@@ -29,7 +31,7 @@ if TYPE_CHECKING:
     from ...imagery.message import Message
     from ..measure.adjustment import Accuracy, Adjustment
     from ..measure.image_description import SensorImage
-    from ..measure.models.registry import Wanted
+    from ..measure.models.registry import ModelRequest
     from ..measure.models.rpc import Domain
 
 MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
@@ -37,8 +39,7 @@ MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
 OUTPUT, MODEL_FILE, RPC = "OUTPUT", "MODEL_FILE", "RPC"
 CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
-MODELS = ("polynomial_2d", "polynomial_3d", "rational", "dlt", "pushbroom", "rpc_bias")
-BIASES = ("shift", "shift_drift", "affine")
+_BIASES = tuple(one.name for one in registry.RPC_BIAS.variants)
 _ERRORS = ("RMSE_X", "RMSE_Y", "MAX_X", "MAX_Y")
 
 
@@ -50,20 +51,14 @@ class FitSensorModel(SensorAlgorithm):
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Fits the geometry of a satellite image to ground control points and judges it on check points that took no "
-        "part (Kurczynski and Wolniewicz). polynomial_2d is what a georeferencer does and knows no heights; "
-        "polynomial_3d, rational (RPC) and dlt have no physics; pushbroom is the parametric model of a line scanner "
-        "and needs the fewest points; rpc_bias corrects the RPC that came with the image. The result is a model file "
-        "and an RPC for orthorectification."
+        "part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(*sensor_parameters.gcps())
         self.addDescribed(
-            common.choice(MODEL, tr("Model"), MODELS, "rational"),
-            tr(
-                "Fewest control points: polynomial_2d 3, 6, 10 and polynomial_3d 4, 10, 20 and rational 7, 19, 39 for "
-                "orders 1, 2, 3; dlt 6; pushbroom 4; rpc_bias 1, 2, 3 for shift, shift_drift, affine."
-            ),
+            common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name),
+            " ".join(map(_described, registry.KINDS.values())),
         )
         self.addDescribed(
             QgsProcessingParameterNumber(
@@ -76,7 +71,7 @@ class FitSensorModel(SensorAlgorithm):
             tr("Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."),
         )
         self.addDescribed(
-            common.choice(BIAS, tr("Correction of the RPC"), BIASES),
+            common.choice(BIAS, tr("Correction of the RPC"), _BIASES),
             tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
         )
         self.addDescribed(*sensor_parameters.image())
@@ -122,16 +117,16 @@ class FitSensorModel(SensorAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         from .. import point_tables
-        from ..measure import point_layout
         from ..measure.adjustment import adjust
+        from ..measure.control_coverage import control_coverage, coverage_warnings
 
         image = self._image()
-        wanted = self._wanted(parameters, context, feedback, image)
-        points = self._points(parameters, context, feedback, image, wanted)
-        done = adjust(wanted, points, self.parameterAsBool(parameters, sensor_parameters.ROBUST, context))
+        request = self._request(parameters, context, feedback, image)
+        points = self._points(parameters, context, feedback, image, request)
+        done = adjust(request, points, self.parameterAsBool(parameters, sensor_parameters.ROBUST, context))
         box = image_box(image, points)
-        found = point_layout.layout(points.image[~points.check & ~done.blunder], box)
-        notices = self._notices(done) + point_layout.layout_warnings(found)
+        coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
+        notices = self._notices(done) + coverage_warnings(coverage)
         warn(feedback, notices)
         feedback.setProgress(60)
         crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
@@ -158,7 +153,7 @@ class FitSensorModel(SensorAlgorithm):
         if path is not None:
             from ..report import save_fit_report
 
-            save_fit_report(path, done, found, box, notices, notes)
+            save_fit_report(path, done, coverage, box, notices, notes)
             results[common.REPORT] = str(path)
         control, check = done.control, done.check
         for group, errors in (("CHECK", check), ("CONTROL", control)):
@@ -166,43 +161,40 @@ class FitSensorModel(SensorAlgorithm):
                 results[f"{group}_{name}"] = value
             if errors.count:
                 feedback.pushInfo(_sentence(group, errors))
-        condition = done.fit.condition
+        condition = done.fitted.condition
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
         return results
 
-    def _wanted(
+    def _request(
         self,
         parameters: dict[str, Any],
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
         image: SensorImage | None,
-    ) -> Wanted:
-        from ..measure.models import registry
-
-        kind = self.parameterAsString(parameters, MODEL, context)
+    ) -> ModelRequest:
+        kind = registry.KINDS[self.parameterAsString(parameters, MODEL, context)]
         rpc = None
-        if kind == registry.RPC_BIAS:
+        if kind.corrects_rpc:
             rpc = self._rpc(parameters, sensor_parameters.IMAGE_RPC, context, feedback, image)
             if rpc is None:
                 raise SensorModelError(messages.NO_RPC())
-        return registry.Wanted(
-            kind,
-            self.parameterAsInt(parameters, ORDER, context),
-            self.parameterAsBool(parameters, DLT_XY, context),
+        return kind.request(
+            str(self.parameterAsInt(parameters, ORDER, context)),
             self.parameterAsString(parameters, BIAS, context),
-            self._orbit_height_m(parameters, context, image),
-            (float(image.columns), float(image.rows)) if image is not None else None,
-            rpc,
+            "xy" if self.parameterAsBool(parameters, DLT_XY, context) else "",
+            orbit_height_m=self._orbit_height_m(parameters, context, image),
+            size=(float(image.columns), float(image.rows)) if image is not None else None,
+            rpc=rpc,
         )
 
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
         notices: list[Message] = []
-        if not done.fit.converged:
-            notices.append(messages.NOT_CONVERGED(iterations=done.fit.iterations))
-        if done.fit.condition > MAX_CONDITION:
-            notices.append(messages.ILL_CONDITIONED(condition=done.fit.condition))
+        if not done.fitted.converged:
+            notices.append(messages.NOT_CONVERGED(iterations=done.fitted.iterations))
+        if done.fitted.condition > MAX_CONDITION:
+            notices.append(messages.ILL_CONDITIONED(condition=done.fitted.condition))
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
         if done.blunder.any():
@@ -229,24 +221,25 @@ class FitSensorModel(SensorAlgorithm):
         from ..measure.models.model_file import ModelFile, save_model
 
         facts = {
-            "model": done.wanted.name,
-            "condition": done.fit.condition,
-            "iterations": done.fit.iterations,
-            "converged": done.fit.converged,
+            "model": done.request.name,
+            "condition": done.fitted.condition,
+            "iterations": done.fitted.iterations,
+            "converged": done.fitted.converged,
             "sigma_px": done.sigma_px,
             "control": asdict(done.control),
             "check": asdict(done.check),
             "blunders": [name for name, one in zip(done.points.ids, done.blunder) if one],
         }
-        save_model(ModelFile(done.fit.model, done.points.wkt, domain, facts), path)
+        save_model(ModelFile(done.fitted.model, done.points.wkt, domain, facts), path)
 
     @staticmethod
     def _save_rpc(done: Adjustment, domain: Domain, path: Path) -> tuple[Message, bool]:
         """Write the RPC; what to say about it, or why there is none, and whether there is one."""
-        from ..measure.models.rpc import rpc_heights, rpc_of, write_rpc
+        from ..measure.models.rpc import rpc_heights, rpc_of
+        from ..measure.models.rpc_files import write_rpc
 
         try:
-            made = rpc_of(done.fit.model, done.points.wkt, domain)
+            made = rpc_of(done.fitted.model, done.points.wkt, domain)
         except SensorModelError as error:
             return messages.RPC_NOT_WRITTEN(why=error.message), False
         write_rpc(made.rpc, path)
@@ -254,6 +247,14 @@ class FitSensorModel(SensorAlgorithm):
             return messages.RPC_EXACT(), True
         low, high = rpc_heights(domain)
         return messages.RPC_FITTED(rms=made.rms_px, largest=made.max_px, low=low, high=high), True
+
+
+def _described(kind: registry.ModelKind) -> str:
+    """What a model is and how many points it needs."""
+    fewest = ", ".join(f"{one.fewest} ({one.name})" if one.name else str(one.fewest) for one in kind.variants)
+    return tr("{model}: {title}; needs at least {fewest} control points.").format(
+        model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest
+    )
 
 
 def _sentence(group: str, errors: Accuracy) -> str:

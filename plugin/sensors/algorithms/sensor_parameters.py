@@ -27,10 +27,10 @@ from ..measure import limits, messages
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
+    from ..measure.control_coverage import ImageBox
     from ..measure.image_description import SensorImage
     from ..measure.models.rational import Rational
-    from ..measure.models.registry import Wanted
-    from ..measure.point_layout import Box
+    from ..measure.models.registry import ModelRequest
     from ..measure.points import Points
 
 DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
@@ -72,13 +72,13 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
         image: SensorImage | None,
-        wanted: Wanted | None = None,
+        request: ModelRequest | None = None,
     ) -> Points:
         """The points with roles, and heights where the model (None: any model) needs them."""
         from ...toolkit.layers import system_wkt
         from .. import point_tables
         from ..measure.point_heights import with_heights
-        from ..measure.points import split
+        from ..measure.points import choose_check_points
 
         path, with_roles = _points_path(parameters.get(GCPS)), False
         if path:
@@ -87,7 +87,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         else:
             points, with_roles, notices = point_tables.layer_points(self.source(parameters, GCPS, context))
         warn(feedback, notices)
-        if wanted is None or wanted.spatial:
+        if request is None or request.needs_heights:
             datum, dem_datum = (self.parameterAsString(parameters, name, context) for name in (HEIGHTS, DEM_HEIGHTS))
             points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))
             warn(feedback, notices)
@@ -95,11 +95,14 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             raise SettingsError(messages.NO_POINTS())
         if with_roles:
             return points
-        total, points = len(points), split(points, self.parameterAsDouble(parameters, CHECK_SHARE, context))
+        total, share = len(points), self.parameterAsDouble(parameters, CHECK_SHARE, context)
+        points = choose_check_points(points, share)
         count = total - int(points.check.sum())
-        if wanted is not None and count < wanted.fewest <= total:
-            few = {"total": total, "count": count, "model": wanted.name, "fewest": wanted.fewest}
-            raise SettingsError(messages.TOO_FEW_AFTER_SPLIT(**few))
+        if request is not None and count < request.variant.fewest <= total:
+            fewest = request.variant.fewest
+            raise SettingsError(
+                messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)
+            )
         return points
 
     def _rpc(
@@ -111,16 +114,15 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         image: SensorImage | None,
     ) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
-        from ..measure.models import rpc
-        from ..measure.orthorectification import of_part
+        from ..measure.models.rpc_files import own_rpc, read_rpc, rpc_of_image_part
 
         path = self.parameterAsFile(parameters, name, context)
-        found = rpc.read_rpc(Path(path)) if path else rpc.own_rpc(image) if image is not None else None
-        if found is None or image is None or (image.rpc and not path):
-            return found
-        found, notice = of_part(found, image)
+        rpc = read_rpc(Path(path)) if path else own_rpc(image) if image is not None else None
+        if rpc is None or image is None or (image.rpc and not path):
+            return rpc
+        rpc, notice = rpc_of_image_part(rpc, image)
         warn(feedback, [notice] if notice is not None else [])
-        return found
+        return rpc
 
     def _orbit_height_m(
         self, parameters: dict[str, Any], context: QgsProcessingContext, image: SensorImage | None
@@ -134,7 +136,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return next(known, limits.DEFAULT_ORBIT_HEIGHT_KM) * 1000
 
 
-def image_box(image: SensorImage | None, points: Points) -> Box:
+def image_box(image: SensorImage | None, points: Points) -> ImageBox:
     """The image's rectangle, or that of the points where there is no image."""
     if image is not None:
         return 0.0, 0.0, float(image.columns), float(image.rows)

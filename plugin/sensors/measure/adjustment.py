@@ -1,17 +1,17 @@
 """A fit judged: residuals in the image and on the ground, on control and on check points, with or without blunders."""
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...imagery.errors import SensorModelError
 from . import limits, messages
 from .ground_system import GroundSystem
-from .models import registry
+from .models.fitting import fit_model
 from .models.locating import locate
-from .models.registry import Wanted
-from .models.sensor_model import Fit
+from .models.registry import ModelRequest
+from .models.sensor_model import FittedModel
 from .points import Points
 
 BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
@@ -46,9 +46,9 @@ class Accuracy:
 class Adjustment:
     """A model fitted to control points and judged on all."""
 
-    wanted: Wanted
+    request: ModelRequest
     points: Points
-    fit: Fit
+    fitted: FittedModel
     residuals_px: np.ndarray
     """(n, 2) model minus measured: column, row."""
     residuals_m: np.ndarray
@@ -81,20 +81,21 @@ def accuracy(residuals_px: np.ndarray, residuals_m: np.ndarray) -> Accuracy:
     return Accuracy(len(residuals_m), *map(float, (*rmse_m, *largest, *rmse_px)))
 
 
-def adjust(wanted: Wanted, points: Points, robust: bool = False) -> Adjustment:
+def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjustment:
     """Fit a model to the control points and judge it on all.
 
     ``robust`` looks for blunders: least absolute residuals first, then Tukey's biweight, then a test of each point;
     the model is fitted to those that pass. Raises SensorModelError where points are too few or determine nothing.
     """
     control = points.only(~points.check)
-    needed = points.ground if wanted.spatial else points.ground[:, :2]
+    needed = points.ground if request.needs_heights else points.ground[:, :2]
     if not np.isfinite(needed).all():
-        raise SensorModelError(messages.NO_HEIGHTS(model=wanted.name))
-    if len(control) < wanted.fewest:
-        raise SensorModelError(messages.TOO_FEW_POINTS(model=wanted.name, count=len(control), fewest=wanted.fewest))
-    kept = _without_blunders(wanted, control) if robust else np.ones(len(control), bool)
-    fitted = registry.fit(wanted, control, control.weights * kept)
+        raise SensorModelError(messages.NO_HEIGHTS(model=request.name))
+    fewest = request.variant.fewest
+    if len(control) < fewest:
+        raise SensorModelError(messages.TOO_FEW_POINTS(model=request.name, count=len(control), fewest=fewest))
+    kept = _without_blunders(request, control) if robust else np.ones(len(control), bool)
+    fitted = fit_model(request, control, control.weights * kept)
     blunder = np.zeros(len(points), bool)
     blunder[~points.check] = ~kept
     residuals_px = project(fitted, points) - points.image
@@ -103,16 +104,16 @@ def adjust(wanted: Wanted, points: Points, robust: bool = False) -> Adjustment:
     sigma = _sigma(fitted, residuals_px[~points.check][kept] * _relative(control)[kept, None])
     if robust and points.check.any():
         blunder[points.check] = _check_blunders(residuals_px[points.check], sigma)
-    return Adjustment(wanted, points, fitted, residuals_px, _on_ground(fitted, points), blunder, sigma)
+    return Adjustment(request, points, fitted, residuals_px, _on_ground(fitted, points), blunder, sigma)
 
 
-def project(fitted: Fit, points: Points) -> np.ndarray:
+def project(fitted: FittedModel, points: Points) -> np.ndarray:
     """Where a model sees points: (n, 2) column, row."""
     ground = np.where(np.isfinite(points.ground), points.ground, 0.0)
     return fitted.model.project(GroundSystem(points.wkt).to_geographic(ground) if fitted.model.GEOGRAPHIC else ground)
 
 
-def _on_ground(fitted: Fit, points: Points) -> np.ndarray:
+def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
     """(n, 2) m along x and y: where the model puts the measured image point, at the point's height, minus given.
 
     Where a model is too bent to be inverted, what its slope at the point makes of the residual in the image.
@@ -137,46 +138,46 @@ def _relative(points: Points) -> np.ndarray:
     return points.weights / np.median(points.weights)
 
 
-def _sigma(fitted: Fit, residuals: np.ndarray) -> float:
+def _sigma(fitted: FittedModel, residuals: np.ndarray) -> float:
     redundancy = residuals.size - fitted.unknowns
     return float(np.sqrt(np.sum(residuals**2) / redundancy)) if redundancy > 0.5 else float("nan")
 
 
-def _without_blunders(wanted: Wanted, control: Points) -> np.ndarray:
+def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
     """(n,) bool: which control points pass."""
     base, relative = control.weights, _relative(control)
 
-    def fitted(weights: np.ndarray) -> tuple[np.ndarray, float]:
+    def residuals_of(weights: np.ndarray) -> tuple[np.ndarray, float]:
         """Residuals (n, 2), in standard deviations of a usual point, and the redundancy."""
-        fit = registry.fit(wanted, control, weights)
+        fitted = fit_model(request, control, weights)
         used = np.count_nonzero(weights)
-        return (project(fit, control) - control.image) * relative[:, None], 2 * used - fit.unknowns
+        return (project(fitted, control) - control.image) * relative[:, None], 2 * used - fitted.unknowns
 
-    found, redundancy = fitted(base)
+    residuals, redundancy = residuals_of(base)
     if redundancy < 2:
         return np.ones(len(control), bool)  # nothing to tell a blunder by
     for _ in range(ROBUST_STEPS):  # least absolute residuals
-        size = np.linalg.norm(found, axis=1)
+        size = np.linalg.norm(residuals, axis=1)
         floor = max(limits.MIN_SIGMA_PX, 1e-3 * float(np.median(size)))
-        found, redundancy = fitted(base / np.sqrt(np.maximum(size, floor)))
+        residuals, redundancy = residuals_of(base / np.sqrt(np.maximum(size, floor)))
     for _ in range(ROBUST_STEPS):  # Tukey's biweight
-        reach = TUKEY_SIGMAS * _robust_sigma(found, redundancy)
-        share = np.minimum(np.linalg.norm(found, axis=1) / reach, 0.999)
-        found, redundancy = fitted(base * (1 - share**2))
-    sigma = _robust_sigma(found, redundancy)
-    kept = np.linalg.norm(found, axis=1) <= _blunder_limit(redundancy) * sigma
+        reach = TUKEY_SIGMAS * _robust_sigma(residuals, redundancy)
+        share = np.minimum(np.linalg.norm(residuals, axis=1) / reach, 0.999)
+        residuals, redundancy = residuals_of(base * (1 - share**2))
+    sigma = _robust_sigma(residuals, redundancy)
+    kept = np.linalg.norm(residuals, axis=1) <= _blunder_limit(redundancy) * sigma
     for _ in range(ROBUST_STEPS):
-        if np.count_nonzero(kept) <= wanted.fewest:
-            raise SensorModelError(messages.TOO_MANY_BLUNDERS(model=wanted.name, count=np.count_nonzero(~kept)))
-        found, redundancy = fitted(base * kept)
+        if np.count_nonzero(kept) <= request.variant.fewest:
+            raise SensorModelError(messages.TOO_MANY_BLUNDERS(model=request.name, count=np.count_nonzero(~kept)))
+        residuals, redundancy = residuals_of(base * kept)
         if redundancy < 2:
             break
         # It only shrinks: else one blunder let in would open the door to the next.
-        sigma = max(min(sigma, float(np.sqrt(np.sum(found[kept] ** 2) / redundancy))), limits.MIN_SIGMA_PX)
+        sigma = max(min(sigma, float(np.sqrt(np.sum(residuals[kept] ** 2) / redundancy))), limits.MIN_SIGMA_PX)
         # The fit gives way to the points in it, and is not exact where the others are: on average by this much.
         share = 1 - redundancy / (2 * np.count_nonzero(kept))
         usual = sigma * np.sqrt(np.where(kept, max(1 - share, 0.0), 1 + share))
-        passing = np.linalg.norm(found, axis=1) <= _blunder_limit(redundancy) * usual
+        passing = np.linalg.norm(residuals, axis=1) <= _blunder_limit(redundancy) * usual
         if np.array_equal(passing, kept):
             break
         kept = passing
@@ -203,8 +204,3 @@ def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
     usual = 1.4826 * float(np.median(np.abs(residuals)))
     limit = MAX_BLUNDER_SIGMAS * max(usual, np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
     return np.abs(residuals).max(axis=1) > limit
-
-
-def without(points: Points, left_out: np.ndarray) -> Points:
-    """All points as control, but for those of a mask, which only judge."""
-    return replace(points, check=left_out)

@@ -10,11 +10,11 @@ import numpy as np
 from ...imagery.errors import SeamInspectorError
 from ...imagery.message import Message
 from . import messages
-from .adjustment import Accuracy, accuracy, adjust, without
-from .models import bias, registry
+from .adjustment import Accuracy, accuracy, adjust
+from .models import registry
 from .models.rational import Rational
-from .models.registry import Wanted
-from .models.sensor_model import Fit
+from .models.registry import ModelRequest
+from .models.sensor_model import FittedModel
 from .points import Points
 
 MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
@@ -25,10 +25,10 @@ CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
 @dataclass(frozen=True)
-class Row:
+class JudgedModel:
     """One model of the table."""
 
-    wanted: Wanted
+    request: ModelRequest
     errors: Accuracy | None
     """On points that the fit has not seen; None where it could not be fitted."""
     control: Accuracy | None
@@ -43,28 +43,28 @@ class Row:
 class Comparison:
     """The paper's table."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[JudgedModel, ...]
     method: str
     """``check_points`` or ``leave_one_out``."""
-    recommended: Row | None
+    recommended: JudgedModel | None
     reason: Message
 
 
-def candidates(rpc: Rational | None, orbit_height_m: float, size: tuple[float, float] | None) -> list[Wanted]:
-    """All models, in the paper's order; those with a vendor's RPC only where there is one."""
-    found = [Wanted(registry.POLYNOMIAL_2D, order) for order in (1, 2, 3)]
-    found += [Wanted(registry.POLYNOMIAL_3D, order) for order in (1, 2, 3)]
-    found += [Wanted(registry.RATIONAL, order) for order in (1, 2, 3)]
-    found += [Wanted(registry.DLT), Wanted(registry.DLT, dlt_xy=True)]
-    found += [Wanted(registry.PUSHBROOM, orbit_height_m=orbit_height_m, size=size)]
-    if rpc is not None:
-        found += [Wanted(registry.RPC_BIAS, bias=kind, rpc=rpc) for kind in (bias.SHIFT, bias.DRIFT, bias.AFFINE)]
-    return found
+def all_requests(
+    rpc: Rational | None, orbit_height_m: float, size: tuple[float, float] | None
+) -> list[ModelRequest]:
+    """Every form of every model, in the paper's order; those that correct a vendor's RPC only where there is one."""
+    return [
+        kind.request(variant.name, orbit_height_m=orbit_height_m, size=size, rpc=rpc)
+        for kind in registry.KINDS.values()
+        if rpc is not None or not kind.corrects_rpc
+        for variant in kind.variants
+    ]
 
 
 def compare(
     points: Points,
-    wanted: Sequence[Wanted],
+    requests: Sequence[ModelRequest],
     robust: bool,
     flat: bool,
     progress: Callable[[float], None] = lambda share: None,
@@ -74,41 +74,44 @@ def compare(
 
     ``flat`` says whether the terrain moves the image by less than the errors asked for, so that a plane model may do.
     """
-    few = np.count_nonzero(points.check) < MIN_CHECK_POINTS
-    rows: list[Row] = []
-    for number, one in enumerate(wanted):
+    one_by_one = np.count_nonzero(points.check) < MIN_CHECK_POINTS
+    rows: list[JudgedModel] = []
+    for number, request in enumerate(requests):
         if cancelled():
             break
-        rows.append(_row(one, points, robust, few, cancelled))
-        progress((number + 1) / len(wanted))
+        rows.append(_judged(request, points, robust, one_by_one, cancelled))
+        progress((number + 1) / len(requests))
     best, reason = recommend(rows, flat)
-    return Comparison(tuple(rows), LEAVE_ONE_OUT if few else CHECK_POINTS, best, reason)
+    return Comparison(tuple(rows), LEAVE_ONE_OUT if one_by_one else CHECK_POINTS, best, reason)
 
 
-def _row(wanted: Wanted, points: Points, robust: bool, few: bool, cancelled: Callable[[], bool]) -> Row:
-    count = len(points) if few else int(np.count_nonzero(~points.check))
+def _judged(
+    request: ModelRequest, points: Points, robust: bool, one_by_one: bool, cancelled: Callable[[], bool]
+) -> JudgedModel:
+    count = len(points) if one_by_one else int(np.count_nonzero(~points.check))
+    given = replace(points, check=np.zeros(len(points), bool)) if one_by_one else points
     try:
-        if not few:
-            done = adjust(wanted, points, robust)
-            return Row(wanted, done.check, done.control, done.control.count, done.fit.condition, _doubt(done.fit))
-        everyone = replace(points, check=np.zeros(len(points), bool))
-        done = adjust(wanted, everyone, robust)
-        good = everyone.only(~done.blunder)
-        px, metres = [], []
-        for group in _groups(len(good)):
-            if cancelled():
-                break
-            one = adjust(wanted, without(good, group))
-            px.append(one.residuals_px[group])
-            metres.append(one.residuals_m[group])
-        errors = accuracy(np.concatenate(px), np.concatenate(metres)) if px else None
-        return Row(wanted, errors, done.control, done.control.count, done.fit.condition, _doubt(done.fit))
+        done = adjust(request, given, robust)
+        errors = _left_out_errors(request, given.only(~done.blunder), cancelled) if one_by_one else done.check
     except SeamInspectorError as error:
-        return Row(wanted, None, None, count, None, error.message)
+        return JudgedModel(request, None, None, count, None, error.message)
+    return JudgedModel(request, errors, done.control, done.control.count, done.fitted.condition, _doubt(done.fitted))
 
 
-def _doubt(fit: Fit) -> Message | None:
-    return None if fit.converged else messages.NOT_CONVERGED(iterations=fit.iterations)
+def _left_out_errors(request: ModelRequest, points: Points, cancelled: Callable[[], bool]) -> Accuracy | None:
+    """The errors of points that were left out of the fit in turn; None when cancelled before the first."""
+    px, metres = [], []
+    for left_out in _groups(len(points)):
+        if cancelled():
+            break
+        done = adjust(request, replace(points, check=left_out))
+        px.append(done.residuals_px[left_out])
+        metres.append(done.residuals_m[left_out])
+    return accuracy(np.concatenate(px), np.concatenate(metres)) if px else None
+
+
+def _doubt(fitted: FittedModel) -> Message | None:
+    return None if fitted.converged else messages.NOT_CONVERGED(iterations=fitted.iterations)
 
 
 def _groups(count: int) -> Iterator[np.ndarray]:
@@ -118,38 +121,18 @@ def _groups(count: int) -> Iterator[np.ndarray]:
         yield np.arange(count) % turns == turn
 
 
-def _rank(wanted: Wanted, flat: bool) -> int:
-    """The paper's preference: parametric, vendor's RPC with bias, quotients by their order; plane models if flat."""
-    order = {
-        registry.PUSHBROOM: 0,
-        registry.RPC_BIAS: 1,
-        registry.RATIONAL: 1 + wanted.order,
-        registry.DLT: 2,
-        registry.POLYNOMIAL_3D: 5 + wanted.order,
-        registry.POLYNOMIAL_2D: 9 + wanted.order,
-    }[wanted.kind]
-    return order if flat or wanted.kind != registry.POLYNOMIAL_2D else order + 100
-
-
-def recommend(rows: Sequence[Row], flat: bool) -> tuple[Row | None, Message]:
+def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | None, Message]:
     """The model to take, and why: the paper's conclusions 1 to 3 applied to the errors measured.
 
     Of the models whose error is at most a quarter larger than the smallest one, the one that the paper prefers.
     """
     judged = [row for row in rows if row.errors is not None and row.errors.rmse is not None and row.reason is None]
-    sound = [row for row in judged if flat or row.wanted.kind != registry.POLYNOMIAL_2D] or judged
+    sound = [row for row in judged if flat or row.request.needs_heights] or judged
     if not sound:
         return None, messages.NOTHING_TO_RECOMMEND()
     error = {id(row): row.errors.rmse for row in sound if row.errors is not None and row.errors.rmse is not None}
     smallest = min(error.values())
     near = [row for row in sound if error[id(row)] <= MAX_WORSE * smallest]
-    chosen = min(near, key=lambda row: (_rank(row.wanted, flat), row.wanted.unknowns, error[id(row)]))
-    why = {
-        registry.PUSHBROOM: messages.RECOMMEND_PUSHBROOM,
-        registry.RPC_BIAS: messages.RECOMMEND_RPC_BIAS,
-        registry.RATIONAL: messages.RECOMMEND_RATIONAL,
-        registry.DLT: messages.RECOMMEND_DLT,
-        registry.POLYNOMIAL_3D: messages.RECOMMEND_POLYNOMIAL_3D,
-        registry.POLYNOMIAL_2D: messages.RECOMMEND_POLYNOMIAL_2D,
-    }[chosen.wanted.kind]
-    return chosen, why(model=chosen.wanted.name, rmse=error[id(chosen)], best=smallest)
+    chosen = min(near, key=lambda row: (row.request.variant.rank, row.request.variant.unknowns, error[id(row)]))
+    why = chosen.request.kind.recommendation
+    return chosen, why(model=chosen.request.name, rmse=error[id(chosen)], best=smallest)

@@ -22,14 +22,13 @@ from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_po
 from . import limits, messages
 from .ground_system import GEOGRAPHIC, WGS84, GroundSystem
 from .image_description import SensorImage, describe_image
-from .models.least_squares import Scaling
 from .models.locating import locate
 from .models.rational import Rational
-from .models.rpc import Domain, RpcOfModel, rpc_of, to_metadata
+from .models.rpc import Domain, RpcOfModel, rpc_of
+from .models.rpc_files import to_metadata
 from .models.sensor_model import SensorModel
 from .terrain import Terrain, constant_terrain, load_terrain
 
-RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
 ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
 
 _NO_HEIGHT = -32768.0
@@ -120,26 +119,6 @@ def orthorectify(
     if plan.uncovered > 0:
         notices.append(messages.DEM_PARTLY_COVERING(name=plan.terrain.name, share=plan.uncovered))
     return Ortho(request.output, wkt, extent, size, columns, rows, rms, most, plan.uncovered, tuple(notices))
-
-
-def of_part(rpc: Rational, image: SensorImage) -> tuple[Rational, Message | None]:
-    """The RPC of a whole scene for an image that is a part of it, and what to say about that.
-
-    A part keeps its place in a geotransform of whole pixels without a reference system (origin = first column and
-    row). It is believed when the RPC's own range holds the part there, so that an RPC of the part itself stays as
-    it is.
-    """
-    if image.geotransform is None or image.georeferenced:
-        return rpc, None
-    left, across, skew_x, top, skew_y, down = image.geotransform
-    if (across, skew_x, skew_y) != (1.0, 0.0, 0.0) or abs(down) != 1.0 or (left, top) == (0.0, 0.0):
-        return rpc, None
-    first = np.array([left, abs(top)])
-    corners = np.array([first, first + [image.columns, image.rows]])
-    if np.abs(rpc.image.to(corners)).max() > RPC_DOMAIN:
-        return rpc, None
-    moved = replace(rpc, image=Scaling(rpc.image.offset - first, rpc.image.scale))
-    return moved, messages.RPC_OF_WHOLE_SCENE(column=first[0], row=first[1])
 
 
 def rpc_domain(rpc: Rational, image: SensorImage) -> Domain:

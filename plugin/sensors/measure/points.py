@@ -46,7 +46,7 @@ class Points:
         return bool((self.sigma_px > 0).any())
 
 
-def split(points: Points, share: float) -> Points:
+def choose_check_points(points: Points, share: float) -> Points:
     """The points with a share of them made check points, evenly spread over the image and away from its outline.
 
     The same points give the same choice.

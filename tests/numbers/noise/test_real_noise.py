@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import ogr
+from seam_inspector.plugin.imagery.lines.seamlines import find_seams
 from seam_inspector.plugin.imagery.pixels import Pixels
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.seamlines import find_seams
 from seam_inspector.plugin.noise.measure import group_noise, window_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
 from seam_inspector.plugin.noise.measure.noise_requests import describe_images

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import PhotoError
-from seam_inspector.plugin.photos.measure.correlation import Field, correlate, peaks
+from seam_inspector.plugin.photos.measure.correlation import CorrelatedImage, correlate, peaks
 from seam_inspector.plugin.photos.measure.correlation_surface import (
     SurfaceError,
-    extremum,
     fit_surface,
+    subpixel_maximum,
     surface_extremum,
 )
 from seam_inspector.plugin.photos.measure.mark_templates import (
@@ -24,7 +24,14 @@ from seam_inspector.plugin.photos.measure.mark_templates import (
     cut_out,
     draw,
 )
-from seam_inspector.plugin.photos.measure.measuring_marks import Found, Lost, Surface, Template, Window, measure
+from seam_inspector.plugin.photos.measure.measuring_marks import (
+    MarkWindow,
+    MeasuredMark,
+    MeasuringTemplate,
+    SurfaceBasis,
+    UnmeasuredMark,
+    measure_mark,
+)
 from skimage.feature import match_template
 
 from tests.numbers.photos.photos import SAMPLES, Look, figure
@@ -37,7 +44,7 @@ def test_correlation_is_scikit_images(shape: tuple[int, int], size: tuple[int, i
     template = image[3 : 3 + size[0], 5 : 5 + size[1]][: size[0], : size[1]] if size[0] < shape[0] else image[:, 5:12]
     expected = match_template(image, template)
     assert np.allclose(correlate(image, template), expected, atol=1e-9)
-    assert np.allclose(Field(image, np.float32).correlate(template), expected, atol=1e-3)
+    assert np.allclose(CorrelatedImage(image, np.float32).correlate(template), expected, atol=1e-3)
 
 
 def test_correlation_does_not_see_tone() -> None:
@@ -94,8 +101,8 @@ def test_what_is_no_extremum_is_a_failure(terms: tuple[float, ...], words: str) 
 def test_a_minimum_is_no_peak() -> None:
     y, x = np.mgrid[-3:4, -3:4]
     with pytest.raises(SurfaceError, match="saddle"):
-        extremum((x * x + y * y).astype(float), 3, 3)
-    assert extremum(-(x - 0.25) ** 2.0 - (y + 0.4) ** 2.0, 3, 3) == pytest.approx((3.25, 2.6))
+        subpixel_maximum((x * x + y * y).astype(float), 3, 3)
+    assert subpixel_maximum(-(x - 0.25) ** 2.0 - (y + 0.4) ** 2.0, 3, 3) == pytest.approx((3.25, 2.6))
 
 
 @pytest.mark.parametrize("shape", all_shapes())
@@ -131,38 +138,38 @@ def test_shapes_are_chosen_by_words() -> None:
     assert [one.kind for one in chosen_shapes("dot", True, True)] == [MarkKind.DOT]
 
 
-def window(pixels: np.ndarray) -> Window:
-    return Window(pixels, 100, 200)
+def window(pixels: np.ndarray) -> MarkWindow:
+    return MarkWindow(pixels, 100, 200)
 
 
-@pytest.mark.parametrize(("surface", "offset"), list(product(Surface, ((0.0, 0.0), (0.31, -0.44), (-0.5, 0.2)))))
-def test_a_mark_is_measured_where_it_is(surface: Surface, offset: tuple[float, float]) -> None:
+@pytest.mark.parametrize(("surface", "offset"), list(product(SurfaceBasis, ((0.0, 0.0), (0.31, -0.44), (-0.5, 0.2)))))
+def test_a_mark_is_measured_where_it_is(surface: SurfaceBasis, offset: tuple[float, float]) -> None:
     shape = MarkShape(MarkKind.RING_WITH_DOT, 20, softness=1.0)
     pixels = 30 + 50 * draw(shape, offset, margin=40) + 0.2 * np.arange(81)
-    found = measure(window(pixels), (140.5, 240.5), 5, Template(shape, 1), 0.5, surface)
-    assert isinstance(found, Found)
-    tolerance = 0.01 if surface is Surface.CORRELATION else 0.2
+    found = measure_mark(window(pixels), (140.5, 240.5), 5, MeasuringTemplate(shape, 1), 0.5, surface)
+    assert isinstance(found, MeasuredMark)
+    tolerance = 0.01 if surface is SurfaceBasis.CORRELATION else 0.2
     assert (found.column, found.row) == pytest.approx((140.5 + offset[0], 240.5 + offset[1]), abs=tolerance)
 
 
 def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
     shape = MarkShape(MarkKind.RING_WITH_CROSS, 20, softness=0.8)
-    template, one = Template(shape, 1), draw(shape, margin=50)
+    template, one = MeasuringTemplate(shape, 1), draw(shape, margin=50)
     two = one + np.roll(one, 30, axis=1)
     noise = 0.05 * texture(one.shape, 0, 1)
     halved = one.copy()
     halved[:, 51:] = np.roll(one, 4, axis=0)[:, 51:]  # a torn film
 
     def reason(pixels: np.ndarray) -> str:
-        made = measure(window(pixels), (150.5, 250.5), 8, template, 0.5, Surface.CORRELATION)
-        assert isinstance(made, Lost), made
+        made = measure_mark(window(pixels), (150.5, 250.5), 8, template, 0.5, SurfaceBasis.CORRELATION)
+        assert isinstance(made, UnmeasuredMark), made
         return str(made.reason)
 
     assert "two places look nearly alike" in reason(two + noise)
     assert "correlation is" in reason(noise)
     assert "differ by" in reason(halved + noise)
-    small = measure(window(one[:9, :9]), (104.5, 204.5), 2, template, 0.5, Surface.CORRELATION)
-    assert isinstance(small, Lost)
+    small = measure_mark(window(one[:9, :9]), (104.5, 204.5), 2, template, 0.5, SurfaceBasis.CORRELATION)
+    assert isinstance(small, UnmeasuredMark)
     assert "larger than" in str(small.reason)
 
 

@@ -13,10 +13,19 @@ from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.imagery.photos import Photo
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, read_calibration
-from seam_inspector.plugin.photos.measure.interior_orientation import orient
+from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
 from seam_inspector.plugin.photos.measure.mark_templates import chosen_shapes
-from seam_inspector.plugin.photos.measure.orientation import Orientation, OrientationSettings, Position, Status
-from seam_inspector.plugin.photos.measure.scan_orientation import LYINGS, OrientationEvidence, ScanOrientation
+from seam_inspector.plugin.photos.measure.orientation import (
+    GivenPosition,
+    MarkStatus,
+    OrientationSettings,
+    PhotoOrientation,
+)
+from seam_inspector.plugin.photos.measure.scan_orientation import (
+    SCAN_ORIENTATIONS,
+    OrientationEvidence,
+    ScanOrientation,
+)
 
 from tests.numbers.photos.photos import CAMERA, Frame, Look, Place, make_frame
 from tests.numbers.synthetic import write_plain
@@ -26,13 +35,13 @@ SIDES = {"1": (110.0, 0.0), "2": (0.0, -110.0), "3": (-110.0, 0.0), "4": (0.0, 1
 
 def measured(
     pixels: np.ndarray, folder: Path, camera: Mapping[str, Place] = CAMERA, settings: OrientationSettings | None = None,
-    positions: Mapping[str, Position] | None = None,
-) -> Orientation:
+    positions: Mapping[str, GivenPosition] | None = None,
+) -> PhotoOrientation:
     photo = Photo(RasterRef(write_plain(folder / "photo.tif", pixels)))
-    return orient(photo, CameraCalibration(camera), positions or {}, settings or OrientationSettings())
+    return orient_photo(photo, CameraCalibration(camera), positions or {}, settings or OrientationSettings())
 
 
-def errors(made: Orientation, frame: Frame) -> list[float]:
+def errors(made: PhotoOrientation, frame: Frame) -> list[float]:
     """Distances of the measured marks from the truth, by their names, px."""
     return [math.dist(mark.place, frame.places[mark.name]) for mark in made.marks if mark.place is not None]
 
@@ -76,24 +85,24 @@ def test_every_kind_of_mark_is_measured(tmp_path: Path, strong: bool) -> None:
     assert np.mean(found) <= (0.15 if strong else 0.05)
 
 
-@pytest.mark.parametrize("lying", LYINGS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
-def test_the_numbers_tell_how_a_photo_lies(tmp_path: Path, lying: ScanOrientation) -> None:
+@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+def test_the_numbers_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrientation) -> None:
     frame = make_frame(Look(dots=True, diagonal=True, interrupted=True, contrast=40), side=640, seed=11, rotation=-0.8)
-    pixels, places = laid(frame, lying)
+    pixels, places = laid(frame, orientation)
     settings = OrientationSettings(shapes=chosen_shapes("ring with cross", True, None))
     made = measured(pixels, tmp_path, settings=settings)
-    assert (made.lying, made.evidence) == (lying, OrientationEvidence.DOTS)
+    assert (made.scan_orientation, made.evidence) == (orientation, OrientationEvidence.DOTS)
     assert max(errors(made, Frame(pixels, places))) < 0.1
 
 
-def laid(frame: Frame, lying: ScanOrientation) -> tuple[np.ndarray, Mapping[str, Place]]:
+def laid(frame: Frame, orientation: ScanOrientation) -> tuple[np.ndarray, Mapping[str, Place]]:
     """A photo as it lies in another way, by numpy alone."""
     pixels, side = frame.pixels, frame.pixels.shape[0]
     places = dict(frame.places)
-    if lying.mirrored:
+    if orientation.mirrored:
         pixels = pixels[:, ::-1]
         places = {name: (side - x, y) for name, (x, y) in places.items()}
-    for _ in range(lying.turned // 90):
+    for _ in range(orientation.turned // 90):
         pixels = np.rot90(pixels, -1)
         places = {name: (side - y, x) for name, (x, y) in places.items()}
     return np.ascontiguousarray(pixels), places
@@ -131,7 +140,7 @@ def test_things_that_lie_as_the_marks_do_are_not_taken_for_them(tmp_path: Path, 
     covered = disc & (x < 0) if "half" in thing else disc & ~((x > 14) & (y > 14))
     made = measured(with_four_alike(frame, covered), tmp_path)
     assert max(errors(made, frame)) < 0.1
-    assert made.count(Status.MEASURED) == 4
+    assert made.count(MarkStatus.MEASURED) == 4
 
 
 def test_a_picture_without_marks_is_refused(tmp_path: Path) -> None:
@@ -151,7 +160,7 @@ def test_bits_and_colours_do_not_matter(tmp_path: Path) -> None:
         assert max(errors(measured(pixels, tmp_path, settings=settings), frame)) < 0.15
     bit = write_plain(tmp_path / "bit.tif", (grey > 72).astype(np.uint8), ["NBITS=1"])
     assert gdal.Open(bit).GetRasterBand(1).GetMetadataItem("NBITS", "IMAGE_STRUCTURE") == "1"
-    assert max(errors(orient(Photo(RasterRef(bit)), CameraCalibration(CAMERA), {}, settings), frame)) < 0.5
+    assert max(errors(orient_photo(Photo(RasterRef(bit)), CameraCalibration(CAMERA), {}, settings), frame)) < 0.5
 
 
 # --- real photos -----------------------------------------------------------------------------------------------
@@ -168,9 +177,9 @@ def test_a_whole_scanned_frame(unbc: Path) -> None:
     """No positions, no kind of mark given. The published places were set by hand, one visibly 0.9 px off."""
     calibration = read_calibration(unbc / "MeasuresCamera.xml")
     published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
-    made = orient(Photo(RasterRef(str(unbc / UNBC))), calibration, {}, OrientationSettings())
-    assert [mark.status for mark in made.marks] == [Status.MEASURED] * 4
-    assert (made.lying, made.evidence) == (ScanOrientation(0, False), OrientationEvidence.DOTS)
+    made = orient_photo(Photo(RasterRef(str(unbc / UNBC))), calibration, {}, OrientationSettings())
+    assert [mark.status for mark in made.marks] == [MarkStatus.MEASURED] * 4
+    assert (made.scan_orientation, made.evidence) == (ScanOrientation(0, False), OrientationEvidence.DOTS)
     distances = [math.dist(mark.place, published[mark.name]) for mark in made.marks if mark.place]
     assert np.mean(distances) < 0.62
     assert made.fitted is not None
@@ -182,7 +191,7 @@ def test_a_marks_own_symmetry_confirms_its_place(unbc: Path) -> None:
     """Ring and arms look alike when they are turned by 180 degrees about their centre, whatever a template may say."""
     photo = Photo(RasterRef(str(unbc / UNBC)))
     grey = ndimage.gaussian_filter(photo.grey(), 0.5)
-    made = orient(photo, read_calibration(unbc / "MeasuresCamera.xml"), {}, OrientationSettings())
+    made = orient_photo(photo, read_calibration(unbc / "MeasuresCamera.xml"), {}, OrientationSettings())
     y, x = np.mgrid[-22:23, -22:23]
     disc = np.hypot(x, y) <= 22
     y, x = y[disc], x[disc]
@@ -210,9 +219,9 @@ def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:
     calibration = read_calibration(unbc / "MeasuresCamera.xml")
     turned = np.ascontiguousarray(np.rot90(Photo(RasterRef(str(unbc / UNBC))).grey().astype(np.uint8)[:, ::-1], -1))
     photo = Photo(RasterRef(write_plain(tmp_path / "turned.tif", turned)))
-    made = orient(photo, calibration, {}, OrientationSettings())
-    assert (made.lying, made.evidence) == (ScanOrientation(90, True), OrientationEvidence.DOTS)
-    assert made.count(Status.MEASURED) == 4
+    made = orient_photo(photo, calibration, {}, OrientationSettings())
+    assert (made.scan_orientation, made.evidence) == (ScanOrientation(90, True), OrientationEvidence.DOTS)
+    assert made.count(MarkStatus.MEASURED) == 4
 
 
 @pytest.mark.parametrize(
@@ -222,11 +231,11 @@ def test_a_mark_in_every_strip(data_folder: Path, strip: str, place: Place) -> N
     """Seen by eye, to the pixel. Without a position the strip does not tell which mark it has, and it says so."""
     photo = Photo(RasterRef(str(data_folder / "fiducials" / "hipp" / "arc" / f"{strip}.jpg")))
     camera = CameraCalibration({"T": (0.0, 110.0), "R": (110.0, 0.0), "B": (0.0, -110.0), "L": (-110.0, 0.0)})
-    made = orient(photo, camera, {strip: Position((place[0] + 15, place[1] - 12))}, OrientationSettings())
+    made = orient_photo(photo, camera, {strip: GivenPosition((place[0] + 15, place[1] - 12))}, OrientationSettings())
     (mark,) = (mark for mark in made.marks if mark.name == strip)
     assert mark.place is not None
     assert math.dist(mark.place, (place[0] + 0.5, place[1] + 0.5)) < 1.2
     assert all(other.reason is not None for other in made.marks if other.name != strip)
     assert made.fitted is None
     with pytest.raises(PhotoError, match="No mark was found"):
-        orient(photo, camera, {}, OrientationSettings(shapes=chosen_shapes("cross", False, None)))
+        orient_photo(photo, camera, {}, OrientationSettings(shapes=chosen_shapes("cross", False, None)))

@@ -11,92 +11,108 @@ from hypothesis import strategies as st
 from scipy.optimize import least_squares
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
-from seam_inspector.plugin.photos.measure.fitting_marks import fit_marks, off_marks
-from seam_inspector.plugin.photos.measure.mark_comparison import Measured, differences, pixel_size, statistics
-from seam_inspector.plugin.photos.measure.orientation import Mark, Status
-from seam_inspector.plugin.photos.measure.transformations import LEAST_MARKS, Model, Transformation, fit, redundancy
+from seam_inspector.plugin.photos.measure.fitting_marks import fail_misplaced_marks, fit_marks
+from seam_inspector.plugin.photos.measure.mark_comparison import (
+    ComparedMark,
+    distance_statistics,
+    mark_differences,
+    pixel_size,
+)
+from seam_inspector.plugin.photos.measure.orientation import MarkResult, MarkStatus
+from seam_inspector.plugin.photos.measure.transformations import (
+    LEAST_MARKS,
+    PlaneModel,
+    Transformation,
+    fit_transformation,
+    redundancy,
+)
 
 from tests.numbers.photos.photos import CAMERA
 
 EIGHT = {**CAMERA, "5": (110.0, 0.01), "6": (-110.0, -0.02), "7": (0.01, 110.0), "8": (0.0, -110.0)}
 
 
-@pytest.mark.parametrize("model", Model)
+@pytest.mark.parametrize("model", PlaneModel)
 @given(seed=st.integers(0, 10_000))
-def test_a_transformation_is_found_again(model: Model, seed: int) -> None:
+def test_a_transformation_is_found_again(model: PlaneModel, seed: int) -> None:
     random = np.random.default_rng(seed)
     points = random.uniform(-100, 100, (6, 2))
     angle, scale = random.uniform(-3, 3), random.uniform(5, 50)
     matrix = np.eye(3)
     matrix[:2, :2] = scale * np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
     matrix[:2, 2] = random.uniform(0, 5000, 2)
-    if model is not Model.SIMILARITY:
+    if model is not PlaneModel.SIMILARITY:
         matrix[:2, :2] += scale * random.uniform(-0.1, 0.1, (2, 2))
-    if model is Model.PROJECTIVE:
+    if model is PlaneModel.PROJECTIVE:
         matrix[2, :2] = random.uniform(-1e-3, 1e-3, 2)
     elif random.random() < 0.5:
         matrix[:, 0] *= -1  # mirrored
     target = Transformation(model, matrix)(points)
-    made = fit(model, points, target)
+    made = fit_transformation(model, points, target)
     assert made(points) == pytest.approx(target, abs=1e-6)
     assert made.inverse(target) == pytest.approx(points, abs=1e-6)
 
 
-def applied(model: Model, p: np.ndarray, points: np.ndarray) -> np.ndarray:
+def applied(model: PlaneModel, p: np.ndarray, points: np.ndarray) -> np.ndarray:
     """A model with its parameters in a row, written down once more."""
     x, y = points.T
-    if model is Model.SIMILARITY:
+    if model is PlaneModel.SIMILARITY:
         return np.stack([p[0] * x - p[1] * y + p[2], p[1] * x + p[0] * y + p[3]], axis=1)
-    below = p[6] * x + p[7] * y + 1 if model is Model.PROJECTIVE else 1
+    below = p[6] * x + p[7] * y + 1 if model is PlaneModel.PROJECTIVE else 1
     return np.stack([(p[0] * x + p[1] * y + p[2]) / below, (p[3] * x + p[4] * y + p[5]) / below], axis=1)
 
 
-@pytest.mark.parametrize("model", Model)
-def test_least_squares_are_scipys(model: Model) -> None:
+@pytest.mark.parametrize("model", PlaneModel)
+def test_least_squares_are_scipys(model: PlaneModel) -> None:
     random = np.random.default_rng(1)
     points = random.uniform(-1, 1, (8, 2))
     target = 20 * points @ [[0.9, 0.1], [-0.1, 0.9]] + 3 + random.normal(0, 0.1, (8, 2))
     affine = [18, 2, 3, -2, 18, 3]
-    start = {Model.SIMILARITY: [18, -2, 3, 3], Model.AFFINE: affine}.get(model, [*affine, 0, 0])
+    start = {PlaneModel.SIMILARITY: [18, -2, 3, 3], PlaneModel.AFFINE: affine}.get(model, [*affine, 0, 0])
     theirs = least_squares(lambda p: (applied(model, p, points) - target).ravel(), start, xtol=1e-14, ftol=1e-14)
-    assert fit(model, points, target)(points) == pytest.approx(applied(model, theirs.x, points), abs=1e-5)
+    ours = fit_transformation(model, points, target)(points)
+    assert ours == pytest.approx(applied(model, theirs.x, points), abs=1e-5)
 
 
-@pytest.mark.parametrize("model", Model)
-def test_too_few_points_or_points_on_a_line(model: Model) -> None:
+@pytest.mark.parametrize("model", PlaneModel)
+def test_too_few_points_or_points_on_a_line(model: PlaneModel) -> None:
     line = np.array([(float(n), 2.0 * n) for n in range(6)])
     with pytest.raises(PhotoError, match=f"needs {LEAST_MARKS[model]}"):
-        fit(model, line[: LEAST_MARKS[model] - 1], line[: LEAST_MARKS[model] - 1])
+        fit_transformation(model, line[: LEAST_MARKS[model] - 1], line[: LEAST_MARKS[model] - 1])
     with pytest.raises(PhotoError, match="one place or on one line"):
-        fit(model, line * (0 if model is Model.SIMILARITY else 1), line)
+        fit_transformation(model, line * (0 if model is PlaneModel.SIMILARITY else 1), line)
 
 
 def test_redundancy() -> None:
-    assert [redundancy(model, 4) for model in (Model.AFFINE, Model.SIMILARITY, Model.PROJECTIVE)] == [2, 4, 0]
+    models = PlaneModel.AFFINE, PlaneModel.SIMILARITY, PlaneModel.PROJECTIVE
+    assert [redundancy(model, 4) for model in models] == [2, 4, 0]
 
 
-def marks(camera: dict[str, tuple[float, float]], moved: dict[str, tuple[float, float]] | None = None) -> list[Mark]:
+def marks(
+    camera: dict[str, tuple[float, float]], moved: dict[str, tuple[float, float]] | None = None
+) -> list[MarkResult]:
     """Marks in a scan of 25 px/mm, some of them moved (px), with a few micrometres of noise."""
     random = np.random.default_rng(2)
     made = []
     for name, (x, y) in camera.items():
         dx, dy = (moved or {}).get(name, (0, 0))
         noise = random.normal(0, 0.05, 2)
-        made.append(Mark(name, (x, y), Status.MEASURED, (3000 + 25 * x + dx + noise[0], 3000 - 25 * y + dy + noise[1])))
+        place = 3000 + 25 * x + dx + noise[0], 3000 - 25 * y + dy + noise[1]
+        made.append(MarkResult(name, (x, y), MarkStatus.MEASURED, place))
     return made
 
 
-def failed(made: list[Mark]) -> set[str]:
-    return {mark.name for mark in made if mark.status is Status.FAILED}
+def failed(made: list[MarkResult]) -> set[str]:
+    return {mark.name for mark in made if mark.status is MarkStatus.FAILED}
 
 
 def test_an_outlier_among_eight_is_found_by_the_model() -> None:
-    fitted, made, _ = fit_marks(marks(EIGHT, {"7": (3, 0)}), Model.AFFINE)
+    fitted, made, _ = fit_marks(marks(EIGHT, {"7": (3, 0)}), PlaneModel.AFFINE)
     assert failed(made) == {"7"}
     assert fitted is not None
     assert (fitted.marks, fitted.redundancy) == (7, 8)
     assert fitted.rms < 5
-    clean, made, notices = fit_marks(marks(EIGHT), Model.AFFINE)
+    clean, made, notices = fit_marks(marks(EIGHT), PlaneModel.AFFINE)
     assert failed(made) == set()
     assert notices == []
     assert clean is not None
@@ -104,42 +120,43 @@ def test_an_outlier_among_eight_is_found_by_the_model() -> None:
 
 
 def test_of_four_marks_a_gross_error_is_named_and_a_small_one_is_not() -> None:
-    made, _ = off_marks(marks(CAMERA, {"2": (30, -10)}), Model.AFFINE)
+    made, _ = fail_misplaced_marks(marks(CAMERA, {"2": (30, -10)}), PlaneModel.AFFINE)
     assert failed(made) == {"2"}
-    made, _ = off_marks(marks(CAMERA, {"2": (2, 0)}), Model.AFFINE)
-    made = fit_marks(made, Model.AFFINE)[1]
+    made, _ = fail_misplaced_marks(marks(CAMERA, {"2": (2, 0)}), PlaneModel.AFFINE)
+    made = fit_marks(made, PlaneModel.AFFINE)[1]
     assert failed(made) == set()  # two degrees of freedom: all four residuals are of one size
     sizes = [math.hypot(*mark.residual) for mark in made if mark.residual]
     assert max(sizes) < 1.1 * min(sizes)
     three = {name: CAMERA[name] for name in "123"}
-    made, _ = off_marks(marks(three, {"2": (60, 0)}), Model.AFFINE)
+    made, _ = fail_misplaced_marks(marks(three, {"2": (60, 0)}), PlaneModel.AFFINE)
     assert failed(made) == {"1", "2", "3"}
 
 
 def test_a_mark_given_by_hand_is_never_thrown_out() -> None:
     given_marks = [
-        Mark(mark.name, mark.calibrated, Status.GIVEN, mark.place) if mark.name == "2" else mark
+        MarkResult(mark.name, mark.calibrated, MarkStatus.GIVEN, mark.place) if mark.name == "2" else mark
         for mark in marks(CAMERA, {"2": (40, 0)})
     ]
-    made, notices = off_marks(given_marks, Model.AFFINE)
+    made, notices = fail_misplaced_marks(given_marks, PlaneModel.AFFINE)
     assert failed(made) == set()
     assert "'2'" in str(notices[0])
 
 
 def test_comparison_by_hand() -> None:
-    first = [Measured("a", "1", (0, 0), (0, 0)), Measured("a", "2", (10, 0), (0.2, 0)), Measured("b", "1", (5, 5))]
-    second = [Measured("b", "1", (5, 6)), Measured("a", "1", (3, 4)), Measured("c", "1", (0, 0))]
-    found = differences(first, second)
+    first = [ComparedMark("a", "1", (0, 0), (0, 0)), ComparedMark("a", "2", (10, 0), (0.2, 0))]
+    first.append(ComparedMark("b", "1", (5, 5)))
+    second = [ComparedMark("b", "1", (5, 6)), ComparedMark("a", "1", (3, 4)), ComparedMark("c", "1", (0, 0))]
+    found = mark_differences(first, second)
     assert [(one.photo, one.mark, one.distance) for one in found] == [("a", "1", 5), ("b", "1", 1)]
-    made = statistics(found)
+    made = distance_statistics(found)
     assert (made.count, made.mean, made.maximum, made.minimum) == (2, 3, 5, 1)
     assert made.standard_deviation == pytest.approx(np.std([5, 1], ddof=1))
     assert pixel_size(first) == pytest.approx(20)
     assert made.scaled(20).mean == 60
     with pytest.raises(PhotoError, match="no mark in common"):
-        differences(first, [Measured("d", "9", (0, 0))])
+        mark_differences(first, [ComparedMark("d", "9", (0, 0))])
     with pytest.raises(PhotoError, match="twice"):
-        differences(first, [Measured("", "1", (0, 0)), Measured("", "1", (1, 0))])
+        mark_differences(first, [ComparedMark("", "1", (0, 0)), ComparedMark("", "1", (1, 0))])
 
 
 def test_calibration_files(tmp_path: Path) -> None:
@@ -151,7 +168,12 @@ def test_calibration_files(tmp_path: Path) -> None:
     made = read_calibration(path)
     assert made.marks == {"P1": (106.004, -106.002), "P2": (-105.998, -105.998)}
     assert (made.principal_point, made.focal_length, made.data_strip) == ((0.01, -0.02), 153.21, None)
-    for text, words in (("<a", "neither"), ("x,y\n1,2\n", "lacks a column"), ("mark,x_mm,y_mm\n1,a,2\n", "Row 2")):
+    for text, words in (
+        ("<a", "neither"),
+        ("<!DOCTYPE a><a/>", "neither"),
+        ("x,y\n1,2\n", "lacks a column"),
+        ("mark,x_mm,y_mm\n1,a,2\n", "Row 2"),
+    ):
         path.write_text(text, encoding="utf-8")
         with pytest.raises(PhotoError, match=words):
             read_calibration(path)

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.lines.seamlines import Seam
 from seam_inspector.plugin.imagery.pixels import Pixels
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.seamlines import Seam
 from seam_inspector.plugin.radiometry.measure import image_statistics
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment, RuleFinding, assess
 from seam_inspector.plugin.radiometry.measure.image_statistics import ImageStatistics, stream

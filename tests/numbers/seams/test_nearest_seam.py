@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import ogr
-from seam_inspector.plugin.imagery.seamlines import Seam
+from seam_inspector.plugin.imagery.lines.seamlines import Seam
 from seam_inspector.plugin.seams.measure.nearest_seam import SeamIndex
 
 EAST, NORTH = 500_000.0, 5_000_000.0

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.imagery.seamlines import Seam, find_seams
+from seam_inspector.plugin.imagery.lines.seamlines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.window_placing import Placement, place_windows
 

@@ -13,11 +13,12 @@ from scipy.ndimage import map_coordinates
 from seam_inspector.plugin.imagery.errors import CancelledError, RasterError, SeamInspectorError, SettingsError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure.image_description import describe_image
-from seam_inspector.plugin.sensors.measure.models import rpc
+from seam_inspector.plugin.sensors.measure.models.least_squares import Scaling
+from seam_inspector.plugin.sensors.measure.models.rational import Rational
+from seam_inspector.plugin.sensors.measure.models.rpc_files import read_rpc, rpc_of_image_part
 from seam_inspector.plugin.sensors.measure.orthorectification import (
     Ortho,
     OrthoRequest,
-    of_part,
     orthorectify,
     rpc_domain,
 )
@@ -32,11 +33,11 @@ RAMP = np.stack(np.meshgrid(np.arange(SIDE) + 0.5, np.arange(SIDE) + 0.5)).astyp
 """An image whose two bands are its own columns and rows: an orthoimage of it tells where each pixel came from."""
 
 
-def small_rpc() -> rpc.Rational:
+def small_rpc() -> Rational:
     """Quotients that see a patch of 400 x 400 px of about 0.5 m, with relief displacement."""
     made = made_rational(3, 5, 0.002)
-    image = rpc.Scaling(np.array([200.0, 200.0]), np.array([200.0, 200.0]))
-    ground = rpc.Scaling(np.array([7.18, 43.67, 600.0]), np.array([0.00125, 0.0009, 300.0]))
+    image = Scaling(np.array([200.0, 200.0]), np.array([200.0, 200.0]))
+    ground = Scaling(np.array([7.18, 43.67, 600.0]), np.array([0.00125, 0.0009, 300.0]))
     numerators = made.numerators.copy()
     numerators[3] = 0.9, 0.4
     return replace(made, image=image, ground=ground, numerators=numerators)
@@ -87,7 +88,7 @@ def came_from(ortho: Ortho) -> tuple[np.ndarray, np.ndarray]:
     return places, bands[:, row, column].T
 
 
-def vendor_places(places: np.ndarray, system: str, dem: str, model: rpc.Rational, raised: float = 0.0) -> np.ndarray:
+def vendor_places(places: np.ndarray, system: str, dem: str, model: Rational, raised: float = 0.0) -> np.ndarray:
     """Where an RPC sees map places over a terrain model, by PROJ and scipy."""
     systems = [osr.SpatialReference(), osr.SpatialReference()]
     systems[0].SetFromUserInput(system)
@@ -200,8 +201,8 @@ def test_cancelling_leaves_nothing(job: Callable[..., Ortho], tmp_path: Path) ->
 def test_pleiades_over_srtm_lies_where_the_vendors_rpc_puts_it(data_folder: Path, tmp_path: Path, dem: str) -> None:
     folder = data_folder / "sensors" / "pleiades"
     image = describe_image(RasterRef(str(folder / "left_image.tif")))
-    scene = rpc.read_rpc(folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML")
-    part, notice = of_part(scene, image)
+    scene = read_rpc(folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML")
+    part, notice = rpc_of_image_part(scene, image)
     assert "from column 5000 and row 5000" in str(notice)
     request = OrthoRequest(
         image.ref, part, WGS84, rpc_domain(part, image), RasterRef(str(folder / dem)), "ellipsoid", None,

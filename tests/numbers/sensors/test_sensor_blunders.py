@@ -8,12 +8,12 @@ import pytest
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.sensors.measure.adjustment import adjust
-from seam_inspector.plugin.sensors.measure.comparison import CHECK_POINTS, LEAVE_ONE_OUT, candidates, compare
+from seam_inspector.plugin.sensors.measure.comparison import CHECK_POINTS, LEAVE_ONE_OUT, all_requests, compare
+from seam_inspector.plugin.sensors.measure.control_coverage import control_coverage, convex_hull, coverage_warnings
 from seam_inspector.plugin.sensors.measure.models import registry
-from seam_inspector.plugin.sensors.measure.models.registry import Wanted
+from seam_inspector.plugin.sensors.measure.models.registry import ModelRequest
 from seam_inspector.plugin.sensors.measure.point_heights import is_flat
-from seam_inspector.plugin.sensors.measure.point_layout import hull, layout, layout_warnings
-from seam_inspector.plugin.sensors.measure.points import split
+from seam_inspector.plugin.sensors.measure.points import choose_check_points
 
 from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, made_pushbroom, made_rational, places, points
 
@@ -21,29 +21,29 @@ SIGMA = 0.4
 
 
 @pytest.mark.parametrize(
-    ("wanted", "count"),
+    ("asked", "count"),
     [
-        (Wanted(registry.POLYNOMIAL_3D, 1), 40),
-        (Wanted(registry.RATIONAL, 1), 60),
-        (Wanted(registry.DLT), 60),
-        (Wanted(registry.RPC_BIAS, bias="affine", rpc=made_rational(1, 7, 0.002)), 30),
+        (registry.POLYNOMIAL_3D.request("1"), 40),
+        (registry.RATIONAL.request("1"), 60),
+        (registry.DLT.request(), 60),
+        (registry.RPC_BIAS.request("affine", rpc=made_rational(1, 7, 0.002)), 30),
     ],
 )
 @pytest.mark.parametrize("seed", range(3))
-def test_thirty_per_cent_blunders_of_five_sigma_are_found(wanted: Wanted, count: int, seed: int) -> None:
+def test_thirty_per_cent_blunders_of_five_sigma_are_found(asked: ModelRequest, count: int, seed: int) -> None:
     random = np.random.default_rng(seed)
     ground = places(count, seed)
-    truth = made_rational(1, 7, 0.0 if wanted.kind == registry.POLYNOMIAL_3D else 0.002)
-    if wanted.kind == registry.DLT:
+    truth = made_rational(1, 7, 0.0 if asked.kind == registry.POLYNOMIAL_3D else 0.002)
+    if asked.kind == registry.DLT:
         truth = replace(truth, denominators=np.repeat(truth.denominators[:, :1], 2, axis=1))
     image = truth.project(ground) + random.normal(0, SIGMA, (count, 2))
     wrong = np.arange(count) < round(0.3 * count)
     image[wrong] += 5 * SIGMA * random.choice([-1, 1], (count, 2))[wrong]
-    done = adjust(wanted, points(image, ground), robust=True)
+    done = adjust(asked, points(image, ground), robust=True)
     assert done.blunder[wrong].mean() >= 0.85
     assert done.blunder[~wrong].mean() <= 0.1
     image[wrong] += 50 * SIGMA  # gross ones, all of them to one side
-    done = adjust(wanted, points(image, ground), robust=True)
+    done = adjust(asked, points(image, ground), robust=True)
     assert done.blunder[wrong].all()
     assert done.blunder[~wrong].mean() <= 0.1
     assert np.abs(done.residuals_px[~wrong]).max() < 5 * SIGMA
@@ -53,19 +53,19 @@ def test_thirty_per_cent_blunders_of_five_sigma_are_found(wanted: Wanted, count:
 def test_a_good_set_loses_hardly_a_point_and_exact_points_none() -> None:
     ground, random = places(80, 1), np.random.default_rng(1)
     exact = made_rational(1, 2).project(ground)
-    assert not adjust(Wanted(registry.RATIONAL), points(exact, ground), robust=True).blunder.any()
+    assert not adjust(registry.RATIONAL.request(), points(exact, ground), robust=True).blunder.any()
     noisy = exact + random.normal(0, SIGMA, exact.shape)
-    assert adjust(Wanted(registry.RATIONAL), points(noisy, ground), robust=True).blunder.sum() <= 3
+    assert adjust(registry.RATIONAL.request(), points(noisy, ground), robust=True).blunder.sum() <= 3
 
 
 def test_a_blunder_among_the_check_points_is_flagged_and_not_counted() -> None:
     ground, random = places(60, 1), np.random.default_rng(1)
     image = made_rational(1, 2).project(ground) + random.normal(0, SIGMA, (60, 2))
     image[50, 0] += 30
-    done = adjust(Wanted(registry.RATIONAL), points(image, ground, np.arange(60) >= 30), robust=True)
+    done = adjust(registry.RATIONAL.request(), points(image, ground, np.arange(60) >= 30), robust=True)
     assert np.flatnonzero(done.blunder).tolist() == [50]
     assert done.check.count == 29
-    plain = adjust(Wanted(registry.RATIONAL), points(image, ground, np.arange(60) >= 30))
+    plain = adjust(registry.RATIONAL.request(), points(image, ground, np.arange(60) >= 30))
     assert plain.check.count == 30
     assert plain.check.max_x is not None
     assert done.check.max_x is not None
@@ -83,7 +83,7 @@ def test_a_check_point_is_a_blunder_beyond_five_standard_deviations_of_the_check
     random = np.random.default_rng(1)
     image[check] += np.column_stack([random.permutation(normal), random.permutation(normal)])
     image[50, 0] += sigmas * SIGMA - (image[50, 0] - made_rational(1, 2).project(ground)[50, 0])
-    done = adjust(Wanted(registry.RATIONAL), points(image, ground, check), robust=True)
+    done = adjust(registry.RATIONAL.request(), points(image, ground, check), robust=True)
     assert np.flatnonzero(done.blunder).tolist() == ([50] if flagged else [])
 
 
@@ -91,7 +91,7 @@ def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
     ground = places(14, 4)
     image = made_pushbroom(1).project(ground) + np.random.default_rng(4).normal(0, SIGMA, (14, 2))
     image[3] += [8.0, -6.0]
-    done = adjust(Wanted(registry.PUSHBROOM, size=(COLUMNS, ROWS)), points(image, ground), robust=True)
+    done = adjust(registry.PUSHBROOM.request(size=(COLUMNS, ROWS)), points(image, ground), robust=True)
     assert done.blunder[3]
     assert done.blunder.sum() <= 3
 
@@ -100,29 +100,29 @@ def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wanted", "unknowns", "fewest"),
+    ("asked", "unknowns", "fewest"),
     [
-        *((Wanted(registry.POLYNOMIAL_2D, order), 2 * few, few) for order, few in ((1, 3), (2, 6), (3, 10))),
-        *((Wanted(registry.POLYNOMIAL_3D, order), 2 * few, few) for order, few in ((1, 4), (2, 10), (3, 20))),
-        *((Wanted(registry.RATIONAL, order), 2 * few, few) for order, few in ((1, 7), (2, 19), (3, 39))),
-        (Wanted(registry.DLT), 11, 6),
-        (Wanted(registry.DLT, dlt_xy=True), 12, 6),
-        (Wanted(registry.PUSHBROOM), None, 4),
-        (Wanted(registry.RPC_BIAS, bias="shift", rpc=made_rational(1, 2)), 2, 1),
-        (Wanted(registry.RPC_BIAS, bias="shift_drift", rpc=made_rational(1, 2)), 3, 2),
-        (Wanted(registry.RPC_BIAS, bias="affine", rpc=made_rational(1, 2)), 6, 3),
+        *((registry.POLYNOMIAL_2D.request(str(order)), 2 * few, few) for order, few in ((1, 3), (2, 6), (3, 10))),
+        *((registry.POLYNOMIAL_3D.request(str(order)), 2 * few, few) for order, few in ((1, 4), (2, 10), (3, 20))),
+        *((registry.RATIONAL.request(str(order)), 2 * few, few) for order, few in ((1, 7), (2, 19), (3, 39))),
+        (registry.DLT.request(), 11, 6),
+        (registry.DLT.request("xy"), 12, 6),
+        (registry.PUSHBROOM.request(), None, 4),
+        (registry.RPC_BIAS.request("shift", rpc=made_rational(1, 2)), 2, 1),
+        (registry.RPC_BIAS.request("shift_drift", rpc=made_rational(1, 2)), 3, 2),
+        (registry.RPC_BIAS.request("affine", rpc=made_rational(1, 2)), 6, 3),
     ],
 )
 def test_the_fewest_points_fit_and_one_less_is_refused_with_the_number(
-    wanted: Wanted, unknowns: int | None, fewest: int
+    asked: ModelRequest, unknowns: int | None, fewest: int
 ) -> None:
     ground = places(fewest, 11)
     image = made_rational(1, 2, 0.001).project(ground)
-    assert unknowns is None or wanted.unknowns == unknowns
-    done = adjust(wanted, points(image, ground))
+    assert unknowns is None or asked.variant.unknowns == unknowns
+    done = adjust(asked, points(image, ground))
     assert done.control.count == fewest
     with pytest.raises(SensorModelError, match=rf"There are {fewest - 1} control points .* at least {fewest};"):
-        adjust(wanted, points(image[1:], ground[1:]))
+        adjust(asked, points(image[1:], ground[1:]))
 
 
 def test_points_on_a_line_or_a_plane_are_refused() -> None:
@@ -134,35 +134,35 @@ def test_points_on_a_line_or_a_plane_are_refused() -> None:
     for wrong, words in ((line, "on one line"), (flat, "on one plane"), (slope, "on one plane")):
         image = made_rational(1, 2).project(wrong)
         for kind in (registry.RATIONAL, registry.POLYNOMIAL_3D, registry.DLT, registry.PUSHBROOM):
-            wanted = Wanted(kind)
+            asked = kind.request()
             with pytest.raises(SensorModelError, match=words):
-                adjust(wanted, points(image, wrong))
-    assert adjust(Wanted(registry.POLYNOMIAL_2D), points(made_rational(1, 2).project(flat), flat)).control.count == 30
+                adjust(asked, points(image, wrong))
+    assert adjust(registry.POLYNOMIAL_2D.request(), points(made_rational(1, 2).project(flat), flat)).control.count == 30
 
 
 def test_layout_says_what_is_extrapolated() -> None:
     box = (0.0, 0.0, 100.0, 50.0)
     square = np.array([[0, 0], [100, 0], [100, 50], [0, 50], [50, 25.0]])
-    assert layout(square, box).extrapolated == pytest.approx(0)
-    assert layout_warnings(layout(square, box)) == []
-    assert len(hull(square)) == 4
+    assert control_coverage(square, box).extrapolated == pytest.approx(0)
+    assert coverage_warnings(control_coverage(square, box)) == []
+    assert len(convex_hull(square)) == 4
     corner = square / 4
-    assert layout(corner, box).extrapolated == pytest.approx(15 / 16)
-    assert "94%" in str(layout_warnings(layout(corner, box))[0])
+    assert control_coverage(corner, box).extrapolated == pytest.approx(15 / 16)
+    assert "94%" in str(coverage_warnings(control_coverage(corner, box))[0])
     line = np.column_stack([np.linspace(0, 100, 9), np.linspace(0, 50, 9) + np.tile([0.1, -0.1, 0], 3)])
-    assert "nearly on a line" in str(layout_warnings(layout(line, box))[0])
+    assert "nearly on a line" in str(coverage_warnings(control_coverage(line, box))[0])
 
 
 def test_the_split_is_even_and_repeats() -> None:
     ground = places(40, 1)
     given = points(made_rational(1, 2).project(ground), ground)
-    parted = split(given, 0.25)
+    parted = choose_check_points(given, 0.25)
     assert parted.check.sum() == 10
-    assert np.array_equal(parted.check, split(given, 0.25).check)
-    assert layout(given.image[~parted.check], (0, 0, COLUMNS, ROWS)).extrapolated < 0.4
+    assert np.array_equal(parted.check, choose_check_points(given, 0.25).check)
+    assert control_coverage(given.image[~parted.check], (0, 0, COLUMNS, ROWS)).extrapolated < 0.4
     checks = given.image[parted.check]
     assert all((checks[:, axis] < half).sum() in range(3, 8) for axis, half in ((0, COLUMNS / 2), (1, ROWS / 2)))
-    assert not split(given, 0).check.any()
+    assert not choose_check_points(given, 0).check.any()
 
 
 # --- the comparison --------------------------------------------------------------------------------------------
@@ -173,22 +173,22 @@ def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> Non
     truth = made_pushbroom(0)
     image = truth.project(ground) + random.normal(0, SIGMA, (60, 2))
     few = points(image[:14], ground[:14])
-    models = candidates(None, 694e3, (COLUMNS, ROWS))
+    models = all_requests(None, 694e3, (COLUMNS, ROWS))
     result = compare(few, models, robust=False, flat=is_flat(few))
     assert result.method == LEAVE_ONE_OUT
     assert result.recommended is not None
-    assert result.recommended.wanted.kind == registry.PUSHBROOM
+    assert result.recommended.request.kind == registry.PUSHBROOM
     assert result.recommended.errors is not None
     assert result.recommended.errors.count == 14
-    refused = {row.wanted.name: str(row.reason) for row in result.rows if row.errors is None}
+    refused = {row.request.name: str(row.reason) for row in result.rows if row.errors is None}
     assert "needs at least 39" in refused["rational 3"]
     many = points(image, ground, np.arange(60) >= 20)
-    rpc = adjust(Wanted(registry.RATIONAL, 3), points(truth.project(places(400, 9)) + 6, places(400, 9))).fit.model
-    models = [one for one in candidates(rpc, 694e3, None) if one.kind != registry.PUSHBROOM]  # type: ignore[arg-type]
+    rpc = adjust(registry.RATIONAL.request("3"), points(truth.project(places(400, 9)) + 6, places(400, 9))).fitted.model
+    models = [one for one in all_requests(rpc, 694e3, None) if one.kind != registry.PUSHBROOM]  # type: ignore[arg-type]
     result = compare(many, models, False, False)
     assert result.method == CHECK_POINTS
     assert result.recommended is not None
-    assert result.recommended.wanted.name == "rpc_bias shift"
+    assert result.recommended.request.name == "rpc_bias shift"
     assert "vendor's RPC" in str(result.reason)
 
 
@@ -199,9 +199,9 @@ def test_plane_models_are_recommended_on_flat_terrain_only() -> None:
         ground[:, 2] = height * random.uniform(0, 1, 40)
         given = points(made_rational(1, 3, 0).project(ground), ground, np.arange(40) >= 20)
         assert is_flat(given) == flat
-        result = compare(given, [Wanted(registry.POLYNOMIAL_2D, 1), Wanted(registry.POLYNOMIAL_3D, 1)], False, flat)
+        result = compare(given, [registry.POLYNOMIAL_2D.request("1"), registry.POLYNOMIAL_3D.request("1")], False, flat)
         assert result.recommended is not None
-        assert (result.recommended.wanted.kind == registry.POLYNOMIAL_3D) >= (not flat)
-    nothing = compare(given, [Wanted(registry.RATIONAL, 3)], False, False)
+        assert (result.recommended.request.kind == registry.POLYNOMIAL_3D) >= (not flat)
+    nothing = compare(given, [registry.RATIONAL.request("3")], False, False)
     assert nothing.recommended is None
     assert "No model could be fitted" in str(nothing.reason)

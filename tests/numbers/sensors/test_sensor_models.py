@@ -14,7 +14,7 @@ from seam_inspector.plugin.sensors.measure.models.earth import geocentric
 from seam_inspector.plugin.sensors.measure.models.least_squares import Scaling
 from seam_inspector.plugin.sensors.measure.models.polynomials import Polynomial2D, Polynomial3D
 from seam_inspector.plugin.sensors.measure.models.rational import Dlt
-from seam_inspector.plugin.sensors.measure.models.registry import Wanted
+from seam_inspector.plugin.sensors.measure.models.registry import ModelRequest
 
 from tests.numbers.sensors.sensor_scenes import (
     COLUMNS,
@@ -34,9 +34,9 @@ EXACT_PX = 1e-6
 IMAGE = Scaling(np.array([COLUMNS / 2, ROWS / 2]), np.array([COLUMNS / 2, ROWS / 2]))
 
 
-def judged(wanted: Wanted, image: np.ndarray, ground: np.ndarray, control: int) -> Adjustment:
+def judged(asked: ModelRequest, image: np.ndarray, ground: np.ndarray, control: int) -> Adjustment:
     """A fit to the first points, judged on the others."""
-    return adjust(wanted, points(image, ground, np.arange(len(image)) >= control))
+    return adjust(asked, points(image, ground, np.arange(len(image)) >= control))
 
 
 def largest_px(done: Adjustment) -> float:
@@ -50,8 +50,8 @@ def largest_px(done: Adjustment) -> float:
 @given(seed=st.integers(0, 10_000))
 def test_rational_recovers_itself(order: int, seed: int) -> None:
     ground = places(120, seed)
-    done = judged(Wanted(registry.RATIONAL, order), made_rational(order, seed).project(ground), ground, 80)
-    assert done.fit.converged
+    done = judged(registry.RATIONAL.request(str(order)), made_rational(order, seed).project(ground), ground, 80)
+    assert done.fitted.converged
     assert largest_px(done) < EXACT_PX
 
 
@@ -67,7 +67,7 @@ def test_the_terms_are_those_of_rpc00b() -> None:
 def test_polynomial_3d_recovers_itself(order: int, seed: int) -> None:
     ground, coefficients = places(60, seed), made_rational(order, seed).numerators
     model = Polynomial3D(order, Scaling(MIDDLE, REACH), IMAGE, coefficients)
-    assert largest_px(judged(Wanted(registry.POLYNOMIAL_3D, order), model.project(ground), ground, 40)) < EXACT_PX
+    assert largest_px(judged(registry.POLYNOMIAL_3D.request(str(order)), model.project(ground), ground, 40)) < EXACT_PX
 
 
 @pytest.mark.parametrize("to_ground", [False, True])
@@ -78,7 +78,7 @@ def test_polynomial_2d_recovers_itself_in_either_direction(order: int, to_ground
     coefficients = random.uniform(-0.02, 0.02, ({1: 3, 2: 6, 3: 10}[order], 2))
     coefficients[1:3] += [[1, 0], [0, -1]]
     model = Polynomial2D(order, Scaling(MIDDLE[:2], REACH[:2]), IMAGE, coefficients, to_ground)
-    assert largest_px(judged(Wanted(registry.POLYNOMIAL_2D, order), model.project(ground), ground, 30)) < EXACT_PX
+    assert largest_px(judged(registry.POLYNOMIAL_2D.request(str(order)), model.project(ground), ground, 30)) < EXACT_PX
 
 
 @pytest.mark.parametrize("with_xy", [False, True])
@@ -93,14 +93,14 @@ def test_dlt_recovers_itself(with_xy: bool, seed: int) -> None:
     denominator = scaled @ [1, *a[8:11]]
     assert np.allclose(x, scaled @ a[:4] / denominator, atol=1e-12)
     assert np.allclose(y, scaled @ a[4:8] / denominator + a[11] * x * y, atol=1e-12)  # equation 4 as printed
-    assert largest_px(judged(Wanted(registry.DLT, dlt_xy=with_xy), image, ground, 20)) < EXACT_PX
+    assert largest_px(judged(registry.DLT.request("xy" if with_xy else ""), image, ground, 20)) < EXACT_PX
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_pushbroom_recovers_itself(seed: int) -> None:
     ground = places(120, seed)
-    done = judged(Wanted(registry.PUSHBROOM, size=(COLUMNS, ROWS)), made_pushbroom(seed).project(ground), ground, 60)
-    assert done.fit.converged
+    done = judged(registry.PUSHBROOM.request(size=(COLUMNS, ROWS)), made_pushbroom(seed).project(ground), ground, 60)
+    assert done.fitted.converged
     assert largest_px(done) < EXACT_PX
 
 
@@ -117,7 +117,7 @@ def test_rpc_bias_recovers_itself(kind: str, count: int, used: list[int], drifti
         correction[1:, 1 - drifting] = -2.0, 1.5
     rpc = made_rational(3, 4, 0.002)
     image = BiasedRpc(rpc, correction).project(ground)
-    assert largest_px(judged(Wanted(registry.RPC_BIAS, bias=kind, rpc=rpc), image, ground, count)) < EXACT_PX
+    assert largest_px(judged(registry.RPC_BIAS.request(kind, rpc=rpc), image, ground, count)) < EXACT_PX
 
 
 def test_residuals_in_metres_are_those_on_the_ground() -> None:
@@ -126,7 +126,7 @@ def test_residuals_in_metres_are_those_on_the_ground() -> None:
     ground = ground.copy()
     moved = np.zeros((40, 3))
     moved[35, :2] = 3 / (111319.49 * np.cos(np.radians(ground[35, 1]))), -2 / 111132.95  # 3 m east, 2 m south
-    done = judged(Wanted(registry.RATIONAL), image, ground + moved, 30)
+    done = judged(registry.RATIONAL.request(), image, ground + moved, 30)
     assert done.residuals_m[35] == pytest.approx([-3, 2], abs=0.02)  # model minus given
     assert np.abs(np.delete(done.residuals_m, 35, axis=0)).max() < 1e-5
 
@@ -154,8 +154,8 @@ def test_rpcfit_scene(data_folder: Path, order: int, column: float, row: float) 
     parts = {name: np.load(folder / f"s1_{name}.npy") for name in ("train2d", "train3d", "test2d", "test3d")}
     image = np.concatenate([parts["train2d"], parts["test2d"]])
     ground = np.concatenate([parts["train3d"], parts["test3d"]])
-    done = judged(Wanted(registry.RATIONAL, order), image, ground, len(parts["train2d"]))
-    assert done.fit.converged
+    done = judged(registry.RATIONAL.request(str(order)), image, ground, len(parts["train2d"]))
+    assert done.fitted.converged
     rmse = done.check.rmse_column, done.check.rmse_row
     assert all(found is not None and found <= limit for found, limit in zip(rmse, (column, row)))
 
@@ -165,44 +165,38 @@ def test_pleiades_grid_as_quotients_of_order_3(data_folder: Path) -> None:
     held_out = np.zeros(grid.shape[:3], bool)
     held_out[:, 1::2, 1::2] = True
     nodes = grid.reshape(-1, 5)
-    done = adjust(Wanted(registry.RATIONAL, 3), points(nodes[:, :2], nodes[:, 2:], held_out.ravel()))
+    done = adjust(registry.RATIONAL.request("3"), points(nodes[:, :2], nodes[:, 2:], held_out.ravel()))
     assert largest_px(done) < 0.01
 
 
-def errors_px(wanted: Wanted, control: np.ndarray, grid: np.ndarray) -> float:
+def errors_px(asked: ModelRequest, control: np.ndarray, grid: np.ndarray) -> float:
     """Root mean square distance over the whole grid of a fit to (n, 5) nodes."""
     nodes = grid[:, ::8, ::8].reshape(-1, 5)
     both = np.concatenate([control, nodes])
-    done = judged(wanted, both[:, :2], both[:, 2:], len(control))
+    done = judged(asked, both[:, :2], both[:, 2:], len(control))
     return float(np.sqrt(np.mean(np.sum(done.residuals_px[len(control) :] ** 2, axis=1))))
 
 
 def test_pushbroom_from_ten_exact_points_of_three_heights(data_folder: Path) -> None:
     grid = pleiades_grid(data_folder)
     random = np.random.default_rng(0)
-    errors = [errors_px(Wanted(registry.PUSHBROOM), ten_spread(grid, random), grid) for _ in range(12)]
+    errors = [errors_px(registry.PUSHBROOM.request(), ten_spread(grid, random), grid) for _ in range(12)]
     assert max(errors) < 0.5
     assert np.median(errors) < 0.02
 
 
 def test_with_noise_the_parametric_model_is_better_and_the_others_come_in_the_papers_order(data_folder: Path) -> None:
     grid, random = pleiades_grid(data_folder), np.random.default_rng(1)
-    wanted = {
-        "pushbroom": Wanted(registry.PUSHBROOM),
-        "rational": Wanted(registry.RATIONAL, 1),
-        "dlt": Wanted(registry.DLT),
-        "polynomial_3d": Wanted(registry.POLYNOMIAL_3D, 1),
-        "polynomial_2d": Wanted(registry.POLYNOMIAL_2D, 1),
-    }
-    errors: dict[str, list[float]] = {name: [] for name in wanted}
+    models = ("pushbroom", "rational", "dlt", "polynomial_3d", "polynomial_2d")
+    errors: dict[str, list[float]] = {name: [] for name in models}
     for _ in range(50):
         control = ten_spread(grid, random)
         east, north, up = random.normal(0, 0.5, (3, 10))
         control[:, 2] += east / (111319.49 * np.cos(np.radians(control[:, 3])))
         control[:, 3] += north / 111132.95
         control[:, 4] += up
-        for name, one in wanted.items():
-            errors[name].append(errors_px(one, control, grid))
-    medians = [float(np.median(errors[name])) for name in wanted]
+        for name in models:
+            errors[name].append(errors_px(registry.KINDS[name].request(), control, grid))
+    medians = [float(np.median(errors[name])) for name in models]
     assert medians == sorted(medians)
     assert np.median(np.array(errors["pushbroom"]) / errors["rational"]) < 0.5

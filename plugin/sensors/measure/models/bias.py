@@ -1,23 +1,22 @@
 """A vendor's RPC, corrected in the image by a few control points."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
 
+from ....imagery.errors import SettingsError
+from .. import messages
 from .least_squares import Scaling, least_squares
 from .rational import Rational
-from .sensor_model import Fit
+from .sensor_model import FittedModel
 
-SHIFT, DRIFT, AFFINE = "shift", "shift_drift", "affine"
-FEWEST = {SHIFT: 1, DRIFT: 2, AFFINE: 3}
-UNKNOWNS = {SHIFT: 2, DRIFT: 3, AFFINE: 6}
 _Used = tuple[int, ...]
 _TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
-    SHIFT: (((0,), (0,)),),
-    DRIFT: (((0, 2), (0,)), ((0,), (0, 2))),
-    AFFINE: (((0, 1, 2), (0, 1, 2)),),
+    "shift": (((0,), (0,)),),
+    "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))),
+    "affine": (((0, 1, 2), (0, 1, 2)),),
 }
 """Which of constant, column and row the corrections of column and row use; of several the one that fits best."""
 
@@ -31,6 +30,7 @@ class BiasedRpc:
     """
 
     GEOGRAPHIC: ClassVar[bool] = True
+    SPATIAL: ClassVar[bool] = True
 
     rpc: Rational
     correction: np.ndarray
@@ -40,19 +40,28 @@ class BiasedRpc:
         seen = self.rpc.project(ground)
         return seen + _linear(self.rpc.image, seen) @ self.correction
 
+    def as_rational(self) -> Rational | None:
+        if self.correction[1:].any():
+            return None
+        scaling = Scaling(self.rpc.image.offset + self.correction[0], self.rpc.image.scale)
+        return replace(self.rpc, image=scaling)
 
-def fit_bias(rpc: Rational, ground: np.ndarray, image: np.ndarray, weights: np.ndarray, kind: str) -> Fit:
+
+def fit_bias(
+    rpc: Rational | None, ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str
+) -> FittedModel:
     """Fit the correction: ``ground`` (n, 3) longitude, latitude, ellipsoidal height; ``image`` (n, 2) px.
 
     ``shift_drift`` adds to the shift what grows with the line, as a drift of the attitude does: of the column or of
-    the row, whichever leaves the smaller residuals.
+    the row, whichever leaves the smaller residuals. Raises SettingsError without an RPC.
     """
+    if rpc is None:
+        raise SettingsError(messages.NO_RPC())
     seen = rpc.project(ground)
     linear = _linear(rpc.image, seen)
     missing = image - seen
-    trials = _TRIALS[kind]
-    best: tuple[float, Fit] | None = None
-    for used in trials:
+    best: tuple[float, FittedModel] | None = None
+    for used in _TRIALS[form]:
         correction, condition = np.zeros((3, 2)), 1.0
         for axis in (0, 1):
             solution = least_squares(linear[:, used[axis]] * weights[:, None], missing[:, axis] * weights)
@@ -60,7 +69,7 @@ def fit_bias(rpc: Rational, ground: np.ndarray, image: np.ndarray, weights: np.n
             condition = max(condition, solution.condition)
         misfit = float(np.sum(((missing - linear @ correction) * weights[:, None]) ** 2))
         if best is None or misfit < best[0]:
-            best = misfit, Fit(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))
+            best = misfit, FittedModel(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))
     assert best is not None
     return best[1]
 

@@ -14,23 +14,12 @@ from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import save_text
 from ....imagery.errors import SensorModelError
 from .. import messages
-from .bias import BiasedRpc
-from .polynomials import Polynomial2D, Polynomial3D
-from .pushbroom import Pushbroom
-from .rational import Dlt, Rational
+from . import registry
 from .rpc import Domain
 from .sensor_model import SensorModel
 
 FORMAT = "seam_inspector sensor model"
 VERSION = 1
-_CLASSES = {
-    "polynomial_2d": Polynomial2D,
-    "polynomial_3d": Polynomial3D,
-    "rational": Rational,
-    "dlt": Dlt,
-    "pushbroom": Pushbroom,
-    "rpc_bias": BiasedRpc,
-}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,7 +36,7 @@ class ModelFile:
 
 def save_model(file: ModelFile, path: Path) -> None:
     """Write a model file. Raises SettingsError where none can be."""
-    kind = next(name for name, one in _CLASSES.items() if isinstance(file.model, one))
+    kind = next(name for name, kind in registry.KINDS.items() if type(file.model) is kind.load().model)
     document = {
         "format": FORMAT,
         "version": VERSION,
@@ -80,7 +69,7 @@ def load_model(path: Path) -> ModelFile:
     if document.get("version") != VERSION:
         raise SensorModelError(messages.MODEL_FILE_VERSION(name=path.name, version=document.get("version")))
     try:
-        model = _built(_CLASSES[document["model"]], document["parameters"])
+        model = _built(registry.KINDS[document["model"]].load().model, document["parameters"])
         plain = document["domain"]
         parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in dataclasses.fields(Domain)]
         domain = Domain(*parts)

@@ -8,7 +8,8 @@ import numpy as np
 
 from .least_squares import Scaling, least_squares
 from .locating import newton
-from .sensor_model import Fit
+from .rational import Rational
+from .sensor_model import FittedModel
 from .terms import terms_2d, terms_3d
 
 
@@ -17,6 +18,7 @@ class Polynomial3D:
     """Image coordinates as polynomials of x, y and z. Source: Kurczynski and Wolniewicz, equation 2."""
 
     GEOGRAPHIC: ClassVar[bool] = False
+    SPATIAL: ClassVar[bool] = True
 
     order: int
     ground: Scaling
@@ -27,12 +29,18 @@ class Polynomial3D:
     def project(self, ground: np.ndarray) -> np.ndarray:
         return self.image.back(terms_3d(self.ground.to(ground), self.order) @ self.coefficients)
 
+    def as_rational(self) -> Rational:
+        ones = np.zeros_like(self.coefficients)
+        ones[0] = 1.0
+        return Rational(self.order, self.ground, self.image, self.coefficients, ones)
+
 
 @dataclass(frozen=True)
 class Polynomial2D:
     """Image coordinates as polynomials of x and y. Source: Kurczynski and Wolniewicz, equation 1."""
 
     GEOGRAPHIC: ClassVar[bool] = False
+    SPATIAL: ClassVar[bool] = False
 
     order: int
     ground: Scaling
@@ -49,6 +57,9 @@ class Polynomial2D:
             return self.image.back(terms_2d(scaled, self.order) @ self.coefficients)
         return self.image.back(newton(self._scaled_ground, scaled, self._start(scaled)))
 
+    def as_rational(self) -> None:
+        return None
+
     def _scaled_ground(self, scaled_image: np.ndarray) -> np.ndarray:
         return terms_2d(scaled_image, self.order) @ self.coefficients
 
@@ -57,16 +68,16 @@ class Polynomial2D:
         return (scaled - self.coefficients[0]) @ np.linalg.pinv(linear)
 
 
-def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> Fit:
+def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
     """Fit by linear least squares: ``ground`` (n, 3), ``image`` (n, 2) px, ``weights`` (n,) 1 / standard deviation."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
     design = terms_3d(scale_g.to(ground), order) * weights[:, None]
     solution = least_squares(design, scale_i.to(image) * weights[:, None])
     model = Polynomial3D(order, scale_g, scale_i, solution.values)
-    return Fit(model, solution.condition, 1, True, solution.values.size)
+    return FittedModel(model, solution.condition, 1, True, solution.values.size)
 
 
-def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> Fit:
+def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
     """Fit a plane polynomial; the same arguments.
 
     The paper writes it from the ground to the image, a georeferencer fits it from the image to the ground. Beyond
@@ -76,12 +87,12 @@ def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
     scale_g, scale_i = Scaling.of(ground[:, :2]), Scaling.of(image)
     scaled_g, scaled_i = scale_g.to(ground[:, :2]), scale_i.to(image)
     fits = []
-    for to_ground, known, wanted in ((True, scaled_i, scaled_g), (False, scaled_g, scaled_i)):
-        solution = least_squares(terms_2d(known, order) * weights[:, None], wanted * weights[:, None])
+    for to_ground, known, target in ((True, scaled_i, scaled_g), (False, scaled_g, scaled_i)):
+        solution = least_squares(terms_2d(known, order) * weights[:, None], target * weights[:, None])
         model = Polynomial2D(order, scale_g, scale_i, solution.values, to_ground)
         misfit = (model.project(ground) - image) * weights[:, None]
-        found = Fit(model, solution.condition, 1, True, solution.values.size)
-        fits.append((float(np.sqrt(np.mean(misfit**2))), found))
+        fitted = FittedModel(model, solution.condition, 1, True, solution.values.size)
+        fits.append((float(np.sqrt(np.mean(misfit**2))), fitted))
     (backward, to_ground_fit), (forward, to_image_fit) = fits
     rounding = 1e-9 * float(np.max(scale_i.scale)) * float(weights.max())
     return to_ground_fit if backward + rounding < forward else to_image_fit

@@ -66,6 +66,7 @@ class Pushbroom:
     """
 
     GEOGRAPHIC: ClassVar[bool] = True
+    SPATIAL: ClassVar[bool] = True
 
     orbit: Orbit
     unknowns: np.ndarray
@@ -89,6 +90,9 @@ class Pushbroom:
             if np.abs(step).max(initial=0) < MAX_LINE_STEP_PX:
                 return np.column_stack([columns, rows])
         raise SensorModelError(messages.LINE_NOT_FOUND())
+
+    def as_rational(self) -> None:
+        return None
 
     def in_line(self, places: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where geocentric points (n, 3) are seen from given lines (n,): column, and distance from the line, px."""

@@ -10,7 +10,7 @@ from .. import limits, messages
 from .earth import geocentric, unit
 from .least_squares import least_squares
 from .pushbroom import SIGMAS, Orbit, Pushbroom
-from .sensor_model import Fit
+from .sensor_model import FittedModel
 
 PRINCIPAL_SIGMA_PX = 50.0  # of the principal column around the image's middle
 PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
@@ -30,7 +30,7 @@ def fit_pushbroom(
     orbit_height_m: float,
     size: tuple[float, float] | None = None,
     estimate_sigma: bool = True,
-) -> Fit:
+) -> FittedModel:
     """Adjust the parametric model to points and to its priors.
 
     ``ground`` (n, 3) longitude, latitude in degrees and ellipsoidal height in m; ``image`` (n, 2) column, row;
@@ -55,7 +55,7 @@ def fit_pushbroom(
         before, factor = factor, max(misfit, limits.MIN_SIGMA_PX)
         if abs(factor / before - 1) < MAX_SIGMA_CHANGE:
             break
-    return Fit(model, done.condition, iterations, done.converged, unknowns)
+    return FittedModel(model, done.condition, iterations, done.converged, unknowns)
 
 
 @dataclass(frozen=True)

@@ -1,125 +1,184 @@
-"""The models by name: what each needs, and its fit."""
+"""The sensor models, one entry each: what it is called, what it needs, how it is fitted and how it ranks.
+
+Read when QGIS starts, so nothing heavy is imported before a model is fitted.
+"""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import comb
+from typing import TYPE_CHECKING, Callable, NamedTuple
 
-import numpy as np
-
-from ....imagery.errors import SensorModelError, SettingsError
+from ....imagery.message import Message
 from .. import limits, messages
-from ..ground_system import GroundSystem
-from ..points import Points
-from . import bias
-from .least_squares import Scaling, least_squares
-from .polynomials import fit_polynomial_2d, fit_polynomial_3d
-from .pushbroom_fit import fit_pushbroom
-from .rational import Rational, fit_dlt, fit_rational
-from .sensor_model import Fit
-from .terms import COUNT_2D, COUNT_3D
 
-POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL = "polynomial_2d", "polynomial_3d", "rational"
-DLT, PUSHBROOM, RPC_BIAS = "dlt", "pushbroom", "rpc_bias"
-KINDS = (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL, DLT, PUSHBROOM, RPC_BIAS)
-WITH_ORDER = (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL)
+if TYPE_CHECKING:
+    import numpy as np
+
+    from ..points import Points
+    from .rational import Rational
+    from .sensor_model import FittedModel, SensorModel
 
 
 @dataclass(frozen=True)
-class Wanted:
-    """Which model to fit."""
+class Variant:
+    """One form of a model: an order, a term or a correction."""
 
-    kind: str
-    """One of ``KINDS``."""
-    order: int = 1
-    """Of a polynomial or quotient, 1 to 3."""
-    dlt_xy: bool = False
-    """Whether the direct linear transformation has the term a12 xy."""
-    bias: str = bias.SHIFT
-    """``shift``, ``shift_drift`` or ``affine``."""
-    orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000
-    """Nominal, of the parametric model."""
-    size: tuple[float, float] | None = None
-    """The image's columns and rows, of the parametric model; None where the image is not given."""
-    rpc: Rational | None = None
-    """The image's own, for ``rpc_bias``."""
+    name: str
+    """Empty for a model's plain form."""
+    unknowns: int
+    """How many the points have to fix; of a model with priors those that the priors leave open."""
+    fewest: int
+    """The fewest control points."""
+    rank: int
+    """Place in the preference of Kurczynski and Wolniewicz, the smallest first: parametric, the vendor's RPC corrected,
+    quotients by their order, polynomials for small areas, those of the plane where it is flat."""
+    with_priors: int | None = None
+    """All unknowns, where priors hold some of them."""
+
+
+class Implementation(NamedTuple):
+    """The code of a model."""
+
+    model: type[SensorModel]
+    """Its class: what a model file holds."""
+    fit: Callable[[ModelRequest, Points, np.ndarray], FittedModel]
+    """Fits it to control points with weights (n,), 1 / standard deviation in px. The points' ground is longitude and
+    latitude where the class says so."""
+
+
+@dataclass(frozen=True)
+class ModelKind:
+    """A sensor model that can be chosen."""
+
+    name: str
+    """As parameters, tables and model files call it."""
+    variants: tuple[Variant, ...]
+    load: Callable[[], Implementation]
+    """Imports the code."""
+    recommendation: Message
+    """Why it is the one to take; with ``model``, ``rmse`` and ``best``."""
+    corrects_rpc: bool = False
+    """Whether it starts from the vendor's RPC and its unknowns are a correction in the image."""
+
+    def request(
+        self,
+        *words: str,
+        orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
+        size: tuple[float, float] | None = None,
+        rpc: Rational | None = None,
+    ) -> ModelRequest:
+        """The variant that one of the words names, the first one where none does."""
+        variant = next((one for one in self.variants if one.name in words), self.variants[0])
+        return ModelRequest(self, variant, orbit_height_m, size, rpc)
+
+
+@dataclass(frozen=True)
+class ModelRequest:
+    """Which model to fit, and what it may need besides points."""
+
+    kind: ModelKind
+    variant: Variant
+    orbit_height_m: float
+    """Nominal."""
+    size: tuple[float, float] | None
+    """The image's columns and rows; None where the image is not given."""
+    rpc: Rational | None
+    """The image's own."""
 
     @property
     def name(self) -> str:
-        """Kind and order or variant, for tables."""
-        if self.kind in WITH_ORDER:
-            return f"{self.kind} {self.order}"
-        if self.kind == RPC_BIAS:
-            return f"{self.kind} {self.bias}"
-        return f"{self.kind} xy" if self.kind == DLT and self.dlt_xy else self.kind
+        """Kind and variant, for tables."""
+        return f"{self.kind.name} {self.variant.name}".strip()
 
     @property
-    def unknowns(self) -> int:
-        """How many unknowns the points have to fix; of the parametric model's 20 those that its priors leave open."""
-        return {
-            POLYNOMIAL_2D: 2 * COUNT_2D[self.order],
-            POLYNOMIAL_3D: 2 * COUNT_3D[self.order],
-            RATIONAL: 4 * COUNT_3D[self.order] - 2,
-            DLT: 12 if self.dlt_xy else 11,
-            PUSHBROOM: 8,
-            RPC_BIAS: bias.UNKNOWNS[self.bias],
-        }[self.kind]
-
-    @property
-    def fewest(self) -> int:
-        """The fewest control points."""
-        if self.kind == RPC_BIAS:
-            return bias.FEWEST[self.bias]
-        return {
-            POLYNOMIAL_2D: COUNT_2D[self.order],
-            POLYNOMIAL_3D: COUNT_3D[self.order],
-            RATIONAL: 2 * COUNT_3D[self.order] - 1,
-            DLT: 6,
-            PUSHBROOM: 4,
-        }[self.kind]
-
-    @property
-    def spatial(self) -> bool:
+    def needs_heights(self) -> bool:
         """Whether heights play a part."""
-        return self.kind != POLYNOMIAL_2D
+        return self.kind.load().model.SPATIAL
 
 
-def fit(wanted: Wanted, points: Points, weights: np.ndarray) -> Fit:
-    """Fit a model to points with weights (n,), 1 / standard deviation in px; points of weight 0 do not count.
+def _polynomial_2d() -> Implementation:
+    from .polynomials import Polynomial2D, fit_polynomial_2d
 
-    Raises SensorModelError where they are too few or do not determine it, SettingsError where an RPC is missing.
-    """
-    used = weights > 0
-    points, weights = points.only(used), weights[used]
-    if len(points) < wanted.fewest:
-        raise SensorModelError(messages.TOO_FEW_POINTS(model=wanted.name, count=len(points), fewest=wanted.fewest))
-    _check_spread(wanted, points)
-    ground, image = points.ground, points.image
-    if wanted.kind == POLYNOMIAL_2D:
-        return fit_polynomial_2d(ground, image, weights, wanted.order)
-    if wanted.kind == POLYNOMIAL_3D:
-        return fit_polynomial_3d(ground, image, weights, wanted.order)
-    if wanted.kind == RATIONAL:
-        return fit_rational(ground, image, weights, wanted.order)
-    if wanted.kind == DLT:
-        return fit_dlt(ground, image, weights, wanted.dlt_xy)
-    geographic = GroundSystem(points.wkt).to_geographic(ground)
-    if wanted.kind == PUSHBROOM:
-        return fit_pushbroom(geographic, image, weights, wanted.orbit_height_m, wanted.size, not points.sigma_known)
-    if wanted.rpc is None:
-        raise SettingsError(messages.NO_RPC())
-    return bias.fit_bias(wanted.rpc, geographic, image, weights, wanted.bias)
+    return Implementation(Polynomial2D, lambda request, points, weights: fit_polynomial_2d(
+        points.ground, points.image, weights, int(request.variant.name)
+    ))
 
 
-def _check_spread(wanted: Wanted, points: Points) -> None:
-    """Refuse points that leave the linear part of a model open: on a line, or on a plane where Z has terms."""
-    if wanted.kind == RPC_BIAS and wanted.bias != bias.AFFINE:
-        return
-    places = points.image if wanted.kind == RPC_BIAS else points.ground[:, :2]
-    linear = np.column_stack([np.ones(len(places)), Scaling.of(places).to(places)])
-    flat = least_squares(linear, places[:, 0])
-    if flat.rank < 3 or flat.condition > limits.MAX_LINEAR_CONDITION:
-        raise SensorModelError(messages.POINTS_ON_A_LINE(model=wanted.name))
-    if wanted.spatial and wanted.kind != RPC_BIAS:
-        linear = np.column_stack([linear, Scaling.of(points.ground[:, 2:]).to(points.ground[:, 2:])])
-        solid = least_squares(linear, places[:, 0])
-        if solid.rank < 4 or solid.condition > limits.MAX_LINEAR_CONDITION:
-            raise SensorModelError(messages.POINTS_ON_A_PLANE(model=wanted.name))
+def _polynomial_3d() -> Implementation:
+    from .polynomials import Polynomial3D, fit_polynomial_3d
+
+    return Implementation(Polynomial3D, lambda request, points, weights: fit_polynomial_3d(
+        points.ground, points.image, weights, int(request.variant.name)
+    ))
+
+
+def _rational() -> Implementation:
+    from .rational import Rational
+    from .rational_fit import fit_rational
+
+    return Implementation(Rational, lambda request, points, weights: fit_rational(
+        points.ground, points.image, weights, int(request.variant.name)
+    ))
+
+
+def _dlt() -> Implementation:
+    from .rational import Dlt
+    from .rational_fit import fit_dlt
+
+    return Implementation(Dlt, lambda request, points, weights: fit_dlt(
+        points.ground, points.image, weights, request.variant.name == "xy"
+    ))
+
+
+def _pushbroom() -> Implementation:
+    from .pushbroom import Pushbroom
+    from .pushbroom_fit import fit_pushbroom
+
+    return Implementation(Pushbroom, lambda request, points, weights: fit_pushbroom(
+        points.ground, points.image, weights, request.orbit_height_m, request.size, not points.sigma_known
+    ))
+
+
+def _rpc_bias() -> Implementation:
+    from .bias import BiasedRpc, fit_bias
+
+    return Implementation(BiasedRpc, lambda request, points, weights: fit_bias(
+        request.rpc, points.ground, points.image, weights, request.variant.name
+    ))
+
+
+_TERMS_2D = {order: comb(order + 2, 2) for order in (1, 2, 3)}
+_TERMS_3D = {order: comb(order + 3, 3) for order in (1, 2, 3)}
+
+POLYNOMIAL_2D = ModelKind(
+    "polynomial_2d",
+    tuple(Variant(str(order), 2 * terms, terms, 9 + order) for order, terms in _TERMS_2D.items()),
+    _polynomial_2d,
+    messages.RECOMMEND_POLYNOMIAL_2D,
+)
+POLYNOMIAL_3D = ModelKind(
+    "polynomial_3d",
+    tuple(Variant(str(order), 2 * terms, terms, 5 + order) for order, terms in _TERMS_3D.items()),
+    _polynomial_3d,
+    messages.RECOMMEND_POLYNOMIAL_3D,
+)
+RATIONAL = ModelKind(
+    "rational",
+    tuple(Variant(str(order), 4 * terms - 2, 2 * terms - 1, 1 + order) for order, terms in _TERMS_3D.items()),
+    _rational,
+    messages.RECOMMEND_RATIONAL,
+)
+DLT = ModelKind("dlt", (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)), _dlt, messages.RECOMMEND_DLT)
+PUSHBROOM = ModelKind(
+    "pushbroom", (Variant("", 8, 4, 0, with_priors=20),), _pushbroom, messages.RECOMMEND_PUSHBROOM
+)
+RPC_BIAS = ModelKind(
+    "rpc_bias",
+    (Variant("shift", 2, 1, 1), Variant("shift_drift", 3, 2, 1), Variant("affine", 6, 3, 1)),
+    _rpc_bias,
+    messages.RECOMMEND_RPC_BIAS,
+    corrects_rpc=True,
+)
+
+KINDS = {kind.name: kind for kind in (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL, DLT, PUSHBROOM, RPC_BIAS)}
+"""In the paper's order."""

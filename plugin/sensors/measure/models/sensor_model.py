@@ -1,4 +1,4 @@
-"""What every fit of a model to points gives back."""
+"""What every sensor model can do, and what every fit of one to points gives back."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -6,19 +6,26 @@ from typing import ClassVar, Protocol
 
 import numpy as np
 
+from .rational import Rational
+
 
 class SensorModel(Protocol):
     """From the ground to the image."""
 
     GEOGRAPHIC: ClassVar[bool]
     """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
+    SPATIAL: ClassVar[bool]
+    """Whether heights play a part; without them there is no RPC."""
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         """(n, 3) x, y, ellipsoidal height -> (n, 2) column, row in px."""
 
+    def as_rational(self) -> Rational | None:
+        """The very same function as quotients, which is an RPC's form; None where it has not that form."""
+
 
 @dataclass(frozen=True)
-class Fit:
+class FittedModel:
     """A model as fitted."""
 
     model: SensorModel

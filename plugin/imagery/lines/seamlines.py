@@ -24,8 +24,9 @@ from dataclasses import dataclass
 import numpy as np
 from osgeo import gdal, ogr
 
-from . import line_networks, messages
-from .errors import SeamlineError
+from .. import messages
+from ..errors import SeamlineError
+from . import line_networks
 
 END_SNAP_PX = 0.1  # ends of lines nearer than this meet: far below a raster step, far above rounding
 STRAIGHTEN_PX = 1.5  # a staircase leaves its line by up to 1 px, with a noisy step by 1.5 px

@@ -11,13 +11,13 @@ from . import messages
 MIN_SPREAD = 0.05  # of their shorter extent to the longer one: narrower ones lie on a line
 MAX_EXTRAPOLATED = 0.5  # share of the image outside the control points' outline
 
-Box = tuple[float, float, float, float]
+ImageBox = tuple[float, float, float, float]
 """First column, first row, last column, last row."""
 
 
 @dataclass(frozen=True)
-class Layout:
-    """How control points lie in an image."""
+class ControlCoverage:
+    """What part of an image control points cover."""
 
     extrapolated: float
     """Share of the image outside the points' outline."""
@@ -27,25 +27,25 @@ class Layout:
     """(k, 2) corners of the points' convex hull, px."""
 
 
-def layout(control: np.ndarray, image: Box) -> Layout:
-    """How (n, 2) control points lie in an image."""
-    outline = hull(control)
+def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
+    """What part of an image (n, 2) control points cover."""
+    outline = convex_hull(control)
     area = (image[2] - image[0]) * (image[3] - image[1])
     singular = np.linalg.svd(control - control.mean(axis=0), compute_uv=False)
     spread = float(singular[1] / singular[0]) if len(singular) > 1 and singular[0] > 0 else 0.0
-    return Layout(float(np.clip(1 - _area(outline) / area, 0, 1)) if area > 0 else 1.0, spread, outline)
+    return ControlCoverage(float(np.clip(1 - _area(outline) / area, 0, 1)) if area > 0 else 1.0, spread, outline)
 
 
-def layout_warnings(found: Layout) -> list[Message]:
-    """What to say about a layout."""
-    if found.spread < MIN_SPREAD:
-        return [messages.CONTROL_ON_A_LINE(share=found.extrapolated)]
-    if found.extrapolated > MAX_EXTRAPOLATED:
-        return [messages.CONTROL_IN_A_CORNER(share=found.extrapolated)]
+def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
+    """What is to be said of points that cover too little."""
+    if coverage.spread < MIN_SPREAD:
+        return [messages.CONTROL_ON_A_LINE(share=coverage.extrapolated)]
+    if coverage.extrapolated > MAX_EXTRAPOLATED:
+        return [messages.CONTROL_IN_A_CORNER(share=coverage.extrapolated)]
     return []
 
 
-def hull(points: np.ndarray) -> np.ndarray:
+def convex_hull(points: np.ndarray) -> np.ndarray:
     """(k, 2) corners of the convex hull of (n, 2) points, in order (Andrew's monotone chain)."""
     ordered = sorted(set(map(tuple, points.tolist())))
     if len(ordered) < 3:

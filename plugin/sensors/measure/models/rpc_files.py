@@ -1,0 +1,168 @@
+"""An RPC as GDAL's metadata have it, and in the files of image vendors."""
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from xml.etree.ElementTree import ParseError
+
+import numpy as np
+
+from ....imagery import messages as imagery_messages
+from ....imagery.atomic_files import save_text
+from ....imagery.errors import SensorModelError
+from ....imagery.message import Message
+from ....imagery.xml_documents import looks_like_xml, xml_root
+from .. import messages
+from ..image_description import SensorImage
+from .least_squares import Scaling
+from .rational import Rational
+
+_OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
+_COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
+RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
+PIXEL_CENTRE = 0.5
+"""An RPC counts from the centre of the first pixel, GDAL and we from its corner."""
+DIMAP_FIRST_PIXEL = 1
+"""DIMAP numbers the first pixel 1, all others 0."""
+
+
+def to_metadata(rpc: Rational) -> dict[str, str]:
+    """The items of GDAL's metadata domain ``RPC``."""
+    full = rpc.padded()
+    column, row = full.image.offset - PIXEL_CENTRE
+    longitude, latitude, height = full.ground.offset
+    scales = dict(zip(("LONG", "LAT", "HEIGHT"), full.ground.scale))
+    scales.update(zip(("SAMP", "LINE"), full.image.scale))
+    offsets = {"LINE": row, "SAMP": column, "LAT": latitude, "LONG": longitude, "HEIGHT": height}
+    items = {f"{name}_OFF": repr(float(offsets[name])) for name in _OFFSETS}
+    items.update({f"{name}_SCALE": repr(float(scales[name])) for name in _OFFSETS})
+    arrays = (full.numerators[:, 1], full.denominators[:, 1], full.numerators[:, 0], full.denominators[:, 0])
+    for name, values in zip(_COEFFICIENTS, arrays):
+        items[f"{name}_COEFF"] = " ".join(repr(float(value)) for value in values)
+    return items
+
+
+def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> Rational:
+    """An RPC from the items of GDAL's metadata domain. Raises SensorModelError where some are missing or no numbers."""
+    try:
+        value = {part: float(str(items[part]).split()[0]) for part in _number_names()}
+        arrays = {part: np.array(str(items[f"{part}_COEFF"]).split(), float) for part in _COEFFICIENTS}
+    except (KeyError, ValueError, IndexError):
+        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
+    offsets, scales = ([value[f"{part}_{kind}"] for part in ("LONG", "LAT", "HEIGHT")] for kind in ("OFF", "SCALE"))
+    image = [value[name] - first_pixel + PIXEL_CENTRE for name in ("SAMP_OFF", "LINE_OFF")]
+    numbers = (*value.values(), *(number for array in arrays.values() for number in array))
+    lengths = {len(array) for array in arrays.values()}
+    all_scales = (*scales, value["SAMP_SCALE"], value["LINE_SCALE"])
+    sound = lengths == {20} and np.isfinite(numbers).all() and 0 not in all_scales
+    if not sound or arrays["LINE_DEN"][0] == 0 or arrays["SAMP_DEN"][0] == 0:
+        raise SensorModelError(messages.RPC_INCOMPLETE(name=name))
+    return Rational(
+        3,
+        Scaling(np.array(offsets), np.array(scales)),
+        Scaling(np.array(image), np.array([value["SAMP_SCALE"], value["LINE_SCALE"]])),
+        np.column_stack([arrays["SAMP_NUM"], arrays["LINE_NUM"]]),
+        np.column_stack([arrays["SAMP_DEN"], arrays["LINE_DEN"]]),
+    )
+
+
+def _number_names() -> Iterable[str]:
+    return (f"{name}_{kind}" for name in _OFFSETS for kind in ("OFF", "SCALE"))
+
+
+def write_rpc(rpc: Rational, path: Path) -> None:
+    """A text file as GDAL reads it beside ``image.tif`` under the name ``image_RPC.TXT``."""
+    lines = []
+    for name, value in to_metadata(rpc).items():
+        values = value.split()
+        if name.endswith("_COEFF"):
+            lines += [f"{name}_{number}: {one}" for number, one in enumerate(values, 1)]
+        else:
+            lines.append(f"{name}: {value}")
+    save_text("\n".join(lines) + "\n", path, "ascii")
+
+
+def read_rpc(path: Path) -> Rational:
+    """An RPC from a text file (``_RPC.TXT``), a DIMAP file (``RPC_*.XML``), ``.RPB`` or OSSIM's ``.geom``.
+
+    Raises SensorModelError.
+    """
+    try:
+        content = path.read_bytes()
+    except OSError:
+        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    if looks_like_xml(content):
+        return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
+    text = content.decode(errors="replace")
+    if "BEGIN_GROUP" in text:
+        return from_metadata(_rpb_items(text), path.name)
+    items: dict[str, str] = {}
+    for name, value in re.findall(r"^\s*([A-Za-z_]+(?:_?\d+)?)\s*[:=]\s*([-+.\deE]+)", text, re.MULTILINE):
+        items[name.upper()] = value
+    first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
+    return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
+
+
+def _coefficients(items: Mapping[str, str], pattern: str, first: int) -> dict[str, str]:
+    """The lists of coefficients as GDAL has them, from items that hold one each."""
+    numbers = range(first, first + 20)
+    return {
+        f"{name}_COEFF": " ".join(items.get(pattern.format(name, number), "") for number in numbers)
+        for name in _COEFFICIENTS
+    }
+
+
+def _dimap_items(content: bytes, name: str) -> dict[str, str]:
+    """As GDAL has them, of the model from the ground to the image."""
+    try:
+        root = xml_root(content)
+    except ParseError:
+        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
+    model, validity = (
+        {element.tag: (element.text or "").strip() for element in root.iterfind(f".//{part}//*")}
+        for part in ("Inverse_Model", "RFM_Validity")
+    )
+    return {**validity, **_coefficients(model, "{}_COEFF_{}", 1)}
+
+
+def _rpb_items(text: str) -> dict[str, str]:
+    names = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
+    items = {}
+    for name, value in re.findall(r"(\w+)\s*=\s*([-+.\deE]+)\s*;", text):
+        for ours in names:
+            if name in (f"{ours}Offset", f"{ours}Scale"):
+                items[f"{names[ours]}_{'OFF' if name.endswith('Offset') else 'SCALE'}"] = value
+    for name, values in re.findall(r"(\w+)Coef\s*=\s*\(([^)]*)\)", text):
+        ours = re.sub(r"(?=[A-Z])", "_", name).upper()
+        items[f"{ours}_COEFF"] = " ".join(values.replace(",", " ").split())
+    return items
+
+
+def own_rpc(image: SensorImage) -> Rational | None:
+    """The RPC that goes with an image: GDAL's, or that of OSSIM's ``.geom`` beside it. Raises SensorModelError."""
+    if image.rpc:
+        return from_metadata(image.rpc, image.ref.name)
+    beside = Path(image.ref.path).with_suffix(".geom")
+    return read_rpc(beside) if beside.is_file() else None
+
+
+def rpc_of_image_part(rpc: Rational, image: SensorImage) -> tuple[Rational, Message | None]:
+    """The RPC of a whole scene for an image that is a part of it, and what to say about that.
+
+    A part keeps its place in a geotransform of whole pixels without a reference system (origin = first column and
+    row). It is believed when the RPC's own range holds the part there, so that an RPC of the part itself stays as
+    it is.
+    """
+    if image.geotransform is None or image.georeferenced:
+        return rpc, None
+    left, across, skew_x, top, skew_y, down = image.geotransform
+    if (across, skew_x, skew_y) != (1.0, 0.0, 0.0) or abs(down) != 1.0 or (left, top) == (0.0, 0.0):
+        return rpc, None
+    first = np.array([left, abs(top)])
+    corners = np.array([first, first + [image.columns, image.rows]])
+    if np.abs(rpc.image.to(corners)).max() > RPC_DOMAIN:
+        return rpc, None
+    moved = replace(rpc, image=Scaling(rpc.image.offset - first, rpc.image.scale))
+    return moved, messages.RPC_OF_WHOLE_SCENE(column=first[0], row=first[1])

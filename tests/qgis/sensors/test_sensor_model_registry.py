@@ -1,0 +1,84 @@
+"""A sensor model is one entry of the registry, with a title: the algorithms, the comparison and model files follow."""
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar
+
+import numpy as np
+import pytest
+from qgis.core import QgsApplication
+from seam_inspector.plugin.sensors.measure.models import registry
+from seam_inspector.plugin.sensors.measure.models.model_file import load_model
+from seam_inspector.plugin.sensors.measure.models.rational import Rational
+from seam_inspector.plugin.sensors.measure.models.sensor_model import FittedModel
+from seam_inspector.plugin.sensors.measure.points import Points
+from seam_inspector.plugin.sensors.model_titles import MODEL_TITLES
+
+from tests.numbers.sensors.sensor_scenes import made_rational, places
+from tests.qgis.runs import run
+from tests.qgis.sensors.test_sensor_models import gcps
+
+pytestmark = pytest.mark.usefixtures("provider", "project")
+
+
+@dataclass(frozen=True)
+class Tilted:
+    """A plane through each coordinate of the image."""
+
+    GEOGRAPHIC: ClassVar[bool] = True
+    SPATIAL: ClassVar[bool] = True
+
+    coefficients: np.ndarray
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        return np.column_stack([np.ones(len(ground)), ground]) @ self.coefficients
+
+    def as_rational(self) -> Rational | None:
+        return None
+
+
+def fit_tilted(request: registry.ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
+    terms = np.column_stack([np.ones(len(points)), points.ground])
+    coefficients, *_ = np.linalg.lstsq(terms * weights[:, None], points.image * weights[:, None], rcond=None)
+    return FittedModel(Tilted(coefficients), 1.0, 1, True, 8)
+
+
+@pytest.fixture
+def made_up(monkeypatch: pytest.MonkeyPatch) -> str:
+    kind = registry.ModelKind(
+        "tilted",
+        (registry.Variant("", unknowns=8, fewest=4, rank=-1),),
+        lambda: registry.Implementation(Tilted, fit_tilted),
+        registry.DLT.recommendation,
+    )
+    monkeypatch.setitem(registry.KINDS, kind.name, kind)
+    monkeypatch.setitem(MODEL_TITLES, kind.name, "made up for a test")
+    return kind.name
+
+
+def test_every_model_has_a_title_and_every_title_a_model() -> None:
+    assert set(MODEL_TITLES) == set(registry.KINDS)
+    assert all(name == kind.name for name, kind in registry.KINDS.items())
+
+
+def test_a_model_that_is_registered_is_offered_fitted_compared_and_kept_in_files(made_up: str, tmp_path: Path) -> None:
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("seaminspector:fitsensormodel")
+    parameter = algorithm.parameterDefinition("MODEL")
+    assert parameter.options() == [*list(registry.KINDS)[:-1], made_up]
+    assert "tilted: made up for a test; needs at least 4 control points." in parameter.help()
+    ground = places(30, 4)
+    truth = made_rational(1, 2, 0.0).project(ground)  # without denominators it is linear
+    layer = gcps(truth + np.random.default_rng(4).normal(0, 0.3, truth.shape), ground)
+    files = {"MODEL_FILE": str(tmp_path / "model.json"), "RPC": str(tmp_path / "rpc.txt")}
+    fitted = run("fitsensormodel", GCPS=layer, MODEL=made_up, HEIGHTS="ellipsoid", CHECK_SHARE=0.5, **files)
+    assert fitted.complaint is None
+    assert fitted.results["CHECK_RMSE_X"] < 1
+    assert json.loads((tmp_path / "model.json").read_text())["model"] == made_up
+    again = load_model(tmp_path / "model.json").model
+    assert isinstance(again, Tilted)
+    assert np.abs(again.project(ground) - truth).max() < 1
+    compared = run("comparesensormodels", GCPS=layer, HEIGHTS="ellipsoid", CHECK_SHARE=0.5)
+    assert made_up in compared.column("model")
+    assert compared.results["RECOMMENDED"] == made_up
