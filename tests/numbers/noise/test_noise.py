@@ -205,6 +205,13 @@ def test_filling_keeps_valid_pixels_their_type_and_their_range() -> None:
     assert filled(bands, np.zeros_like(mask)) is bands
 
 
+def test_whole_numbers_are_filled_with_the_nearest_whole_numbers() -> None:
+    bands = orthoimage((64, 64), bands=1)
+    mask = np.random.default_rng(0).random((64, 64)) < 0.5
+    exact = filled(bands.astype(np.float64), mask)
+    assert np.array_equal(filled(bands, mask), np.rint(exact))
+
+
 def test_filling_does_not_look_at_what_it_replaces() -> None:
     bands = orthoimage((64, 64), bands=1).astype(np.float64)
     mask = np.zeros((64, 64), bool)
@@ -220,3 +227,16 @@ def test_a_plane_is_filled_as_a_plane() -> None:
     mask = np.zeros((128, 128), bool)
     mask[50:70, 40:60] = True
     assert np.abs(filled(plane, mask) - plane).max() < 25  # of 635, and of 100 across the hole
+
+
+def test_what_a_hole_is_filled_with_is_in_neither_kurtosis_nor_sigma() -> None:
+    hole = np.zeros((128, 128), bool)
+    hole[40:71, 50:77] = True
+    ground = noise(6, (128, 128))
+    figures = []
+    for filling in (0.0, noise(40, (128, 128), seed=2)):
+        found = measured(np.where(hole, filling, ground), wavelet="haar", masked=hole)  # haar: nothing leaks out of it
+        figures.append((found.sigma, *found.kurtosis))
+    assert figures[0] == pytest.approx(figures[1], rel=1e-6)
+    outside = wavedec(np.where(hole, 0, ground), "haar", 1)[1][2][~hole.reshape(64, 2, 64, 2).any(axis=(1, 3))]
+    assert figures[0][0] == pytest.approx(np.median(np.abs(outside)) / stats.norm.ppf(0.75), rel=1e-4)

@@ -191,6 +191,26 @@ def test_the_same_pixels_are_left_out_of_both(make_raster: MakeRaster) -> None:
     assert a.bands["band_1"].curve.detail == pytest.approx(alone.bands["band_1"].curve.detail, rel=0.03)
 
 
+@pytest.mark.parametrize(("right", "down", "shared"), [
+    (160, 0, PixelWindow(160, 0, 352, 512)), (-160, 0, PixelWindow(0, 0, 352, 512)),
+    (0, 160, PixelWindow(0, 160, 512, 352)), (0, -160, PixelWindow(0, 0, 512, 352)),
+    (280, 0, None), (0, -280, None),  # the second shows less than half of the window
+])
+def test_a_pair_is_cut_to_what_both_show_and_who_shows_less_than_half_takes_no_part(
+    make_raster: MakeRaster, right: int, down: int, shared: PixelWindow | None
+) -> None:
+    origin = (ORIGIN[0] + 0.1 * right, ORIGIN[1] - 0.1 * down)
+    first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
+    window = DrawnWindow(1, (ORIGIN[0], ORIGIN[1] - 51.2, ORIGIN[0] + 51.2, ORIGIN[1]), wkt(32633))
+    (request,) = window_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3).requests
+    found = [(part.member.group, part.window) for part in request.parts]
+    if shared is None:
+        assert found == [(1, PixelWindow(0, 0, 512, 512))]
+    else:
+        theirs = PixelWindow(shared.column - right, shared.row - down, shared.width, shared.height)
+        assert found == [(1, shared), (2, theirs)]
+
+
 def test_masks_go_over_to_other_pixel_sizes(make_raster: MakeRaster) -> None:
     fine = grey((1024, 1024))
     coarse = fine.reshape(1, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8)
@@ -222,13 +242,13 @@ def test_masks_go_over_to_other_pixel_sizes(make_raster: MakeRaster) -> None:
 def test_pixels_that_touch_an_invalid_one_with_an_edge_are_left_out(
     make_raster: MakeRaster, beside: tuple[float, float], rows: tuple[int, int], columns: tuple[int, int]
 ) -> None:
-    origin = (ORIGIN[0] + 0.1 * beside[0], ORIGIN[1] + 0.1 * beside[1])  # right and up, in pixels
+    origin = (ORIGIN[0] + 0.1 * (beside[0] - 40), ORIGIN[1] + 0.1 * (beside[1] + 30))  # right and up, in pixels
     first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
     middle = DrawnWindow(1, (ORIGIN[0] + 6.4, ORIGIN[1] - 44.8, ORIGIN[0] + 44.8, ORIGIN[1] - 6.4), wkt(32633))
     (request,) = window_plan.plan_drawn([*images([first]), *images([second], 2)], [middle], 3).requests
     ours, theirs = (part.window for part in request.parts)
     invalid = np.zeros((theirs.height, theirs.width), bool)
-    invalid[200 - theirs.row, 300 - theirs.column] = True
+    invalid[200 + 30 - theirs.row, 300 + 40 - theirs.column] = True
     mask, _ = group_noise._joined_masks(request.parts, [np.zeros((ours.height, ours.width), bool), invalid])
     found = np.argwhere(mask) + (ours.row, ours.column)
     assert found.min(axis=0).tolist() == [rows[0], columns[0]]
@@ -245,6 +265,13 @@ def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster:
     assert a.bands
     assert not a.paired  # so it was measured with all its pixels
     assert "15.26% of the pixels of second.tif are invalid" in str(b.reason)
+    some = np.ones((512, 512), bool)
+    some[:40, :40] = False  # 0.6 %: as much as a pair may lack, and more than a raster alone
+    third = make_raster("third.tif", pixels, valid=some)
+    assert measure(window_plan.plan_drawn([*images([first]), *images([third], 2)], [window], 3))[1].bands
+    alone, _ = measure(window_plan.plan_drawn([*images([third]), *images([second], 2)], [window], 3))
+    assert not alone.bands
+    assert "0.6% of the window is invalid" in str(alone.reason)
 
 
 def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeRaster) -> None:

@@ -17,9 +17,9 @@ from seam_inspector.plugin.imagery.pixels import Pixels
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure import image_statistics
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment, RuleFinding, assess
-from seam_inspector.plugin.radiometry.measure.image_statistics import ImageStatistics, stream
+from seam_inspector.plugin.radiometry.measure.image_statistics import ImageStatistics, area_step, stream
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet, default_rules
-from seam_inspector.plugin.radiometry.measure.uniform_areas import sample_areas
+from seam_inspector.plugin.radiometry.measure.uniform_areas import Areas, sample_areas, signal_to_noise
 
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture, write_raster
 
@@ -114,6 +114,13 @@ def test_tails_peak_and_contrast_of_a_known_histogram(make_raster: MakeRaster) -
     assert [finding(result, check).passed for check in ("clipped_low", "peak", "contrast")] == [True, True, False]
 
 
+def test_of_values_without_steps_a_256th_of_the_range_counts_as_one(make_raster: MakeRaster) -> None:
+    even = np.linspace(0, 1, 256 * 256).reshape(256, 256)
+    result = checked(make_raster("a.tif", even), rules=RuleSet("own", default_rules().rules, (0.0, 1.0)))
+    for check in ("clipped_low", "clipped_high"):
+        assert figure(result, check) == pytest.approx(5 / 256, abs=3e-5)
+
+
 def test_twelve_bits_in_sixteen_are_measured_on_their_own_range(make_raster: MakeRaster) -> None:
     random = np.random.default_rng(0)
     eight = random.normal(120, 30, (128, 128)).clip(8, 247)
@@ -159,6 +166,12 @@ def test_uniform_is_what_a_plane_an_edge_and_a_texture_are_not() -> None:
     assert shares[3] < 0.2
 
 
+@pytest.mark.parametrize(("side", "distance"), [(256, 16), (1024, 16), (1448, 16), (4096, 46), (40_000, 442)])
+def test_areas_lie_side_by_side_until_there_are_8192(side: int, distance: int) -> None:
+    assert area_step(PixelWindow(7, 9, side, side)) == distance
+    assert (side / distance) ** 2 <= 8192
+
+
 def test_areas_leave_invalid_pixels_out_and_are_numpys() -> None:
     bands = orthoimage((160, 128), bands=3)
     invalid = np.zeros((160, 128), bool)
@@ -170,6 +183,14 @@ def test_areas_leave_invalid_pixels_out_and_are_numpys() -> None:
     within = [np.mean([quadrant.var(ddof=1) for half in np.split(part, 2) for quadrant in np.split(half, 2, axis=1)])
               for part in parts]
     assert areas.noise[0] == pytest.approx(np.sqrt(within))
+
+
+@pytest.mark.parametrize(("count", "taken"), [(8, 8), (20, 8), (64, 16)])
+def test_the_quietest_quarter_of_the_areas_counts_and_eight_at_least(count: int, taken: int) -> None:
+    noise = np.random.default_rng(0).permutation(np.arange(1.0, count + 1))[:, np.newaxis]
+    areas = Areas(np.full((count, 1), 100.0), noise, np.ones((count, 1), bool))
+    expected = 100 / np.sqrt(np.mean(np.arange(1.0, taken + 1) ** 2))
+    assert signal_to_noise(areas, 0, (0, 255)) == pytest.approx(expected)
 
 
 @pytest.mark.parametrize(("cast", "passed"), [(0.0, True), (0.015, True), (0.03, False), (0.06, False)])
@@ -199,6 +220,12 @@ def test_without_uniform_or_grey_areas_it_says_so(make_raster: MakeRaster) -> No
     assert said["colour_balance"].startswith("not measurable: fewer than 8 uniform areas whose bands differ by less")
 
 
+def test_uniform_areas_of_a_colour_are_not_neutral(make_raster: MakeRaster) -> None:
+    grass = np.stack([grey(level, 3, seed=level) for level in (90, 140, 70)])
+    said = reasons(checked(make_raster("grass.tif", grass)))
+    assert "fewer than 8 uniform areas whose bands differ by less" in said["colour_balance"]
+
+
 def test_a_flat_image_has_no_infinite_signal_to_noise(make_raster: MakeRaster) -> None:
     said = reasons(checked(make_raster("a.tif", np.full((100, 100), 128, np.uint8))))
     assert said["signal_to_noise"].startswith("not measurable: the uniform areas do not vary at all")
@@ -213,6 +240,8 @@ def test_too_few_valid_pixels(make_raster: MakeRaster) -> None:
     assert set(reasons(result).values()) == {
         "not measurable: 1600 pixels are valid and at least 4096 are needed; choose a larger part."
     }
+    pixels[:64, :64] = 90
+    assert figure(checked(make_raster("enough.tif", pixels, nodata=0)), "contrast") == 0
 
 
 def test_float_values_need_a_range_from_the_rules(make_raster: MakeRaster) -> None:

@@ -97,3 +97,14 @@ def theoretical_share(cycle: float, sigma: float) -> float:
 def theoretical_cycle(sigma: float, criterion: float = 0.5) -> float:
     """px of a bar and a gap at which the bars' modulation crosses the criterion."""
     return float(brentq(lambda cycle: theoretical_share(cycle, sigma) - criterion, 1.0, 12 * sigma + 4, xtol=1e-3))
+
+
+def row_of_groups(cycles: list[float], angle: float, random: np.random.Generator) -> tuple[tuple[int, int], list[Bars]]:
+    """Groups beside each other, each at a place of its own on the pixel grid, and the shape of their image."""
+    x, groups = 20.0, []
+    for cycle in cycles:
+        x += 1.25 * cycle + 8
+        dx, dy = random.uniform(-0.5, 0.5, 2)
+        groups.append(Bars(x + dx, 40 + dy, cycle, max(2.5 * cycle, 9.0), angle))
+        x += 1.25 * cycle + 8
+    return (80, int(x) + 20), groups

@@ -9,39 +9,26 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy import stats
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.rasters import RasterRef, band_index, describe_picture
-from seam_inspector.plugin.resolution.measure.bar_groups import BarLine, MeasuredLine, Resolution, judge, measure_line
+from seam_inspector.plugin.resolution.measure.bar_groups import BarLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 
-from tests.numbers.resolution.bar_targets import STEP, Bars, Ends, coverage, image, theoretical_cycle, theoretical_share
+from tests.numbers.resolution.bar_targets import (
+    STEP,
+    Bars,
+    coverage,
+    image,
+    row_of_groups,
+    theoretical_cycle,
+    theoretical_share,
+)
+from tests.numbers.resolution.measuring_bars import measured, resolution
 
 MakeRaster = Callable[..., str]
 PIXEL_CM = 10.0
-
-
-def measured(path: str, lines: dict[int, Ends], width: float = 3.0, bars: int = 3) -> list[MeasuredLine]:
-    raster = describe_picture(RasterRef(path))
-    segments = {group: Segment(ends[:2], ends[2:]) for group, ends in lines.items()}
-    return [
-        measure_line(raster, BarLine(group, "along", segment), bars, width) for group, segment in segments.items()
-    ]
-
-
-def resolution(path: str, lines: dict[int, Ends], target: Target, width: float = 3.0) -> Resolution:
-    return judge(describe_picture(RasterRef(path)), measured(path, lines, width, target.bars), target)
-
-
-def row_of_groups(cycles: list[float], angle: float, random: np.random.Generator) -> tuple[tuple[int, int], list[Bars]]:
-    """Groups beside each other, each at a place of its own on the pixel grid, and the shape of their image."""
-    x, groups = 20.0, []
-    for cycle in cycles:
-        x += 1.25 * cycle + 8
-        dx, dy = random.uniform(-0.5, 0.5, 2)
-        groups.append(Bars(x + dx, 40 + dy, cycle, max(2.5 * cycle, 9.0), angle))
-        x += 1.25 * cycle + 8
-    return (80, int(x) + 20), groups
 
 
 def test_grd_is_the_theoretical_one_within_a_step(make_raster: MakeRaster) -> None:
@@ -174,6 +161,25 @@ def test_how_long_the_line_is_hardly_matters(make_raster: MakeRaster, half: floa
     (line,) = measured(path, {1: groups[0].line(half)})
     assert len(line.readings["band_1"].bars) == 3
     assert line.readings["band_1"].share == pytest.approx(theoretical_share(9.0, 1.6), abs=0.06)
+
+
+@pytest.mark.parametrize("angle", [0.0, 90.0, 25.0])
+def test_bars_are_where_they_are_on_the_line(make_raster: MakeRaster, angle: float) -> None:
+    bars = Bars(60.3, 58.8, 12.0, 40.0, math.radians(angle))
+    (line,) = measured(make_raster("target.tif", image((120, 120), [bars], 0.8), gsd=0.1), {0: bars.line()})
+    (reading,) = line.readings.values()
+    middle = math.dist(bars.line()[:2], (bars.x, bars.y))
+    assert [bar.position for bar in reading.bars] == pytest.approx([middle - 12, middle, middle + 12], abs=0.1)
+
+
+def test_the_noise_is_the_tenth_percentile_of_small_squares_less_their_slope(make_raster: MakeRaster) -> None:
+    rows, columns = np.mgrid[:460, :460]
+    ground = 0.1 * rows - 0.2 * columns + np.random.default_rng(1).normal(500, 4, rows.shape)
+    (line,) = measured(make_raster("ground.tif", ground, gsd=0.1), {0: (130.0, 230.0, 330.0, 230.0)})
+    (reading,) = line.readings.values()
+    free = 36 - 3  # of 6 x 6 px, after the mean and the slope along both axes
+    assert reading.profile.noise == pytest.approx(4 * math.sqrt(stats.chi2.ppf(0.1, free) / free), rel=0.015)
+
 
 
 @pytest.mark.parametrize("noise", [1.0, 3.0, 9.0])

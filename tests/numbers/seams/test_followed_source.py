@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 from scipy import ndimage
+from seam_inspector.plugin.seams.measure import followed_source
 from seam_inspector.plugin.seams.measure.causes import MIN_CAUSE_FIT, MIN_MIXED_SHARE
 from seam_inspector.plugin.seams.measure.composite import follows_at, make_composite
 from seam_inspector.plugin.seams.measure.followed_source import FollowedSource, follow, high_pass, refined
@@ -137,6 +138,28 @@ def test_strips_and_odd_sizes_change_nothing() -> None:
     assert float((found.labels == (mosaic == planes[1])).mean()) > 0.99
 
 
+def test_a_window_is_followed_in_strips_as_it_is_in_one(
+    sources: list[np.ndarray], labels: np.ndarray, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mosaic = feather(labels, sources, 6.7)
+    whole = followed(mosaic, sources)
+    monkeypatch.setattr(followed_source, "_STRIP", 64)
+    strips = followed(mosaic, sources)
+    for name in ("labels", "clear", "unexplained"):
+        np.testing.assert_array_equal(getattr(strips, name), getattr(whole, name))
+    assert (strips.mixed_share, strips.fit, strips.kept) == pytest.approx((whole.mixed_share, whole.fit, whole.kept))
+
+
+def test_sources_that_show_the_same_are_not_mixed() -> None:
+    rng = np.random.default_rng(4)
+    scene = orthoimage(SHAPE).astype(np.float32)
+    mosaic, first, second = (scene + rng.normal(0, 1.5, scene.shape) for _ in range(3))
+    found = followed(mosaic, [first, second])  # either alone explains what both together do
+    assert found.fit > 0.9
+    assert found.mixed_share == 0
+    assert 0.3 < found.shares[0] < 0.7
+
+
 def test_the_composite_of_a_hard_cut_is_the_mosaic(sources: list[np.ndarray], labels: np.ndarray) -> None:
     mosaic = cut(labels, sources)
     rough = followed(mosaic, sources)
@@ -145,6 +168,18 @@ def test_the_composite_of_a_hard_cut_is_the_mosaic(sources: list[np.ndarray], la
     composite = make_composite(sources, ("red", "green", "blue"), found, [{}] * len(sources))
     assert right(found, labels) > max(right(rough, labels), 0.995)
     assert float((composite.bands == mosaic).all(axis=0).mean()) > 0.995
+
+
+@pytest.mark.parametrize(("off", "moves"), [(0.03, False), (0.05, True)])
+def test_a_pixel_stays_with_a_source_that_equals_the_mosaic_too(
+    sources: list[np.ndarray], off: float, moves: bool
+) -> None:
+    mosaic = sources[0].mean(axis=0, dtype=np.float32)
+    rough = followed(sources[0], sources)
+    assert (rough.labels == 0).all()
+    own = mosaic + np.float32(off * mosaic.std())  # whole grey values are off by up to 4 % of the standard deviation
+    found = refined(rough, mosaic, {0: own, 1: mosaic})
+    assert (found.labels == (1 if moves else 0)).all()
 
 
 def test_the_levelled_composite_has_the_mosaics_grey_values(sources: list[np.ndarray], labels: np.ndarray) -> None:
