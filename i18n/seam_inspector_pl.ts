@@ -3149,6 +3149,16 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
+        <location filename="../plugin/toolkit/messages.py" line="40" />
+        <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
+        <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="41" />
+        <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
+        <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
+    </message>
+    <message>
         <location filename="../plugin/core/messages.py" line="243" />
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>

@@ -1,7 +1,7 @@
 """The provider ``seaminspector``: our algorithms and ready models in the toolbox, the modeler and qgis_process."""
 from __future__ import annotations
 
-from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .noise.checknoise import CheckNoise
@@ -20,6 +20,7 @@ from .seams.algorithms.report import Report
 from .sensors.algorithms.comparesensormodels import CompareSensorModels
 from .sensors.algorithms.fitsensormodel import FitSensorModel
 from .sensors.algorithms.orthorectify import Orthorectify
+from .toolkit.algorithms.ready_model import ReadyModel
 from .toolkit.resources import icon_path, model_paths
 
 ALGORITHMS = (
@@ -61,6 +62,6 @@ class SeamInspectorProvider(QgsProcessingProvider):
         for algorithm in ALGORITHMS:
             self.addAlgorithm(algorithm())
         for path in model_paths():
-            model = QgsProcessingModelAlgorithm()
+            model = ReadyModel()
             if model.fromFile(path):
                 self.addAlgorithm(model)

@@ -84,7 +84,7 @@ class CheckNoise(RasterListAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         super().check(parameters, context)
         self._settings(parameters, context)
-        self.chart_path(parameters, context)
+        self.check_chart(parameters, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -97,7 +97,7 @@ class CheckNoise(RasterListAlgorithm):
 
         super().check(parameters, context)
         wavelet, levels = self._settings(parameters, context)
-        chart = self.chart_path(parameters, context)
+        self.check_chart(parameters, context)
         images = []
         for group, name in enumerate(self.RASTER_LISTS, 1):
             found, notices = describe_images(self.refs[name], group)
@@ -132,10 +132,9 @@ class CheckNoise(RasterListAlgorithm):
         feedback.pushInfo(", ".join(f"{verdict.value}: {counts[verdict]}" for verdict in NoiseVerdict))
         return {
             OUTPUT: output_id,
-            common.CHART: self._save_chart(results, chart, feedback),
-            common.REPORT: self.save(
-                feedback,
-                self.file_path(parameters, common.REPORT, context),
+            **self.save(parameters, common.CHART, context, feedback, lambda path: _save_chart(path, results)),
+            **self.save(
+                parameters, common.REPORT, context, feedback,
                 lambda path: _save_report(path, results, notices, wavelet, levels),
             ),
             LOW_COUNT: counts[NoiseVerdict.LOW],
@@ -151,17 +150,15 @@ class CheckNoise(RasterListAlgorithm):
         check_noise_settings(wavelet, levels)
         return wavelet, levels
 
-    def _save_chart(
-        self, results: Sequence[ClipNoise], path: Path | None, feedback: QgsProcessingFeedback
-    ) -> str | None:
-        """Draw and write the chart, where it is wanted and there is something to draw."""
-        if path is None:
-            return None
-        from ..toolkit.charts.figure_files import save_figure
-        from .charts import noise_figure
 
-        figure = noise_figure(results)
-        return self.save(feedback, path, lambda path: save_figure(figure, path)) if figure is not None else None
+def _save_chart(path: Path, results: Sequence[ClipNoise]) -> bool:
+    from ..toolkit.charts.figure_files import save_figure
+    from .charts import noise_figure
+
+    figure = noise_figure(results)
+    if figure is not None:
+        save_figure(figure, path)
+    return figure is not None
 
 
 def _save_report(

@@ -131,9 +131,8 @@ class CheckRadiometry(RasterListAlgorithm):
         states = [finding.passed for finding in findings]
         return {
             OUTPUT: output_id,
-            common.REPORT: self.save(
-                feedback,
-                self.file_path(parameters, common.REPORT, context),
+            **self.save(
+                parameters, common.REPORT, context, feedback,
                 lambda path: _save_report(path, results, notices, rules),
             ),
             PASSED_COUNT: states.count(True),

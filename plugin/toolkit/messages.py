@@ -23,6 +23,10 @@ WINDOW_LAYER_READ_ONLY = Message(
 )
 TASK_FAILED = Message("{task} failed ({error}); please report this.")
 # files
+OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belongs to an input; choose another file.")
+OUTPUTS_ARE_ONE = Message(
+    "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
+)
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")
 NO_RASTERS = Message("No rasters are given; choose at least one.")
 NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")

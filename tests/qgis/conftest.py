@@ -5,13 +5,18 @@ import importlib
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProject
 
 importlib.invalidate_caches()  # QGIS looked for plugins before the package's link was there
 
-from tests.qgis.scenes import Scene, make_scene  # noqa: E402
+from tests.numbers.synthetic import UTM33, write_plain  # noqa: E402
+from tests.qgis.photos.photo_scenes import make_photo  # noqa: E402
+from tests.qgis.resolution.bar_scenes import make_bar_scene  # noqa: E402
+from tests.qgis.scenes import Scene, layer, line, make_scene, saved  # noqa: E402
 from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks  # noqa: E402
 
 _raised: list[BaseException] = []
@@ -33,6 +38,29 @@ def slot_errors() -> Iterator[list[BaseException]]:
 def scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     """A mosaic and its two orthoimages."""
     return make_scene(tmp_path_factory.mktemp("scene"))
+
+
+@pytest.fixture(scope="session")
+def given(scene: Scene, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """Inputs of every algorithm, as files."""
+    folder = tmp_path_factory.mktemp("given")
+    bars, photo = make_bar_scene(folder), make_photo(folder, seed=3, rotation=1.2)
+    pixels = np.random.default_rng(1).integers(0, 255, (40, 60)).astype(np.uint8)
+    places = [(column, row) for row in (2, 14, 26, 38) for column in (5, 30, 55)]
+    heights = [10.0 * (7 * number % 5) for number in range(len(places))]
+    points = (f"{c},{r},{500000 + c - 0.1 * z},{5000000 - r},{z}" for (c, r), z in zip(places, heights))
+    (folder / "gcps.csv").write_text("\n".join(["column,row,x,y,z", *points]) + "\n", encoding="utf-8")
+    return {
+        "mosaic": str(scene.mosaic),
+        "sources": scene.sources,
+        "seams": saved(layer("LineString", [line((200, 0), (300, 256))]), folder / "seams.gpkg"),
+        "target": bars.path,
+        "bars": saved(bars.lines(), folder / "bars.gpkg"),
+        "photo": str(photo.photo),
+        "calibration": str(photo.calibration),
+        "image": write_plain(folder / "image.tif", pixels),
+        "gcps": f"delimitedtext://file://{folder}/gcps.csv?xField=x&yField=y&zField=z&crs=EPSG:{UTM33}",
+    }
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,15 @@ from typing import Any
 
 import numpy as np
 from osgeo import ogr, osr
-from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsGeometry, QgsRectangle, QgsVectorLayer
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransformContext,
+    QgsFeature,
+    QgsGeometry,
+    QgsRectangle,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
 
 from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, read_pixels, write_raster
 
@@ -135,3 +143,11 @@ def layer(
 def windows(*boxes: Box, epsg: int = UTM33, **fields: tuple[str, Sequence[Any]]) -> QgsVectorLayer:
     """A layer of windows on the mosaic's pixels."""
     return layer("Polygon", [moved(outline(box), epsg) for box in boxes], epsg, **fields)
+
+
+def saved(made: QgsVectorLayer, path: Path) -> str:
+    """A layer as a file, in the format of its ending."""
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName = QgsVectorFileWriter.driverForExtension(path.suffix)
+    QgsVectorFileWriter.writeAsVectorFormatV3(made, str(path), QgsCoordinateTransformContext(), options)
+    return str(path)

@@ -1,6 +1,7 @@
 """``seaminspector:interiororientation``: the fiducial marks of a scanned photo and its interior orientation."""
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -114,11 +115,9 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..measure import orientation_files
         from ..report import save_orientation_report
 
-        results: dict[str, Any] = {}
-        path = self.file_path(parameters, common.REPORT, context)
-        if path is not None:
-            save_orientation_report(path, photo, made)
-            results[common.REPORT] = str(path)
+        results = self.save(
+            parameters, common.REPORT, context, feedback, lambda path: save_orientation_report(path, photo, made)
+        )
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             feedback.reportError(sentence(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why)))
@@ -127,10 +126,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             (photo_parameters.PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
             (photo_parameters.WORLD_FILE, orientation_files.world_file(photo, made)),
         ):
-            path = self.file_path(parameters, name, context)
-            if path is not None:
-                save_text(text, path)
-                results[name] = str(path)
+            results.update(self.save(parameters, name, context, feedback, partial(save_text, text)))
         return results
 
     def _tell(self, made: PhotoOrientation, feedback: QgsProcessingFeedback) -> None:

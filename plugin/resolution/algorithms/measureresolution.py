@@ -1,6 +1,7 @@
 """``seaminspector:measureresolution``: ground resolved distance from a bar target."""
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -26,7 +27,7 @@ from ..measure import limits, messages
 
 if TYPE_CHECKING:
     from ...imagery.rasters import Mosaic
-    from ..measure.bar_groups import MeasuredLine
+    from ..measure.bar_groups import MeasuredLine, Resolution
     from ..measure.target import Target
 
 RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
@@ -139,7 +140,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         raster, target = self._raster, self._target(parameters, context)
         target.check()
         width, band = self._width(parameters, context), self._band(parameters, context, raster)
-        chart, report = self.chart_path(parameters, context), self.file_path(parameters, common.REPORT, context)
+        self.check_chart(parameters, context)
         lines = self.source(parameters, GROUPS, context)
         line_table.check_fields(lines.fields().names())
         count = lines.featureCount()
@@ -165,24 +166,19 @@ class MeasureResolution(SeamInspectorAlgorithm):
             parameters, OUTPUT, context, line_table.result_fields(), QgsWkbTypes.Type.LineString, crs
         )
         self.write(sink, line_table.result_features(resolution.results, raster.grid))
-        results: dict[str, Any] = {
+        return {
             OUTPUT: destination,
             GRD_ALONG: resolution.worst("along"),
             GRD_ACROSS: resolution.worst("across"),
             GRD_MEAN: resolution.mean,
+            **self.save(
+                parameters, common.CHART, context, feedback, lambda path: _save_chart(path, resolution, target)
+            ),
+            **self.save(
+                parameters, common.REPORT, context, feedback,
+                lambda path: _save_report(path, raster, resolution, target),
+            ),
         }
-        if chart is not None:
-            from ...toolkit.charts.figure_files import save_figure
-            from ..charts import group_chart
-
-            save_figure(group_chart(resolution.results, target.criterion), chart)
-            results[common.CHART] = str(chart)
-        if report is not None:
-            from ..report import save_resolution_report
-
-            save_resolution_report(report, raster, resolution, target)
-            results[common.REPORT] = str(report)
-        return results
 
     def _target(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Target:
         from ..measure.target import Target
@@ -211,3 +207,16 @@ class MeasureResolution(SeamInspectorAlgorithm):
             count = len(raster.band_names)
             raise RasterError(imagery_messages.BAND_NOT_THERE(name=raster.ref.name, band=number, count=count))
         return None if number == 0 else band_index(raster.ref, number)
+
+
+def _save_chart(path: Path, resolution: Resolution, target: Target) -> None:
+    from ...toolkit.charts.figure_files import save_figure
+    from ..charts import group_chart
+
+    save_figure(group_chart(resolution.results, target.criterion), path)
+
+
+def _save_report(path: Path, raster: Mosaic, resolution: Resolution, target: Target) -> None:
+    from ..report import save_resolution_report
+
+    save_resolution_report(path, raster, resolution, target)

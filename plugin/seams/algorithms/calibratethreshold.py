@@ -1,6 +1,7 @@
 """``seaminspector:calibratethreshold``: the threshold that the operator's own eyes support."""
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -85,7 +86,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         from ..measure.threshold_calibration import calibrate
         from ..tables import calibration_table
 
-        chart = self.chart_path(parameters, context)
+        self.check_chart(parameters, context)
         found = []
         for verdicts in self._verdicts(parameters, context, feedback):
             most = float("inf") if verdicts.measure == "contrast_1" else _HIGHEST_RATIO
@@ -95,14 +96,8 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         output, output_id = self.sink(parameters, OUTPUT, context, calibration_table.calibration_fields())
         for one in found:
             self.write(output, calibration_table.calibration_features(one))
-        results: dict[str, Any] = {OUTPUT: output_id, **_numbers(found[0])}
-        if chart is not None:
-            from ...toolkit.charts.figure_files import save_figure
-            from ..charts.calibration_chart import calibration_figure
-
-            save_figure(calibration_figure(found), chart)
-            results[common.CHART] = str(chart)
-        return results
+        chart = self.save(parameters, common.CHART, context, feedback, lambda path: _save_chart(path, found))
+        return {OUTPUT: output_id, **_numbers(found[0]), **chart}
 
     def _verdicts(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -147,6 +142,13 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             feedback.pushWarning(sentence(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing)))
         groups = (tuple(value for word, value in known if word == one) for one in ("visible", "invisible"))
         return Verdicts(measure, *groups)
+
+
+def _save_chart(path: Path, found: list[ThresholdCalibration]) -> None:
+    from ...toolkit.charts.figure_files import save_figure
+    from ..charts.calibration_chart import calibration_figure
+
+    save_figure(calibration_figure(found), path)
 
 
 def _numbers(found: ThresholdCalibration) -> dict[str, float]:

@@ -1,7 +1,8 @@
 """``seaminspector:comparesensormodels``: the same points through every model."""
 from __future__ import annotations
 
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
@@ -16,6 +17,10 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.translation import sentence, tr
 from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm, image_box, warn
+
+if TYPE_CHECKING:
+    from ...imagery.message import Message
+    from ..measure.comparison import Comparison
 
 OUTPUT = "OUTPUT"
 RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
@@ -81,16 +86,16 @@ class CompareSensorModels(SensorAlgorithm):
         self.write(sink, point_tables.comparison_features(result))
         said = sentence(result.reason)
         feedback.pushInfo(said)
-        results: dict[str, Any] = {
+        return {
             OUTPUT: output,
             RECOMMENDED: result.recommended.request.name if result.recommended is not None else "",
             RECOMMENDATION: said,
             MODEL_COUNT: sum(row.errors is not None for row in result.rows),
+            **self.save(parameters, common.REPORT, context, feedback, lambda path: _save_report(path, result, notices)),
         }
-        path = self.file_path(parameters, common.REPORT, context)
-        if path is not None:
-            from ..report import save_comparison_report
 
-            save_comparison_report(path, result, notices)
-            results[common.REPORT] = str(path)
-        return results
+
+def _save_report(path: Path, result: Comparison, notices: list[Message]) -> None:
+    from ..report import save_comparison_report
+
+    save_comparison_report(path, result, notices)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -137,24 +138,24 @@ class FitSensorModel(SensorAlgorithm):
         )
         self.write(sink, point_tables.residual_features(done))
         domain = self._domain(image, points)
-        results: dict[str, Any] = {OUTPUT: output}
-        path = self.file_path(parameters, MODEL_FILE, context)
-        if path is not None:
-            self._save_model(done, domain, path)
-            results[MODEL_FILE] = str(path)
         notes: list[Message] = []
-        path = self.file_path(parameters, RPC, context)
-        if path is not None:
+
+        def write_rpc(path: Path) -> bool:
             said, written = self._save_rpc(done, domain, path)
             (notes if written else notices).append(said)
             (feedback.pushInfo if written else feedback.pushWarning)(sentence(said))
-            results[RPC] = str(path) if written else None
-        path = self.file_path(parameters, common.REPORT, context)
-        if path is not None:
+            return written
+
+        def write_report(path: Path) -> None:
             from ..report import save_fit_report
 
             save_fit_report(path, done, coverage, box, notices, notes)
-            results[common.REPORT] = str(path)
+
+        results: dict[str, Any] = {OUTPUT: output}
+        for name, write in (
+            (MODEL_FILE, partial(self._save_model, done, domain)), (RPC, write_rpc), (common.REPORT, write_report)
+        ):
+            results.update(self.save(parameters, name, context, feedback, write))
         control, check = done.control, done.check
         for group, errors in (("CHECK", check), ("CONTROL", control)):
             for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):

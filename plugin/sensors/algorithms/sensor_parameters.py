@@ -50,12 +50,12 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     GROUP = groups.SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
-    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+    def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         # A georeferencer's file is no layer that QGIS can load, so that its own check gets one in its place.
-        given = dict(parameters)
+        given = super().for_check(parameters)
         if _points_path(given.get(GCPS)):
             given[GCPS] = QgsVectorLayer("Point?crs=EPSG:4326", "points", "memory")
-        return super().checkParameterValues(given, context)
+        return given
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._image_ref = common.raster(parameters, IMAGE, context)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Callable, Optional
 
 from qgis.core import (
     QgsFeature,
@@ -21,12 +21,13 @@ from qgis.core import (
 from qgis.PyQt import sip
 from qgis.PyQt.QtGui import QIcon
 
-from ...imagery.errors import SeamInspectorError
+from ...imagery.errors import SeamInspectorError, SettingsError
 from ..packages import missing_packages_sentence
 from ..resources import icon_path
 from ..translation import sentence, tr
 from . import groups
 from . import parameters as common
+from .overwriting import refuse_overwriting
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
@@ -100,6 +101,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         if missing:
             raise QgsProcessingException(missing)
         try:
+            refuse_overwriting(self, parameters, context)  # models and scripts may not have checked the values
             self.prepare(parameters, context)
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
@@ -108,10 +110,14 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
+        self._sinks: list[QgsFeatureSink] = []
         try:
             results = self.execute(parameters, context, feedback)
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
+        finally:
+            for sink in self._sinks:  # a layer is whole only without its sink, which a frame or a cycle may still hold
+                sip.delete(sink)
         return {name: value for name, value in results.items() if value is not None}
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
@@ -128,13 +134,19 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         if missing:
             return False, missing
         try:
+            refuse_overwriting(self, parameters, context)
             self.check(parameters, context)
         except SeamInspectorError as error:
             return False, sentence(error.message)
-        # QGIS would load every raster of a list, and refuse them all, without a reason, for one that can't be opened.
-        # An empty list is all right with it.
-        others = {name: [] if name in self.RASTER_LISTS else value for name, value in parameters.items()}
-        return super().checkParameterValues(others, context)
+        return super().checkParameterValues(self.for_check(parameters), context)
+
+    def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
+        """What QGIS's own check is given.
+
+        It would load every raster of a list, and refuse them all, without a reason, for one that can't be opened; an
+        empty list is all right with it.
+        """
+        return {name: [] if name in self.RASTER_LISTS else value for name, value in parameters.items()}
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
@@ -177,6 +189,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         sink, destination = self.parameterAsSink(parameters, name, context, *layout)
         if sink is None:
             raise QgsProcessingException(self.invalidSinkError(parameters, name))
+        self._sinks.append(sink)
         return sink, destination
 
     def optional_sink(
@@ -190,14 +203,34 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         path = self.parameterAsFileOutput(parameters, name, context) if parameters.get(name) else ""
         return Path(path) if path else None
 
-    def chart_path(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Path | None:
-        """Where the chart goes; None when it is not wanted. Raises SettingsError for an ending that can't be drawn."""
+    def check_chart(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        """Raise SettingsError for a chart whose ending can't be drawn."""
         path = self.file_path(parameters, common.CHART, context)
         if path is not None:
             from ..charts.figure_files import check_figure_path
 
             check_figure_path(path)
-        return path
+
+    def save(
+        self,
+        parameters: dict[str, Any],
+        name: str,
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        write: Callable[[Path], object],
+    ) -> dict[str, Any]:
+        """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.
+
+        There is none when ``write`` says False, having nothing to write, or when the file can't be written; that is
+        told, and does not cost what was measured.
+        """
+        path = self.file_path(parameters, name, context)
+        try:
+            if path is not None and write(path) is not False:
+                return {name: str(path)}
+        except SettingsError as error:
+            feedback.reportError(sentence(error.message))
+        return {}
 
     @staticmethod
     def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:

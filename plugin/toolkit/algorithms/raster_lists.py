@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -84,14 +83,3 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         if not windows:
             raise SettingsError(messages.NO_WINDOWS())
         return windows
-
-    def save(self, feedback: QgsProcessingFeedback, path: Path | None, write: Any) -> str | None:
-        """Write an output file by ``write(path)``; a failure is said and does not cost the other results."""
-        if path is None:
-            return None
-        try:
-            write(path)
-        except SettingsError as error:
-            feedback.reportError(sentence(error.message))
-            return None
-        return str(path)

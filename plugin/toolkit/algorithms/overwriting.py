@@ -1,0 +1,233 @@
+"""No algorithm writes over one of its inputs: outputs are held against them, as files, before anything is written."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import Any, NamedTuple, Union
+
+from osgeo import gdal
+from qgis.core import (
+    NULL,
+    QgsDataSourceUri,
+    QgsMapLayer,
+    QgsProcessing,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingFeatureSourceDefinition,
+    QgsProcessingOutputLayerDefinition,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingUtils,
+    QgsProperty,
+    QgsProviderRegistry,
+    QgsVectorFileWriter,
+)
+
+from ...imagery.errors import SettingsError
+from ...imagery.gdal_messages import gdal_silenced
+from .. import messages
+from . import parameters as common
+
+_OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "string"}  # parameters that name no file
+_DATABASES = {".gpkg", ".sqlite"}  # files that a table can be added to
+_WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
+    ".shp": (".shx", ".dbf", ".prj", ".cpg"),
+    ".tab": (".dat", ".map", ".id", ".ind"),
+    ".mif": (".mid",),
+    **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
+}
+_SIDECARS = {".aux", ".aux.xml", ".geom", ".hdr", ".msk", ".ovr", ".prj", ".rpb", ".rpc", "_rpc.txt", ".wld"}
+
+_Identity = Union[tuple[int, int], str]
+
+
+class _Place(NamedTuple):
+    """Where data lie."""
+
+    path: str
+    table: str = ""
+    """In a database; empty for the whole file."""
+
+
+class _Output(NamedTuple):
+    title: str
+    place: _Place
+    files: dict[_Identity, str]
+    """All that would be written or removed."""
+
+    def meets(self, other: _Place) -> bool:
+        """Whether it would be written over a file, or what lies beside it; not if it is another table of a database."""
+        tables = {self.place.table.lower(), other.table.lower()}
+        if _identity(other.path) in self.files:
+            return "" in tables or len(tables) == 1
+        return any(_is_sidecar(file, other.path) for file in self.files.values() if os.path.exists(file))
+
+
+def refuse_overwriting(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> None:
+    """Raise SettingsError when an output is a file of an input, sidecars included, or two outputs are one file."""
+    outputs: list[_Output] = []
+    for definition in algorithm.destinationParameterDefinitions():
+        output = _output(definition, parameters.get(definition.name()), context)
+        if output is None:
+            continue
+        for other in outputs:
+            if any(output.meets(_Place(file, other.place.table)) for file in other.files.values()):
+                names = {"first": other.title, "second": output.title}
+                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=output.place.path, **names))
+        outputs.append(output)
+    if not any(_may_exist(file) for output in outputs for file in output.files.values()):
+        return  # what is not there yet is no input: most runs need no look at them
+    for place in _inputs(algorithm, parameters, context):
+        for output in outputs:
+            if output.meets(place):
+                raise SettingsError(messages.OUTPUT_IS_INPUT(output=output.title, path=place.path))
+
+
+def _output(
+    definition: QgsProcessingParameterDefinition, value: object, context: QgsProcessingContext
+) -> _Output | None:
+    """None for an output that is not wanted, or goes to memory or a temporary file."""
+    text = _text(value.sink if isinstance(value, QgsProcessingOutputLayerDefinition) else value, context)
+    if not text or text == QgsProcessing.TEMPORARY_OUTPUT or text.startswith("memory:"):
+        return None
+    place = _table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else _Place(text)
+    stem, ending = os.path.splitext(place.path)
+    files = [place.path, text, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ()))]
+    if ending.lower() != ".vrt":  # GDAL removes a raster with its sidecars before it writes a new one
+        files += _dataset_files(place.path, gdal.OF_RASTER)
+    return _Output(definition.description(), place, {_identity(file): file for file in files})
+
+
+def _table_place(text: str) -> _Place:
+    """The file that a destination of features names, and the table when it is to be added to a database."""
+    provider, _, rest = text.partition(":")
+    is_uri = provider in ("ogr", "spatialite")
+    path = (QgsDataSourceUri(rest).database() or rest) if is_uri else text.partition("|")[0]
+    if is_uri and _is_database(path):
+        return _Place(path, QgsDataSourceUri(rest).table())
+    is_known = QgsVectorFileWriter.driverForExtension(os.path.splitext(path)[1][1:])
+    return _Place(path if is_known else path + ".gpkg")  # as QGIS does
+
+
+def _inputs(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Iterator[_Place]:
+    """Each file of each input."""
+    seen: set[_Identity] = set()
+    for definition in algorithm.parameterDefinitions():
+        if definition.isDestination() or definition.type() in _OF_WORDS_AND_NUMBERS:
+            continue
+        name = definition.name()
+        provider = "ogr" if definition.type() in ("source", "vector") else "gdal"
+        for place in _places(parameters.get(name), provider, context):
+            yield place
+            yield from _parts(place.path, seen)
+        if name.upper() == common.SOURCE_INDEX and parameters.get(name):
+            for path in _indexed(algorithm.parameterAsVectorLayer(parameters, name, context)):
+                yield _Place(path)
+                if path.lower().endswith(".vrt"):  # there may be too many to open all
+                    yield from _parts(path, seen)
+
+
+def _places(value: object, provider: str, context: QgsProcessingContext) -> Iterator[_Place]:
+    """What an input's value names: a layer or its id or name, an address of a layer, a path, or a list of those."""
+    if isinstance(value, (list, tuple)):
+        for one in value:
+            yield from _places(one, provider, context)
+        return
+    if isinstance(value, QgsProcessingFeatureSourceDefinition):
+        value = value.source
+    text = "" if isinstance(value, QgsMapLayer) else _text(value, context)
+    layer = QgsProcessingUtils.mapLayerFromString(text, context, False) if text else value
+    named, key, source = QgsProcessingUtils.decodeProviderKeyAndUri(text)
+    if isinstance(layer, QgsMapLayer):
+        key, source = layer.providerType(), layer.source()
+    elif not named:
+        key, source = provider, text
+    parts = QgsProviderRegistry.instance().decodeUri(key, source)
+    path = parts.get("path") or ""
+    if _is_database(path):
+        yield _Place(path, _table(parts))
+    elif path:
+        yield _Place(path)
+        yield _Place(source)  # in an archive, or a part of a file
+
+
+def _table(parts: dict[str, Any]) -> str:
+    """The table of a database that an address names, else its first; empty when there is none."""
+    dataset = None if parts.get("layerName") else _opened(parts["path"], gdal.OF_VECTOR)
+    layer = dataset.GetLayer(parts.get("layerId") or 0) if dataset is not None else None
+    return str(layer.GetName() if layer is not None else parts.get("layerName") or "")
+
+
+def _indexed(index: QgsMapLayer | None) -> Iterator[str]:
+    """The files that an index of sources names; their paths may start at the index file's folder."""
+    from ..layers import layer_path
+
+    if index is None or "location" not in index.fields().names():
+        return
+    folder = os.path.dirname(layer_path(index))
+    for row in index.getFeatures():
+        yield os.path.join(folder, str(row["location"]))
+
+
+def _parts(path: str, seen: set[_Identity]) -> Iterator[_Place]:
+    """The files of a dataset, and of the rasters that a virtual one is made of."""
+    if _identity(path) in seen:
+        return
+    seen.add(_identity(path))
+    for file in _dataset_files(path):
+        yield _Place(file)
+        if file.lower().endswith(".vrt"):
+            yield from _parts(file, seen)
+
+
+def _dataset_files(path: str, flags: int = 0) -> list[str]:
+    """All files that GDAL counts to a dataset, but for databases, of which other tables may be written."""
+    dataset = _opened(path, flags) if _may_exist(path) and not _is_database(path) else None
+    files = (dataset.GetFileList() or []) if dataset is not None else []
+    return [file for file in files if not _is_database(file)]
+
+
+def _is_database(path: str) -> bool:
+    return os.path.splitext(path)[1].lower() in _DATABASES
+
+
+def _opened(path: str, flags: int = 0) -> gdal.Dataset | None:
+    with gdal_silenced():
+        try:
+            return gdal.OpenEx(path, flags)
+        except RuntimeError:
+            return None
+
+
+def _is_sidecar(file: str, path: str) -> bool:
+    """Whether a file is by its name a part of another, whether or not GDAL reads it now."""
+    if os.path.dirname(os.path.realpath(file)) != os.path.dirname(os.path.realpath(path)):
+        return False
+    stem, ending = os.path.splitext(os.path.basename(path).lower())
+    name = os.path.basename(file).lower()
+    worlds = {ending + "w", ending[:2] + ending[-1:] + "w"}  # .tifw, .tfw
+    return any(name == start + end for start in (stem, stem + ending) for end in _SIDECARS | worlds)
+
+
+def _may_exist(path: str) -> bool:
+    return os.path.exists(path) or ":" in path or path.startswith("/vsi")
+
+
+def _identity(path: str) -> _Identity:
+    """The same for every name of a file: relative, through links, in other letters where the system takes them so."""
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return path if path.startswith("/vsi") else os.path.normcase(os.path.realpath(path))
+    return found.st_dev, found.st_ino
+
+
+def _text(value: object, context: QgsProcessingContext) -> str:
+    """A value that is a text or an expression for one; empty for none."""
+    if isinstance(value, QgsProperty):
+        value = value.valueAsString(context.expressionContext())[0]
+    return str(value) if value is not None and value != NULL else ""

@@ -1,0 +1,241 @@
+"""No algorithm writes over one of its inputs: every output of every algorithm, and every name that a file can have."""
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import (
+    QgsProcessingFeatureSourceDefinition,
+    QgsProcessingOutputLayerDefinition,
+    QgsProcessingParameterDefinition,
+    QgsProject,
+    QgsProperty,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
+
+from tests.numbers.synthetic import write_raster
+from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
+from tests.qgis.scenes import SHARP, Scene, layer, line, saved, windows
+from tests.qgis.test_provider import NAMES
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+INPUTS = {"raster", "multilayer", "source", "vector", "file"}
+WITHOUT_FILES = {"number", "enum", "string", "boolean", "crs", "extent"}
+REFUSED = "which belongs to an input; choose another file"
+
+
+def an_input(definition: QgsProcessingParameterDefinition, folder: Path) -> tuple[Any, Path]:
+    """A value for a parameter, and its file. What it says does not matter: nothing is to be read of it."""
+    name = definition.name().replace(":", "_")
+    if definition.type() in ("raster", "multilayer"):
+        path = Path(write_raster(folder / f"{name}.tif", np.full((8, 8), 9, np.uint8)))
+    elif definition.type() == "file":
+        path = folder / f"{name}.json"
+        path.write_text("{}", encoding="utf-8")
+    else:
+        path = Path(saved(windows(SHARP), folder / f"{name}.gpkg"))
+    return [str(path)] if definition.type() == "multilayer" else str(path), path
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_output_takes_the_place_of_an_input(name: str, tmp_path: Path) -> None:
+    job = algorithm(name)
+    asked = [one for one in job.parameterDefinitions() if not one.isDestination()]
+    assert {one.type() for one in asked} <= INPUTS | WITHOUT_FILES  # another type may name files too
+    made = {one.name(): an_input(one, tmp_path) for one in asked if one.type() in INPUTS}
+    values = {name: value for name, (value, _) in made.items()}
+    before = {path: path.read_bytes() for _, path in made.values()}
+    assert made
+    assert job.destinationParameterDefinitions()
+    for output in job.destinationParameterDefinitions():
+        for path in before:
+            for outcome in (
+                run(name, **values, **{output.name(): str(path)}),
+                run_unchecked(name, **values, **{output.name(): str(path)}),
+            ):
+                assert_sentence(outcome.complaint, REFUSED)
+                assert output.description() in str(outcome.complaint)
+            assert {path: path.read_bytes() for path in before} == before
+
+
+# --- the names of a file -----------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def image(tmp_path: Path) -> Path:
+    """A raster that is its algorithm's only input, with files beside it."""
+    path = Path(write_raster(tmp_path / "image.tif", np.full((3, 16, 16), 9, np.uint8)))
+    (tmp_path / "image.tfw").write_text("0.1\n0\n0\n-0.1\n400000\n5800000\n")
+    (tmp_path / "image.tif.aux.xml").write_text("<PAMDataset/>")
+    return path
+
+
+def names(path: Path) -> Iterator[str]:
+    """Other names of a file."""
+    yield os.path.relpath(path)
+    yield f"{path.parent}/../{path.parent.name}/./{path.name}"
+    (path.parent / "link.tif").symlink_to(path)
+    yield str(path.parent / "link.tif")
+    os.link(path, path.parent / "hard.tif")
+    yield str(path.parent / "hard.tif")
+    (path.parent / "folder").symlink_to(path.parent, target_is_directory=True)
+    yield str(path.parent / "folder" / path.name)
+
+
+def test_a_file_is_known_by_every_name(image: Path) -> None:
+    before = image.read_bytes()
+    for name in names(image):
+        for output in (name, QgsProperty.fromExpression(f"'{name}'"), QgsProcessingOutputLayerDefinition(name)):
+            assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=output)
+        assert_refused("enhancephoto", REFUSED, PHOTO=name, OUTPUT=str(image))
+    assert image.read_bytes() == before
+
+
+def test_layers_of_the_project_and_their_ids(image: Path, project: QgsProject) -> None:
+    shown = QgsRasterLayer(str(image), "shown")
+    project.addMapLayer(shown)
+    for given in (shown, shown.id(), "shown"):
+        assert_refused("simulatebayer", REFUSED, RASTER=given, OUTPUT=str(image))
+
+
+@pytest.mark.parametrize("beside", ["image.tfw", "image.tif.aux.xml"])
+def test_sidecars_are_kept(image: Path, beside: str) -> None:
+    before = (image.parent / beside).read_bytes()
+    given = {"RASTERS": [str(image)], "REPORT": str(image.parent / beside)}
+    assert_refused("checkradiometry", REFUSED, **given)
+    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(image.parent / beside))
+    assert (image.parent / beside).read_bytes() == before
+
+
+def test_a_sidecar_shared_with_an_older_output_is_kept(image: Path) -> None:
+    """GDAL removes a raster with its sidecars before it writes a new one in its place."""
+    older = Path(shutil.copy(image, image.with_suffix(".png")))
+    gdal.GetDriverByName("PNG").CreateCopy(str(older), gdal.Open(str(image)))
+    os.rename(image.with_suffix(".tfw"), image.with_suffix(".wld"))
+    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(older))
+
+
+def test_the_rasters_of_a_virtual_one_are_kept(image: Path, tmp_path: Path) -> None:
+    inner, outer = str(tmp_path / "inner.vrt"), str(tmp_path / "outer.vrt")
+    gdal.BuildVRT(inner, [str(image)]).FlushCache()
+    gdal.BuildVRT(outer, [inner]).FlushCache()
+    for output in (image, inner, outer):
+        assert_refused("simulatebayer", REFUSED, RASTER=outer, OUTPUT=str(output))
+    before = image.read_bytes()
+    other = write_raster(tmp_path / "other.tif", np.full((3, 16, 16), 9, np.uint8))
+    assert run("enhancephoto", PHOTO=other, OUTPUT=inner).complaint is None  # no input, and what it was made of stays
+    assert image.read_bytes() == before
+
+
+def test_a_raster_in_an_archive_keeps_the_archive(image: Path, tmp_path: Path) -> None:
+    archive = shutil.make_archive(str(tmp_path / "packed"), "zip", image.parent, image.name)
+    given = {"RASTERS": [f"/vsizip/{archive}/image.tif"], "REPORT": archive}
+    assert_refused("checkradiometry", REFUSED, **given)
+
+
+def test_the_sources_of_an_index_are_kept(scene: Scene, tmp_path: Path) -> None:
+    for path in (scene.west, scene.east):
+        shutil.copy(path, tmp_path / path.name)
+    (tmp_path / "east.tfw").write_text("0.1\n0\n0\n-0.1\n400000\n5800000\n")
+    locations = ("string", ["west.tif", "east.tif"])
+    made = saved(windows(SHARP, SHARP, location=locations), tmp_path / "index.gpkg")
+    given = {"WINDOWS": windows(SHARP), "SOURCE_INDEX": made}
+    for name in ("west.tif", "east.tif", "east.tfw", "index.gpkg"):
+        before = (tmp_path / name).read_bytes()
+        assert_refused("report", REFUSED, **given, OUTPUT=str(tmp_path / name))
+        assert (tmp_path / name).read_bytes() == before
+
+
+# --- tables ------------------------------------------------------------------------------------------------------
+
+
+def observations(path: Path) -> str:
+    passes = {"height": ("double", [3000.0, 3100.0]), "grd": ("double", [33.0, 35.0])}
+    return saved(layer("NoGeometry", [None] * 2, **passes), path)
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> str:
+    """A GeoPackage with two tables, ``passes`` and ``others``."""
+    path = tmp_path / "all.gpkg"
+    for number, name in enumerate(("passes", "others")):
+        single = observations(tmp_path / f"{name}.gpkg")
+        how = {"accessMode": "append"} if number else {}
+        gdal.VectorTranslate(str(path), single, format="GPKG", layerName=name, **how)
+    return str(path)
+
+
+def test_a_table_may_join_its_input_in_a_geopackage(database: str) -> None:
+    given = {"OBSERVATIONS": f"{database}|layername=passes"}
+    outcome = run("minimumheight", OUTPUT=f"ogr:dbname='{database}' table=\"heights\"", **given)
+    assert outcome.complaint is None
+    assert QgsVectorLayer(given["OBSERVATIONS"], "passes", "ogr").featureCount() == 2
+    assert QgsVectorLayer(f"{database}|layername=heights", "heights", "ogr").featureCount() == 1
+    first = run("minimumheight", OBSERVATIONS=database, OUTPUT=f"ogr:dbname='{database}' table=\"others\"")
+    assert first.complaint is None  # the first table is read where none is named
+
+
+def test_a_table_never_takes_the_place_of_its_input(database: str, project: QgsProject) -> None:
+    shown = QgsVectorLayer(f"{database}|layername=passes", "shown", "ogr")
+    project.addMapLayer(shown)
+    selected = QgsProcessingFeatureSourceDefinition(shown.id(), True)
+    for given in (f"{database}|layername=passes", f"{database}|layerid=0", database, shown, shown.id(), selected):
+        for output in (f"ogr:dbname='{database}' table=\"passes\"", database, database.removesuffix(".gpkg")):
+            assert_refused("minimumheight", REFUSED, OBSERVATIONS=given, OUTPUT=output)
+    assert shown.featureCount() == 2
+
+
+def test_the_parts_of_a_shapefile_are_kept(tmp_path: Path) -> None:
+    table = str(tmp_path / "passes.dbf")
+    gdal.VectorTranslate(table, observations(tmp_path / "made.gpkg"), format="ESRI Shapefile")
+    assert_refused("minimumheight", REFUSED, OBSERVATIONS=table, OUTPUT=str(tmp_path / "passes.shp"))
+    lines = saved(layer("LineString", [line((0, 0), (9, 9))]), tmp_path / "lines.shp")
+    image = write_raster(tmp_path / "image.tif", np.full((8, 8), 9, np.uint8))
+    for ending in (".shp", ".dbf", ".prj"):
+        output = str(Path(lines).with_suffix(ending))
+        assert_refused("measureresolution", REFUSED, RASTER=image, GROUPS=lines, REPORT=output)
+
+
+def test_delimited_text_is_a_file_too(tmp_path: Path) -> None:
+    path = tmp_path / "passes.csv"
+    path.write_text("height,grd\n3000,33\n", encoding="utf-8")
+    for given in (str(path), f"delimitedtext://file://{path}?type=csv"):
+        assert_refused("minimumheight", REFUSED, OBSERVATIONS=given, OUTPUT=str(path))
+    assert path.read_text(encoding="utf-8") == "height,grd\n3000,33\n"
+
+
+# --- several outputs ---------------------------------------------------------------------------------------------
+
+
+def test_two_outputs_are_two_files(tmp_path: Path) -> None:
+    given = {"OBSERVATIONS": observations(tmp_path / "passes.gpkg")}
+    same = "written to the same file"
+    both = {"OUTPUT": str(tmp_path / "a.csv"), "HEIGHTS": str(tmp_path / "." / "a.csv")}
+    assert_refused("minimumheight", same, **given, **both)
+    both = {"OUTPUT": str(tmp_path / "a.shp"), "HEIGHTS": str(tmp_path / "a.dbf")}
+    assert_refused("minimumheight", same, **given, **both)
+    tables = [f"ogr:dbname='{tmp_path / 'made.gpkg'}' table=\"{name}\"" for name in ("one", "two")]
+    assert_refused("minimumheight", same, **given, OUTPUT=tables[0], HEIGHTS=tables[0])
+    assert run("minimumheight", **given, OUTPUT=tables[0], HEIGHTS=tables[1]).complaint is None
+
+
+def test_an_older_result_is_replaced(image: Path, tmp_path: Path) -> None:
+    older = write_raster(tmp_path / "older.tif", np.zeros((3, 8, 8), np.uint8))
+    assert run("simulatebayer", RASTER=str(image), OUTPUT=older).complaint is None
+    assert gdal.Open(older).RasterXSize == 16
+    report = tmp_path / "older.html"
+    report.write_text("old")
+    assert run("checkradiometry", RASTERS=[str(image)], REPORT=str(report)).complaint is None
+    assert "<html" in report.read_text(encoding="utf-8")
+    rules = tmp_path / "rules.json"
+    rules.write_text(json.dumps({}), encoding="utf-8")
+    assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], RULES=str(rules), REPORT=str(rules))

@@ -1,0 +1,59 @@
+"""A chart, a report or another file that can't be written costs nothing of what was measured, in any algorithm."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis.core import QgsProcessingProvider
+
+from tests.qgis.runs import Log, algorithm, assert_sentence, run
+from tests.qgis.scenes import BLURRED, SHARP, windows
+
+ENDINGS = {"CHART": "png", "PARAMETERS": "json", "MODEL_FILE": "json", "RPC": "txt", "WORLD_FILE": "wld"}  # else a page
+
+
+def measurements(given: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """What the algorithms measure; 'report' measures nothing, its page is all there is."""
+    points = {"GCPS": given["gcps"], "HEIGHTS": "ellipsoid", "CHECK_SHARE": 0.2}
+    judged = windows(SHARP, BLURRED, ratio_1=("double", [0.9, 0.4]), observer=("string", ["invisible", "visible"]))
+    return {
+        "checknoise": {"RASTERS": given["sources"]},
+        "checkradiometry": {"RASTERS": given["sources"]},
+        "calibratethreshold": {"WINDOWS": judged},
+        "measureresolution": {"RASTER": given["target"], "GROUPS": given["bars"], "REFERENCE_GRD": 100},
+        "interiororientation": {
+            "PHOTO": given["photo"], "CALIBRATION": given["calibration"], "TEMPLATE_KIND": "ring with cross"
+        },
+        "fitsensormodel": {**points, "MODEL": "polynomial_3d"},
+        "comparesensormodels": points,
+    }  # fmt: skip
+
+
+def files(name: str) -> list[str]:
+    job = algorithm(name)  # its definitions live as long as it does
+    return [one.name() for one in job.destinationParameterDefinitions() if one.type() == "fileDestination"]
+
+
+def test_no_algorithm_is_forgotten(provider: QgsProcessingProvider, given: dict[str, Any]) -> None:
+    with_files = {one.name() for one in provider.algorithms() if files(one.name())}
+    assert with_files == {*measurements(given), "report"}
+
+
+@pytest.mark.usefixtures("provider")
+@pytest.mark.parametrize("name", ["checknoise", "checkradiometry", "calibratethreshold", "measureresolution",
+                                  "interiororientation", "fitsensormodel", "comparesensormodels"])  # fmt: skip
+def test_a_file_that_can_not_be_written_costs_nothing(name: str, given: dict[str, Any], tmp_path: Path) -> None:
+    log, asked = Log(), {}
+    for file in files(name):
+        asked[file] = str(tmp_path / "gone" / f"{file}.{ENDINGS.get(file, 'html')}")
+    outcome = run(name, log, **measurements(given)[name], **asked)
+    assert outcome.complaint is None
+    assert outcome.rows()
+    assert not set(asked) & set(outcome.results)
+    assert len(log.errors) == len(asked)
+    for said, path in zip(sorted(log.errors), sorted(asked.values())):
+        assert_sentence(said, "can't be written")
+        assert path in said
+    whole = run(name, **measurements(given)[name])
+    assert whole.rows() == outcome.rows()
