@@ -4471,7 +4471,7 @@
     <message>
         <location filename="../plugin/adapters/mark_report.py" line="68" />
         <source>Model: {model}, marks: {marks}, degrees of freedom: {redundancy}.</source>
-        <translation>Model: {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
+        <translation>Model {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
     </message>
     <message>
         <location filename="../plugin/adapters/mark_report.py" line="72" />
@@ -5497,6 +5497,71 @@
         <location filename="../plugin/core/messages.py" line="152" />
         <source>No source explains the mosaic's fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="1" />
+        <source>{what}: {why}</source>
+        <translation>{what}: {why}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>affine</source>
+        <translation>transformacji afinicznej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>similarity</source>
+        <translation>podobieństwa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>projective</source>
+        <translation>transformacji rzutowej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>Measured</source>
+        <translation>Zmierzony</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>Given</source>
+        <translation>Podany</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>Failed</source>
+        <translation>Odrzucony</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>positions</source>
+        <translation>podanych położeń</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>dots</source>
+        <translation>kropek</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>data strip</source>
+        <translation>paska danych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>residuals</source>
+        <translation>odchyłek</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>marks</source>
+        <translation>układu znaczków</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <source>assumed</source>
+        <translation>założenia</translation>
     </message>
 </context>
 </TS>

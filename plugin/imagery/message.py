@@ -1,9 +1,25 @@
 """What a sentence for the user is made of."""
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from functools import cache
+from string import Formatter
+
+
+class Level(Enum):
+    """How grave a message is where it stands alone; within another one that one's level counts."""
+
+    INFO = "information"
+    """A fact, the reason in a table, or a word that goes into a sentence."""
+    WARNING = "warning"
+    """Something was left out, assumed or is doubtful; the work goes on."""
+    ERROR = "error"
+    """It can't be done: what an exception carries, and most messages are."""
+
+
+INFO, WARNING = Level.INFO, Level.WARNING
 
 
 @dataclass(frozen=True)
@@ -12,12 +28,19 @@ class Message:
 
     template: str
     """English text with ``{name}`` where a value goes."""
+    level: Level = Level.ERROR
     values: Mapping[str, object] = field(default_factory=dict)
     """What goes into the template: numbers, texts, other messages or a tuple of those."""
 
     def __call__(self, **values: object) -> Message:
-        """The same sentence with its values."""
-        return Message(self.template, values)
+        """The same sentence with its values. Raises TypeError for one that lacks or that has no place in it."""
+        if values.keys() != (wanted := placeholders(self.template)):
+            raise TypeError(f"{self.template!r} takes {sorted(wanted)} and was given {sorted(values)}")
+        return replace(self, values=values)
+
+    def as_warning(self) -> Message:
+        """The same sentence where it is told and the work goes on, though an exception carries it elsewhere."""
+        return replace(self, level=WARNING)
 
     def __str__(self) -> str:
         return self.worded(lambda template: template)
@@ -26,6 +49,12 @@ class Message:
         """The sentence, its template and those of the messages in it sent through ``translate``."""
         values = {name: _worded(value, translate) for name, value in self.values.items()}
         return translate(self.template).format(**values)
+
+
+@cache
+def placeholders(template: str) -> frozenset[str]:
+    """The names in a template."""
+    return frozenset(name for _, name, _, _ in Formatter().parse(template) if name is not None)
 
 
 def _worded(value: object, translate: Callable[[str], str]) -> object:

@@ -1,24 +1,60 @@
-"""What a user can be told: imagery."""
+"""What a user can be told of rasters, windows, seamlines and files, whatever is measured on them."""
 from __future__ import annotations
 
-from .message import Message
+from .message import INFO, WARNING, Message
 
-RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
-
+# rasters
+NOT_FOUND = Message("{path} does not exist; check the path.")
+NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that the file is complete.")
+NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
+NO_BANDS = Message("{name} has no bands of its own; choose one of its subdatasets.")
+COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitudes first.")
+BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
+NOT_GEOREFERENCED = Message("{name} has no position on the map; georeference or orthorectify it first.")
+NO_REFERENCE_SYSTEM = Message(
+    "{name} has no coordinate reference system; set it in the layer's properties or write it into the file."
+)
+NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
+SOURCE_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
+# reference systems
+EXTENT_NOT_TRANSFORMED = Message(
+    "An extent can't be transformed to the mosaic's coordinate reference system; check the layers' systems."
+)
+POINTS_NOT_TRANSFORMED = Message(
+    "Some points have no place in another reference system; check the reference system of the points."
+)
+NO_GEOID_GRID = Message(
+    "PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above "
+    "the ellipsoid."
+)
+# windows
 SIDE_NOT_POSITIVE = Message("The window side is {side} m; give a positive number of metres.")
 WINDOW_OUTSIDE = Message("The window lies outside the mosaic; draw it on the mosaic.")
 WINDOW_TOO_SMALL = Message(
     "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger."
 )
-TOO_MANY_LEVELS = Message(
-    "{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; "
-    "use fewer levels or draw it larger."
+WINDOW_TOO_LARGE = Message(
+    "The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller."
 )
-# decomposition
+TOO_MANY_LEVELS = Message(
+    "{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer "
+    "levels or draw it larger."
+)
+WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.")
+WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.", WARNING)
+WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}", WARNING)
+# pixels in a window
+NOT_COVERED = Message("{name} does not cover the whole window.")
+TOO_MANY_INVALID = Message(
+    "{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window."
+)
+NOTHING_MEASURED = Message("No window could be measured: {why}")
+ABOUT = Message("{what}: {why}", INFO)  # one of many: a window, a mark, a group
+# the decomposition
 WAVELET_UNKNOWN = Message("PyWavelets has no discrete wavelet '{wavelet}'; use an orthogonal one such as coif3.")
 WAVELET_NOT_ORTHOGONAL = Message(
-    "The wavelet '{wavelet}' is not orthogonal, so the shares of its components do not add up to the clip's "
-    "variance; use an orthogonal one such as coif3, db4 or sym8."
+    "The wavelet '{wavelet}' is not orthogonal, so the shares of its components do not add up to the clip's variance; "
+    "use an orthogonal one such as coif3, db4 or sym8."
 )
 LEVELS_OUT_OF_RANGE = Message("{levels} levels asked for; the decomposition has {least} to {most}.")
 # seamlines
@@ -43,42 +79,6 @@ SEAMLINES_BROKEN = Message(
 SEAMLINES_NOT_FINITE = Message(
     "The seamline layer holds coordinates that are no numbers; repair it with 'Fix geometries'."
 )
-# rasters
-NOT_FOUND = Message("{path} does not exist; check the path.")
-NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that the file is complete.")
-NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
-NO_BANDS = Message("{name} has no bands of its own; choose one of its subdatasets.")
-COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitudes first.")
-NOT_GEOREFERENCED = Message("{name} has no position on the map; georeference or orthorectify it first.")
-NO_REFERENCE_SYSTEM = Message(
-    "{name} has no coordinate reference system; set it in the layer's properties or write it into the file."
-)
-NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
-NOT_COVERED = Message("{name} does not cover the whole window.")
-TOO_MANY_INVALID = Message(
-    "{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window."
-)
-EXTENT_NOT_TRANSFORMED = Message(
-    "An extent can't be transformed to the mosaic's coordinate reference system; check the layers' systems."
-)
-SOURCE_LEFT_OUT = Message("{name} is left out: {why}")
-WINDOW_TOO_LARGE = Message(
-    "The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller."
-)
+# files that are written
+RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")
-
-NOTHING_MEASURED = Message("No window could be measured: {why}")
-WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.")
-WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}")
-WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.")
-BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
-
-# sensor models: points
-POINTS_NOT_TRANSFORMED = Message(
-    "Some points have no place in another reference system; check the reference system of the points."
-)
-# sensor models: heights
-NO_GEOID_GRID = Message(
-    "PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above "
-    "the ellipsoid."
-)

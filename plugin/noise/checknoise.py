@@ -17,9 +17,9 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.base import Warnings
+from ..toolkit.algorithms.feedback import TellOnce, tell
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import tr
 
 if TYPE_CHECKING:
     from ..imagery.message import Message
@@ -112,7 +112,7 @@ class CheckNoise(RasterListAlgorithm):
         notices = [*self.left_out, *plan.notices]
         sizes = window_plan.pixel_size_notice(plan)
         notices += [sizes] if sizes else []
-        Warnings(feedback).say(notices)
+        TellOnce(feedback).tell(notices)
         if not plan.requests and not feedback.isCanceled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(notices[:1])))
         sink, output_id = self.sink(parameters, OUTPUT, context, tables.noise_fields(levels))
@@ -125,11 +125,12 @@ class CheckNoise(RasterListAlgorithm):
                 for clip in clips:
                     self.write(sink, tables.noise_features(clip, levels))
                     if clip.reason is not None:
-                        feedback.pushInfo(f"{clip.window_id}: {sentence(clip.reason)}")
+                        tell(feedback, imagery_messages.ABOUT(what=clip.window_id, why=clip.reason))
                 results += clips
                 feedback.setProgress(100 * done / len(plan.requests))
         counts = noise_summary.verdict_counts(results)
-        feedback.pushInfo(", ".join(f"{verdict.value}: {counts[verdict]}" for verdict in NoiseVerdict))
+        words = noise_summary.VERDICT_WORDS
+        feedback.pushInfo(", ".join(f"{tr(word)}: {counts[verdict]}" for verdict, word in words.items()))
         return {
             OUTPUT: output_id,
             **self.save(parameters, common.CHART, context, feedback, lambda path: _save_chart(path, results)),

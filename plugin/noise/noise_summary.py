@@ -12,7 +12,7 @@ from ..toolkit.translation import sentence, tr
 from .measure.band_noise import BandNoise, NoiseVerdict
 from .measure.group_noise import ClipNoise
 
-WORDS = {
+VERDICT_WORDS = {
     NoiseVerdict.LOW: QT_TRANSLATE_NOOP("@default", "low"),
     NoiseVerdict.MODERATE: QT_TRANSLATE_NOOP("@default", "moderate"),
     NoiseVerdict.STRONG: QT_TRANSLATE_NOOP("@default", "strong"),
@@ -52,7 +52,7 @@ def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
     """The verdict and the numbers of every band, a line each."""
     lines = []
     for name, noise in bands.items():
-        said = f"{band_title(name)}: {tr(WORDS[noise.verdict])}"
+        said = f"{band_title(name)}: {tr(VERDICT_WORDS[noise.verdict])}"
         if noise.sigma is not None:
             numbers = tr("sigma {sigma} DN, kurtosis by level {kurtosis}").format(
                 sigma=_number(noise.sigma, 2), kurtosis=" / ".join(_number(value, 1) for value in noise.kurtosis)

@@ -11,7 +11,7 @@ from ..toolkit.translation import sentence, tr
 from .charts import noise_figure
 from .measure.group_noise import ClipNoise
 from .measure.noise_requests import GroupedImage
-from .noise_summary import WORDS, judged_noise, verdict_counts, verdict_of
+from .noise_summary import VERDICT_WORDS, judged_noise, verdict_counts, verdict_of
 
 
 def save_noise_report(
@@ -23,10 +23,10 @@ def save_noise_report(
     save_page(
         path,
         "random_noise",
-        counts=", ".join(f"{tr(words)}: {counts[verdict]}" for verdict, words in WORDS.items() if counts[verdict]),
+        counts=", ".join(f"{tr(word)}: {counts[one]}" for one, word in VERDICT_WORDS.items() if counts[one]),
         notices=said_once(notices),
         chart=None if figure is None else svg_text(figure),
-        verdicts=[tr(words) for words in WORDS.values()],
+        verdicts=[tr(words) for words in VERDICT_WORDS.values()],
         rasters=_rasters(results),
         headings=headings,
         windows=windows,
@@ -49,7 +49,7 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
             member.image.ref.name,
             member.group,
             "" if size is None else f"{size:.3g} m",
-            *(counts[verdict] for verdict in WORDS),
+            *(counts[verdict] for verdict in VERDICT_WORDS),
             f"{min(sigmas):.2f}" if sigmas else "",
             f"{sum(sigmas) / len(sigmas):.2f}" if sigmas else "",
             f"{max(sigmas):.2f}" if sigmas else "",
@@ -72,7 +72,7 @@ def _windows(results: Sequence[ClipNoise], levels: int) -> tuple[list[str], list
             figures.append("\u00a0\u00a0".join(known))
             reason = judged.note
         place = f"{window.column},\u00a0{window.row}"
-        rows.append([*head, tr(WORDS[verdict_of(result)]), *figures, place, sentence(reason) if reason else ""])
+        rows.append([*head, tr(VERDICT_WORDS[verdict_of(result)]), *figures, place, sentence(reason) if reason else ""])
     headings = [tr("window"), tr("raster"), tr("group"), tr("noise"), tr("sigma (DN)")]
     headings += [tr("detail {level}").format(level=level) for level in range(1, levels + 1)]
     headings += [tr("kurtosis by level"), tr("column, row"), tr("note")]

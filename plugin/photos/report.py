@@ -11,6 +11,7 @@ from ..imagery.photos import Photo
 from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import said_once, save_page
 from ..toolkit.translation import sentence, tr
+from .measure import messages
 from .measure.measuring_marks import MarkWindow
 from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, PhotoOrientation
 
@@ -37,7 +38,7 @@ def save_orientation_report(path: Path, photo: Photo, made: PhotoOrientation) ->
         magnification=PICTURE_MAGNIFICATION,
         transformation=None if made.fitted is None else _transformation(made.fitted),
         scan_orientation=made.scan_orientation,
-        evidence=None if made.evidence is None else made.evidence.value,
+        evidence=None if made.evidence is None else sentence(messages.WORDS[made.evidence.value]),
     )
 
 
@@ -47,14 +48,14 @@ def _row(mark: MarkResult) -> list[str | None]:
     return [
         mark.name, _number(column, 3), _number(row, 3), _number(mark.calibrated[0], 3),
         _number(mark.calibrated[1], 3), _number(residual_x, 1), _number(residual_y, 1),
-        _number(mark.correlation, 3), mark.status.value,
+        _number(mark.correlation, 3), sentence(messages.WORDS[mark.status.value]),
         None if mark.reason is None else sentence(mark.reason),
     ]  # fmt: skip
 
 
 def _transformation(fitted: FittedTransformation) -> dict[str, object]:
     return {
-        "model": fitted.to_mm.model.value,
+        "model": sentence(messages.WORDS[fitted.to_mm.model.value]),
         "marks": fitted.marks,
         "redundancy": fitted.redundancy,
         "rms": fitted.rms,

@@ -21,9 +21,9 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, SeamInspectorError, SettingsError, WindowError
 from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.base import Warnings
+from ..toolkit.algorithms.feedback import TellOnce, tell
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import tr
 
 if TYPE_CHECKING:
     from ..imagery.drawn_windows import DrawnWindow
@@ -102,13 +102,13 @@ class CheckRadiometry(RasterListAlgorithm):
         seamlines = self.source(parameters, SEAMLINES, context) if parameters.get(SEAMLINES) else None
         images = [image for ref in dict.fromkeys(self.refs[RASTERS]) if (image := self._image(ref)) is not None]
         self.require_rasters(images)
-        warnings = Warnings(feedback)
-        warnings.say(self.left_out)
+        once = TellOnce(feedback)
+        once.tell(self.left_out)
         sink, output_id = self.sink(parameters, OUTPUT, context, tables.radiometry_fields())
         results: list[Assessment] = []
         notices = list(self.left_out)
         jobs = list(self._jobs(images, drawn, notices))
-        warnings.say(notices[len(self.left_out) :])
+        once.tell(notices[len(self.left_out) :])
         for done, (image, window, number) in enumerate(jobs):
             if feedback.isCanceled():
                 break
@@ -117,12 +117,12 @@ class CheckRadiometry(RasterListAlgorithm):
                 result = self._assess(image, window, number, rules, seams, (done, len(jobs)), feedback)
             except SeamInspectorError as error:
                 notices.append(imagery_messages.SOURCE_LEFT_OUT(name=image.ref.name, why=error.message))
-                feedback.pushWarning(sentence(notices[-1]))
+                tell(feedback, notices[-1])
                 continue
             if result is None:
                 break
             self.write(sink, tables.radiometry_features(result))
-            warnings.say(result.notices)
+            once.tell(result.notices)
             notices += result.notices
             results.append(result)
         if not results and not feedback.isCanceled():

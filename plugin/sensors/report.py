@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..imagery.message import Message
+from ..imagery.message import WARNING, Message
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import said_once, save_page
 from ..toolkit.translation import sentence, tr
@@ -21,20 +21,15 @@ _MOST_POINTS = 200  # listed one by one
 
 
 def save_fit_report(
-    path: Path,
-    done: Adjustment,
-    coverage: ControlCoverage,
-    box: ImageBox,
-    warnings: Sequence[Message],
-    notes: Sequence[Message],
+    path: Path, done: Adjustment, coverage: ControlCoverage, box: ImageBox, notices: Sequence[Message]
 ) -> None:
     """The report of one model. Raises SettingsError where no file can be written."""
     save_page(
         path,
         "sensor_model",
         name=done.request.name,
-        notices=said_once(warnings),
-        notes=said_once(notes),
+        notices=said_once(one for one in notices if one.level is WARNING),
+        notes=said_once(one for one in notices if one.level is not WARNING),
         unknowns=_unknowns(done.request.variant),
         control_count=done.control.count,
         iterations=done.fitted.iterations,

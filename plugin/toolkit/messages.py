@@ -1,16 +1,25 @@
-"""What a user can be told: toolkit."""
+"""What a user can be told of layers, lists of rasters, background tasks, Dask and charts."""
 from __future__ import annotations
 
 from ..imagery.message import Message
 
-# layers and outputs
+# layers
 NOT_A_RASTER_LAYER = Message("{name} is not a raster layer; choose a raster.")
 NOT_A_FILE = Message("{name} is not a file that GDAL reads but comes from a service; choose the raster file itself.")
+WINDOW_LAYER_READ_ONLY = Message(
+    "The window layer {name} can't be edited; choose another one, or let a new one be made."
+)
+NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
+# the outline of a window
 WINDOW_EMPTY = Message("The window has no outline; draw it anew.")
 WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangle.")
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
 WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
-NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
+# lists of rasters
+NO_RASTERS = Message("No rasters are given; choose at least one.")
+NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")
+# where the work is done
+TASK_FAILED = Message("{task} failed ({error}); please report this.")
 DASK_MISSING = Message(
     "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty."
 )
@@ -18,15 +27,9 @@ SCHEDULER_SILENT = Message(
     "The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty."
 )
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
-WINDOW_LAYER_READ_ONLY = Message(
-    "The window layer {name} can't be edited; choose another one, or let a new one be made."
-)
-TASK_FAILED = Message("{task} failed ({error}); please report this.")
-# files
+# outputs and charts
 OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belongs to an input; choose another file.")
 OUTPUTS_ARE_ONE = Message(
     "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
 )
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")
-NO_RASTERS = Message("No rasters are given; choose at least one.")
-NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")

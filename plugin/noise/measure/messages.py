@@ -1,24 +1,29 @@
-"""What a user can be told: noise."""
+"""What a user can be told of random noise: of settings, windows and groups, and of a curve."""
 from __future__ import annotations
 
-from ...imagery.message import Message
+from ...imagery.message import INFO, WARNING, Message
 
 NOISE_LEVELS_TOO_FEW = Message("{levels} levels asked for; the noise rule compares levels, so use at least {least}.")
-NOISE_CONSTANT = Message("{name} has no variance in {band} here; move the window to where there is content.")
-NOISE_HUMP = Message(
-    "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, "
-    "compression) or a texture of that size; look at the window."
-)
+# windows and groups
 RASTER_WITHOUT_WINDOW = Message(
-    "{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster."
+    "{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster.", WARNING
 )
-WINDOWS_SMALLER = Message("{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.")
+WINDOWS_SMALLER = Message("{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.", WARNING)
 MASKED_TOO_MUCH = Message(
-    "{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the window."
+    "{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the "
+    "window.", INFO
 )
 GROUPS_APART = Message(
-    "The two groups show no common ground, so each raster has windows of its own and nothing is compared pairwise."
+    "The two groups show no common ground, so each raster has windows of its own and nothing is compared "
+    "pairwise.", WARNING
 )
 PIXEL_SIZES_DIFFER = Message(
-    "Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both groups."
+    "Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both "
+    "groups.", WARNING
+)
+# a curve
+NOISE_CONSTANT = Message("{name} has no variance in {band} here; move the window to where there is content.", INFO)
+NOISE_HUMP = Message(
+    "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) "
+    "or a texture of that size; look at the window.", INFO
 )

@@ -26,7 +26,9 @@ def plan_drawn(images: Sequence[GroupedImage], windows: Iterable[DrawnWindow], l
     """
     requests: list[NoiseRequest] = []
     notices = [
-        imagery_messages.WINDOW_IMAGE_ROTATED(name=one.image.ref.name) for one in images if one.image.grid is None
+        imagery_messages.WINDOW_IMAGE_ROTATED(name=one.image.ref.name).as_warning()
+        for one in images
+        if one.image.grid is None
     ]
     for drawn in windows:
         shown = [

@@ -16,7 +16,8 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.translation import sentence, tr
+from ...toolkit.algorithms.feedback import tell
+from ...toolkit.translation import tr
 from ..measure import messages
 
 FIRST, SECOND, PIXEL_SIZE, OUTPUT, DIFFERENCES = "FIRST", "SECOND", "PIXEL_SIZE", "OUTPUT", "DIFFERENCES"
@@ -83,7 +84,7 @@ class CompareMarks(SeamInspectorAlgorithm):
         size = size or mark_comparison.pixel_size(measured[0]) or mark_comparison.pixel_size(measured[1])
         made = {"px": mark_comparison.distance_statistics(found)}
         if size is None:
-            feedback.pushWarning(sentence(messages.PIXEL_SIZE_UNKNOWN()))
+            tell(feedback, messages.PIXEL_SIZE_UNKNOWN())
         else:
             made["um"] = made["px"].scaled(size)
         sink, destination = self.sink(parameters, OUTPUT, context, mark_tables.statistics_fields())

@@ -13,10 +13,12 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import PhotoError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import tell
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
 from . import photo_parameters
@@ -120,7 +122,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         )
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
-            feedback.reportError(sentence(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why)))
+            tell(feedback, messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
         for name, text in (
             (photo_parameters.PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
@@ -130,15 +132,15 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         return results
 
     def _tell(self, made: PhotoOrientation, feedback: QgsProcessingFeedback) -> None:
-        for notice in made.notices:
-            feedback.pushWarning(sentence(notice))
+        tell(feedback, *made.notices)
         for mark in made.marks:
             if mark.reason is not None:
-                feedback.pushWarning(f"{mark.name}: {sentence(mark.reason)}")
+                tell(feedback, imagery_messages.ABOUT(what=mark.name, why=mark.reason).as_warning())
         if made.fitted is not None:
             feedback.pushInfo(
                 tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.").format(
-                    marks=made.fitted.marks, model=made.fitted.to_mm.model.value, rms=made.fitted.rms
+                    marks=made.fitted.marks, rms=made.fitted.rms,
+                    model=sentence(messages.WORDS[made.fitted.to_mm.model.value]),
                 )
             )
 

@@ -71,7 +71,7 @@ def check_calibration(calibration: CameraCalibration, model: PlaneModel) -> None
     """Raise PhotoError for a calibration from which no interior orientation can be had."""
     count, least = len(calibration.marks), LEAST_MARKS[model]
     if count < least:
-        raise PhotoError(messages.TOO_FEW_CALIBRATED(count=count, model=model.value, least=least))
+        raise PhotoError(messages.TOO_FEW_CALIBRATED(count=count, model=messages.WORDS[model.value], least=least))
     span = calibration.span
     if not MIN_FRAME_MM <= span <= MAX_FRAME_MM:
         raise PhotoError(

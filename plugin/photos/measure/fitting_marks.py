@@ -77,17 +77,19 @@ def fit_marks(
     marks to leave a redundancy of two. (An affine transformation of four marks has two, and without one of them
     none: there the residuals say how well the four agree, never which is wrong.)
     """
-    marks, notices = list(marks), []
+    marks = list(marks)
+    notices: list[Message] = []
     while True:
         placed = [mark for mark in marks if mark.place is not None]
         if len(placed) < LEAST_MARKS[model]:
-            notices.append(messages.TOO_FEW_MARKS(model=model.value, least=LEAST_MARKS[model], count=len(placed)))
-            return None, marks, notices
+            least, count = LEAST_MARKS[model], len(placed)
+            too_few = messages.TOO_FEW_MARKS(model=messages.WORDS[model.value], least=least, count=count)
+            return None, marks, [*notices, too_few.as_warning()]
         source, target = _pairs(placed)
         try:
             made = fit_transformation(model, source, target)
         except PhotoError as error:
-            return None, marks, [*notices, error.message]
+            return None, marks, [*notices, error.message.as_warning()]
         suspect = _outlier(placed, model) if redundancy(model, len(placed) - 1) >= 2 else None
         if suspect is None:
             break
@@ -105,7 +107,7 @@ def fit_marks(
     fitted = FittedTransformation(made, made.inverse, len(placed), left_over, float(rms[0]), float(rms[1]))
     by_name = {mark.name: (float(x), float(y)) for mark, (x, y) in zip(placed, residuals)}
     if fitted.redundancy < 1:
-        notices.append(messages.NO_REDUNDANCY(model=model.value, count=len(placed)))
+        notices.append(messages.NO_REDUNDANCY(model=messages.WORDS[model.value], count=len(placed)))
     return fitted, [replace(mark, residual=by_name.get(mark.name)) for mark in marks], notices
 
 

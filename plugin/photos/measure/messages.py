@@ -1,29 +1,15 @@
-"""What a user can be told: photos."""
+"""What a user can be told of scanned photos: of marks and their positions, calibrations, the transformation."""
 from __future__ import annotations
 
-from ...imagery.message import Message
+from ...imagery.message import INFO, WARNING, Message
 
+# enhancing
 FILTER_SIDE = Message("The side of the mean is {size:g} px; give an odd number from 3 to {most:g}.")
 FILTER_DEVIATION = Message(
     "The standard deviation of the Gaussian is {size:g} px; give one above 0 and up to {most:g}."
 )
-
-# fiducial marks
-TEMPLATE_TOO_SMALL = Message(
-    "The template is {width} x {height} px and a side needs at least {fewest} px; cut it out with the whole mark in it."
-)
-TEMPLATE_EMPTY = Message("All pixels of the template are alike; cut it out where the mark is.")
-SURFACE_FLAT = Message("the surface around the best place is flat, so it has no extremum")
-SURFACE_SADDLE = Message("the surface around the best place is a saddle, so it has no extremum")
-SURFACE_OUTSIDE = Message("the extremum of the surface lies outside the pixels it was computed from")
-MARK_NO_ROOM = Message("the template is larger than the piece of the photo around the mark")
-MARK_TOO_WEAK = Message("the best correlation is {value:.2f} and at least {least:.2f} is asked for")
-MARK_AMBIGUOUS = Message("two places look nearly alike, with correlations of {best:.2f} and {second:.2f}")
-MARK_AT_THE_EDGE = Message("the mark lies at the edge of the photo and is not all there")
-MARK_HALVES_DIFFER = Message(
-    "parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no mark"
-)
-# calibration
+# the calibration of a camera
+NO_CALIBRATION = Message("No calibration is given; choose the file with the calibrated marks of the camera.")
 CALIBRATION_NOT_READ = Message("The calibration {path} can't be read ({error}); check the path.")
 CALIBRATION_UNKNOWN = Message(
     "{name} is neither a CSV with the columns mark, x_mm and y_mm nor a MeasuresCamera.xml of MicMac; choose one of "
@@ -42,7 +28,74 @@ TOO_FEW_CALIBRATED = Message(
 MARKS_AT_ONE_PLACE = Message(
     "The marks '{one}' and '{other}' of the calibration are at one place; correct their coordinates."
 )
-# transformation
+# the positions that a user gives
+POSITIONS_WITHOUT_MARK = Message(
+    "The layer of positions has no field 'mark'; add one and write the names of the calibration's marks into it."
+)
+POSITIONS_EMPTY = Message("The layer of positions holds no point with a name in its field 'mark'; digitise some.")
+POSITION_TWICE = Message("The layer of positions has the mark '{mark}' twice; remove one of them.")
+POSITION_UNKNOWN = Message(
+    "The positions name a mark '{mark}' that the calibration does not have ({marks}); rename it."
+)
+POSITION_OUTSIDE = Message(
+    "The position of '{mark}' lies outside the photo; digitise it on the photo as QGIS shows it without a world file, "
+    "or with the one that the photo has."
+)
+POSITIONS_AT_ONE_PLACE = Message("The positions of '{one}' and '{other}' are at one place; move one of them.")
+POSITIONS_OFF = Message(
+    "The positions lie up to {worst:.0f} mm from where the calibration wants them; check their names and the "
+    "calibration."
+)
+# a template
+TEMPLATE_TOO_SMALL = Message(
+    "The template is {width} x {height} px and a side needs at least {fewest} px; cut it out with the whole mark in it."
+)
+TEMPLATE_TOO_LARGE = Message(
+    "The template is {side:.1f} mm wide and the search area {search:.1f} mm; cut it out smaller or search further."
+)
+TEMPLATE_EMPTY = Message("All pixels of the template are alike; cut it out where the mark is.")
+# the marks of a photo
+PHOTO_EMPTY = Message("All pixels of {name} are alike, so it shows no marks; scan the photo anew.")
+NO_MARK_FOUND = Message(
+    "No mark was found in {name} ({why}); give positions, another kind of template, or a template cut out of the photo."
+)
+ARRANGEMENT_NOT_AT_POSITIONS = Message(
+    "Marks were found in the photo, but not where the positions say; each was looked for on its own there.", WARNING
+)
+SCAN_ORIENTATION_ASSUMED = Message(
+    "Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the "
+    "positions of three marks if that is wrong.", WARNING
+)
+GIVEN_IS_OFF = Message(
+    "The given mark '{mark}' lies {worst:.2f} mm from where the others want it; check its place and its name.", WARNING
+)
+# why a mark failed
+SURFACE_FLAT = Message("the surface around the best place is flat, so it has no extremum")
+SURFACE_SADDLE = Message("the surface around the best place is a saddle, so it has no extremum")
+SURFACE_OUTSIDE = Message("the extremum of the surface lies outside the pixels it was computed from")
+MARK_NOT_SEEN = Message("nothing around the position looks like a mark", WARNING)
+MARK_NO_ROOM = Message("the template is larger than the piece of the photo around the mark", WARNING)
+MARK_TOO_WEAK = Message("the best correlation is {value:.2f} and at least {least:.2f} is asked for", WARNING)
+MARK_AMBIGUOUS = Message("two places look nearly alike, with correlations of {best:.2f} and {second:.2f}", WARNING)
+MARK_WANDERS = Message("the surface's extremum leads away from where the mark was found", WARNING)
+MARK_AT_THE_EDGE = Message("the mark lies at the edge of the photo and is not all there", WARNING)
+MARK_HALVES_DIFFER = Message(
+    "parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no "
+    "mark", WARNING
+)
+MARK_OUTSIDE = Message("it would lie outside the photo")
+MARK_NOT_ARRANGED = Message("no places in the photo that look like marks lie as the calibration says", WARNING)
+MARK_UNSUPPORTED = Message(
+    "only {count} places that look like marks lie as the calibration says, and without positions {least} are "
+    "needed", WARNING
+)
+MARK_TWICE = Message("it was found at the same place as '{other}'", WARNING)
+MARK_OFF = Message("it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most", WARNING)
+MARKS_DISAGREE = Message(
+    "the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it "
+    "can't be told which is wrong", WARNING
+)
+# the transformation
 TOO_FEW_MARKS = Message(
     "Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them "
     "as positions with their measurement off."
@@ -50,67 +103,16 @@ TOO_FEW_MARKS = Message(
 MARKS_ON_A_LINE = Message(
     "The marks are at one place or on one line, so the {model} model can't be determined; give further marks."
 )
-# photos
-PHOTO_EMPTY = Message("All pixels of {name} are alike, so it shows no marks; scan the photo anew.")
-NO_MARK_FOUND = Message(
-    "No mark was found in {name} ({why}); give positions, another kind of template, or a template cut out of the photo."
-)
-POSITION_UNKNOWN = Message(
-    "The positions name a mark '{mark}' that the calibration does not have ({marks}); rename it."
-)
-POSITIONS_AT_ONE_PLACE = Message("The positions of '{one}' and '{other}' are at one place; move one of them.")
-POSITIONS_OFF = Message(
-    "The positions lie up to {worst:.0f} mm from where the calibration wants them; check their names and the "
-    "calibration."
-)
-POSITION_OUTSIDE = Message(
-    "The position of '{mark}' lies outside the photo; digitise it on the photo as QGIS shows it without a world "
-    "file, or "
-    "with the one that the photo has."
-)
-TEMPLATE_TOO_LARGE = Message(
-    "The template is {side:.1f} mm wide and the search area {search:.1f} mm; cut it out smaller or search further."
-)
-ARRANGEMENT_NOT_AT_POSITIONS = Message(
-    "Marks were found in the photo, but not where the positions say; each was looked for on its own there."
-)
-SCAN_ORIENTATION_ASSUMED = Message(
-    "Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the "
-    "positions "
-    "of three marks if that is wrong."
-)
-MARK_NOT_SEEN = Message("nothing around the position looks like a mark")
-MARK_NOT_ARRANGED = Message("no places in the photo that look like marks lie as the calibration says")
-MARK_OUTSIDE = Message("it would lie outside the photo")
-MARK_TWICE = Message("it was found at the same place as '{other}'")
-MARK_OFF = Message("it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most")
-MARKS_DISAGREE = Message(
-    "the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it "
-    "can't be "
-    "told which is wrong"
-)
-GIVEN_IS_OFF = Message(
-    "The given mark '{mark}' lies {worst:.2f} mm from where the others want it; check its place and its name."
-)
 NO_REDUNDANCY = Message(
     "The {model} model takes all of its {count} marks, so the residuals are 0 and say nothing about its accuracy; "
-    "measure "
-    "more marks or use a simpler model."
-)
-MARK_WANDERS = Message("the surface's extremum leads away from where the mark was found")
-MARK_UNSUPPORTED = Message(
-    "only {count} places that look like marks lie as the calibration says, and without positions {least} are needed"
+    "measure more marks or use a simpler model.", WARNING
 )
 NO_TRANSFORMATION = Message("There is no transformation to write; give the positions of more marks.")
 PHOTO_WITHOUT_TRANSFORMATION = Message(
     "{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were "
     "written."
 )
-POSITIONS_WITHOUT_MARK = Message(
-    "The layer of positions has no field 'mark'; add one and write the names of the calibration's marks into it."
-)
-POSITION_TWICE = Message("The layer of positions has the mark '{mark}' twice; remove one of them.")
-POSITIONS_EMPTY = Message("The layer of positions holds no point with a name in its field 'mark'; digitise some.")
+# two measurements compared
 COMPARED_WITHOUT_MARK = Message("The layer {layer} has no field 'mark'; choose layers of measured marks.")
 COMPARED_TWICE = Message(
     "A layer has the mark '{mark}' twice; give both layers a field 'photo' that tells photos apart."
@@ -118,6 +120,12 @@ COMPARED_TWICE = Message(
 NOTHING_IN_COMMON = Message("The two layers have no mark in common; check their fields 'mark' and 'photo'.")
 PIXEL_SIZE_UNKNOWN = Message(
     "The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the "
-    "fields x_mm and y_mm."
+    "fields x_mm and y_mm.", WARNING
 )
-NO_CALIBRATION = Message("No calibration is given; choose the file with the calibrated marks of the camera.")
+# words for the values of PlaneModel, MarkStatus and OrientationEvidence
+WORDS = {one.template.lower(): one for one in (
+    Message("affine", INFO), Message("similarity", INFO), Message("projective", INFO),
+    Message("Measured", INFO), Message("Given", INFO), Message("Failed", INFO),
+    Message("positions", INFO), Message("dots", INFO), Message("data strip", INFO), Message("residuals", INFO),
+    Message("marks", INFO), Message("assumed", INFO),
+)}

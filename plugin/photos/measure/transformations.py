@@ -64,12 +64,13 @@ def fit_transformation(
     Raises PhotoError for too few points or for points in one place or on one line.
     """
     if len(source) < LEAST_MARKS[model]:
-        raise PhotoError(messages.TOO_FEW_MARKS(model=model.value, least=LEAST_MARKS[model], count=len(source)))
+        least, word = LEAST_MARKS[model], messages.WORDS[model.value]
+        raise PhotoError(messages.TOO_FEW_MARKS(model=word, least=least, count=len(source)))
     source, target = np.asarray(source, dtype=np.float64), np.asarray(target, dtype=np.float64)
     centre, size = source.mean(axis=0), max(float(np.abs(source - source.mean(axis=0)).max()), 1e-300)
     spread = np.linalg.svd(source - centre, compute_uv=False)
     if spread[0] < 1e-9 or (model is not PlaneModel.SIMILARITY and spread[1] < 1e-6 * spread[0]):
-        raise PhotoError(messages.MARKS_ON_A_LINE(model=model.value))
+        raise PhotoError(messages.MARKS_ON_A_LINE(model=messages.WORDS[model.value]))
     normalise = np.array([[1 / size, 0, -centre[0] / size], [0, 1 / size, -centre[1] / size], [0, 0, 1]])
     scaled = (source - centre) / size
     if model is PlaneModel.SIMILARITY:

@@ -1,8 +1,9 @@
-"""What a user can be told: radiometry."""
+"""What a user can be told of radiometry: of a file with rules, and why a rule could not be checked."""
 from __future__ import annotations
 
-from ...imagery.message import Message
+from ...imagery.message import INFO, WARNING, Message
 
+# a file with rules
 RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
 RULES_NOT_JSON = Message("The rules in {name} are no JSON (line {line}: {error}); mend the file.")
 RULES_NO_OBJECT = Message('{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.')
@@ -15,25 +16,29 @@ RULES_VALUES_BAD = Message("{place} in {name}: 'values' has to be a whole number
 RULES_VALUES_UNUSED = Message("{place} in {name}: 'values' belongs to clipped_low and clipped_high only.")
 RULES_SOURCE_MISSING = Message("{place} in {name} has no 'source'; say in words where the limit comes from.")
 RULES_RANGE_BAD = Message("'value_range' in {name} has to be two numbers, the smaller one first.")
-RULE_PLACE = Message("Rule {number}")
-RULES_PLACE = Message("The object")
-NOT_MEASURABLE = Message("not measurable: {why}")
-TOO_FEW_VALID_PIXELS = Message("{count} pixels are valid and at least {least} are needed; choose a larger part.")
+RULE_PLACE = Message("Rule {number}", INFO)
+RULES_PLACE = Message("The object", INFO)
+# why a rule could not be checked, and what was assumed to check it
+NOT_MEASURABLE = Message("not measurable: {why}", INFO)
+TOO_FEW_VALID_PIXELS = Message("{count} pixels are valid and at least {least} are needed; choose a larger part.", INFO)
 NO_VALUE_RANGE = Message(
-    "values of type {data_type} have no range of their own; give 'value_range' in the rules file."
+    "values of type {data_type} have no range of their own; give 'value_range' in the rules file.", INFO
 )
 NO_UNIFORM_AREA = Message(
-    "fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such areas."
+    "fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such "
+    "areas.", INFO
 )
-NO_NOISE_AT_ALL = Message("the uniform areas do not vary at all; a photograph would, so check how the image was made.")
+NO_NOISE_AT_ALL = Message(
+    "the uniform areas do not vary at all; a photograph would, so check how the image was made.", INFO
+)
 NO_NEUTRAL_AREA = Message(
     "fewer than {least} uniform areas whose bands differ by less than {most:.0%} of the range were found; draw windows "
-    "on grey surfaces."
+    "on grey surfaces.", INFO
 )
-NO_COLOURS = Message("it has no red, green and blue.")
-NO_SEAM_HERE = Message("no seam runs across valid pixels of it for {pixels} px or more.")
-NO_LIMIT = Message("The rules set no limit; give one in the rules file.")
+NO_COLOURS = Message("it has no red, green and blue.", INFO)
+NO_SEAM_HERE = Message("no seam runs across valid pixels of it for {pixels} px or more.", INFO)
+NO_LIMIT = Message("The rules set no limit; give one in the rules file.", INFO)
 RANGE_ASSUMED = Message(
     "{name}: the largest value is {largest}, so the range is taken as {low:g} to {high:g}; if it is another, give "
-    "'value_range' in the rules file."
+    "'value_range' in the rules file.", WARNING
 )

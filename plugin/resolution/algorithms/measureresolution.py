@@ -22,7 +22,8 @@ from ...imagery.errors import RasterError, SettingsError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.translation import sentence, tr
+from ...toolkit.algorithms.feedback import tell
+from ...toolkit.translation import tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
@@ -156,12 +157,11 @@ class MeasureResolution(SeamInspectorAlgorithm):
             measured.append(measure_line(raster, line, target.bars, width, band))
             feedback.setProgress(90 * len(measured) / max(count, 1))
         resolution = judge(raster, measured, target)
-        for notice in resolution.notices:
-            feedback.pushWarning(sentence(notice))
+        tell(feedback, *resolution.notices)
         for result in resolution.results:
             if result.reason is not None:
                 where = f"{result.measured.line.group} {result.measured.line.direction} {result.band}".strip()
-                feedback.pushInfo(f"{where}: {sentence(result.reason)}")
+                tell(feedback, imagery_messages.ABOUT(what=where, why=result.reason))
         sink, destination = self.sink(
             parameters, OUTPUT, context, line_table.result_fields(), QgsWkbTypes.Type.LineString, crs
         )

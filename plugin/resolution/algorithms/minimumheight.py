@@ -13,12 +13,14 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import tell
 from ...toolkit.attribute_values import text
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import tr
 from ..measure import messages
 
 DEFAULT_REQUIRED_GRD_CM = 30.0  # Open Skies: optical cameras
@@ -98,7 +100,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
                 break
             observation, fault = height_tables.observation(row, keys)
             if fault is not None or observation is None:
-                feedback.pushWarning(sentence(messages.OBSERVATIONS_LEFT_OUT(row=number, why=fault)))
+                tell(feedback, messages.OBSERVATIONS_LEFT_OUT(row=number, why=fault))
             else:
                 observations.append(observation)
         if not observations:
@@ -112,7 +114,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
             name = ", ".join(result.key) or tr("all passes")
             feedback.pushInfo(f"{name}: {result.mean_m:.1f} m")
             if result.notice is not None:
-                feedback.pushWarning(f"{name}: {sentence(result.notice)}")
+                tell(feedback, imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
         return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
 
     def _limits(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[float, float | None]:

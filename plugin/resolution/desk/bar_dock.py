@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import (
-    Qgis,
     QgsApplication,
     QgsCoordinateTransform,
     QgsCsException,
@@ -40,6 +39,7 @@ from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.layer_box import LayerBox
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.layers import layer_ref, mosaic_crs
+from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from .. import line_layer
 from ..jobs import bar_job, image_job
@@ -231,7 +231,7 @@ class BarDock(ToolDock):
         self._sides.setDirection(directions.LeftToRight if self.is_wide else directions.TopToBottom)
 
     def _warn(self, message: Message) -> None:
-        self._show_message(sentence(message), Qgis.MessageLevel.Warning)
+        self._show_message(sentence(message), bar_level(message))
 
     @staticmethod
     def _whole(value: int) -> QSpinBox:

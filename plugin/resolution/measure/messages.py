@@ -1,19 +1,25 @@
-"""What a user can be told: resolution."""
+"""What a user can be told of ground resolution: of bar targets, minimum heights and the Bayer filter."""
 from __future__ import annotations
 
-from ...imagery.message import Message
+from ...imagery.message import INFO, WARNING, Message
 
-# ground resolved distance
+# the target and how it is measured
 TOO_FEW_BARS = Message("A group of {bars} bars can't be measured; a target has at least {least} bars in a group.")
 GRD_NOT_POSITIVE = Message("The ground resolved distance is {grd} cm; give a positive number of centimetres.")
 STEP_TOO_SMALL = Message("The step from group to group is {step}; give a factor above 1, such as 1.1225.")
 CRITERION_OUT_OF_RANGE = Message("The criterion is {criterion}; give a share of the full amplitude between 0 and 1.")
 BAR_WIDTH_OUT_OF_RANGE = Message("The profile is averaged over {width} px either side; give 0 to {most}.")
-FIELD_MISSING = Message("The layer has no field '{field}'; add it and fill it in.")
+# the layer of lines
+NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)
 NO_BAR_LINES = Message("The layer has no lines; draw one across the bars of each group.")
-BAR_LINE_EMPTY = Message("The line has no geometry; draw it anew across the bars of the group.")
-BAR_LINE_MULTIPART = Message("The line has several parts; draw one line across the bars of the group.")
-BAR_LINE_BENT = Message("The line is not straight; draw it with two points across the bars of the group.")
+BAR_LAYER_NOT_CREATED = Message(
+    "No layer of bar groups can be written to {folder}; save the project in a folder that you may write to."
+)
+FIELD_MISSING = Message("The layer has no field '{field}'; add it and fill it in.")
+# a line across the bars of a group
+BAR_LINE_EMPTY = Message("The line has no geometry; draw it anew across the bars of the group.", INFO)
+BAR_LINE_MULTIPART = Message("The line has several parts; draw one line across the bars of the group.", INFO)
+BAR_LINE_BENT = Message("The line is not straight; draw it with two points across the bars of the group.", INFO)
 BAR_LINE_OUTSIDE = Message("The line leaves {name}; draw it on the image, across the bars of the group.")
 BAR_LINE_ON_NODATA = Message("The line crosses pixels of {name} without data; draw it where the image is.")
 BAR_LINE_TOO_SHORT = Message(
@@ -23,50 +29,60 @@ BAR_LINE_TOO_SHORT = Message(
 BAR_LINE_TOO_LONG = Message(
     "The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only."
 )
-GROUP_NOT_GIVEN = Message("The line has no whole number in its field 'group'; fill in the group's number.")
-DIRECTION_UNKNOWN = Message("The line's direction is '{direction}'; fill in 'along' or 'across'.")
+GROUP_NOT_GIVEN = Message("The line has no whole number in its field 'group'; fill in the group's number.", INFO)
+DIRECTION_UNKNOWN = Message("The line's direction is '{direction}'; fill in 'along' or 'across'.", INFO)
 GROUP_TWICE = Message(
-    "Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number."
+    "Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its "
+    "number.", INFO
 )
-NO_BARS = Message("No bars stand out on the line; draw it across the bars of one group.")
-BARS_MERGED = Message("The bars can't be told apart: {found} of {bars} stand out.")
-TOO_MANY_BARS = Message("{found} bars stand out and a group has {bars}; draw the line across one group only.")
-BARS_TOO_WEAK = Message("The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.")
-BARS_IN_NOISE = Message("The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.")
+# why a group is not resolved, or how sure that is
+NO_BARS = Message("No bars stand out on the line; draw it across the bars of one group.", INFO)
+BARS_MERGED = Message("The bars can't be told apart: {found} of {bars} stand out.", INFO)
+TOO_MANY_BARS = Message("{found} bars stand out and a group has {bars}; draw the line across one group only.", INFO)
+BARS_TOO_WEAK = Message("The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.", INFO)
+BARS_IN_NOISE = Message(
+    "The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.", INFO
+)
 BARS_BEYOND_NYQUIST = Message(
-    "A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted."
+    "A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not "
+    "counted.", INFO
 )
 BARS_MAYBE_ALIASED = Message(
     "The bars seem {spacing:.1f} px apart, which can't be told from aliasing in an image without scale; draw lines "
-    "across coarser groups too."
+    "across coarser groups too.", INFO
 )
 BARS_MISPLACED = Message(
     "The bars seem {spacing:.1f} px apart and the group's are {cycle:.1f} px: what is seen is aliasing or another "
-    "group, and is not counted."
+    "group, and is not counted.", INFO
 )
-BARS_SPURIOUS = Message("A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.")
+BARS_SPURIOUS = Message("A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.", INFO)
 BARS_SATURATED = Message(
     "The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a "
-    "shorter exposure."
+    "shorter exposure.", INFO
 )
+# all groups together
 TARGET_SCALE_DIFFERS = Message(
     "The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves "
-    "are taken, so check the reference group, its distance and the raster's pixel size."
+    "are taken, so check the reference group, its distance and the raster's pixel size.", WARNING
 )
 TARGET_REVERSED = Message(
-    "The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it."
+    "The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear "
+    "it.", WARNING
 )
-NO_GRD = Message("No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.")
-# minimum height
-OBSERVATION_NOT_POSITIVE = Message(
-    "Height {height} m and distance {grd} cm make no minimum height; give positive numbers of metres and centimetres."
+NO_GRD = Message(
+    "No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.", WARNING
 )
+# the minimum height
 REFERENCE_HEIGHT_NOT_POSITIVE = Message("The reference height is {height} m; give a positive number or leave it empty.")
-FEW_OBSERVATIONS = Message("{count} passes over the target; the Open Skies treaty asks for {least} at least.")
 NO_OBSERVATIONS = Message("No row has a height and a distance to compute with; fill in 'height' and 'grd'.")
-OBSERVATIONS_LEFT_OUT = Message("Row {row} is left out: {why}")
-OBSERVATION_EMPTY = Message("'height' or 'grd' holds no number; fill in both.")
-# Bayer filter
+OBSERVATIONS_LEFT_OUT = Message("Row {row} is left out: {why}", WARNING)
+OBSERVATION_EMPTY = Message("'height' or 'grd' holds no number; fill in both.", INFO)
+OBSERVATION_NOT_POSITIVE = Message(
+    "Height {height} m and distance {grd} cm make no minimum height; give positive numbers of metres and "
+    "centimetres.", INFO
+)
+FEW_OBSERVATIONS = Message("{count} passes over the target; the Open Skies treaty asks for {least} at least.", WARNING)
+# the Bayer filter
 BAYER_PATTERN_UNKNOWN = Message("There is no Bayer pattern '{pattern}'; choose one of {known}.")
 DEMOSAIC_UNKNOWN = Message("There is no interpolation '{demosaic}'; choose one of {known}.")
 OPENCV_MISSING = Message(
@@ -79,7 +95,3 @@ EDGE_AWARE_WANTS_INTEGERS = Message(
 BANDS_NOT_COLOURS = Message(
     "{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band."
 )
-BAR_LAYER_NOT_CREATED = Message(
-    "No layer of bar groups can be written to {folder}; save the project in a folder that you may write to."
-)
-NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.")

@@ -9,7 +9,8 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingAlgorithm, QgsP
 
 from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm, Warnings
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import TellOnce
 from ..measure import messages
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ def given_block(
     context: QgsProcessingContext,
     mosaic: Mosaic,
     given: GivenSources,
-    warnings: Warnings,
+    once: TellOnce,
     cells: Iterable[Cell] = (),
 ) -> Block:
     """Mosaic and sources; warns of those left out. Raises SettingsError when none is named at all."""
@@ -84,7 +85,7 @@ def given_block(
     from ..measure.inspection import make_block
 
     indexed = indexed_sources(algorithm, parameters, context, given, mosaic_crs(mosaic))
-    warnings.say(given.left_out)
+    once.tell(given.left_out)
     block, notices = make_block(mosaic, given.refs, indexed, cells)
-    warnings.say(notices)
+    once.tell(notices)
     return block

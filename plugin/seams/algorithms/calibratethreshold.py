@@ -16,7 +16,8 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.translation import sentence, tr
+from ...toolkit.algorithms.feedback import tell
+from ...toolkit.translation import tr
 from ..measure import messages
 
 if TYPE_CHECKING:
@@ -91,8 +92,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         for verdicts in self._verdicts(parameters, context, feedback):
             most = float("inf") if verdicts.measure == "contrast_1" else _HIGHEST_RATIO
             found.append(calibrate(verdicts, most))
-            for notice in found[-1].notices:
-                feedback.pushWarning(sentence(notice))
+            tell(feedback, *found[-1].notices)
         output, output_id = self.sink(parameters, OUTPUT, context, calibration_table.calibration_fields())
         for one in found:
             self.write(output, calibration_table.calibration_features(one))
@@ -116,7 +116,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             judged += [finding] if finding.observer in ("visible", "invisible") else []
             unknown += finding.observer not in ("visible", "invisible", "")
         if unknown:
-            feedback.pushWarning(sentence(messages.VERDICTS_UNKNOWN(count=unknown)))
+            tell(feedback, messages.VERDICTS_UNKNOWN(count=unknown))
         measures = {"ratio_1": [(finding, _first(finding.ratios)) for finding in judged]}
         if "composite_ratio_1" in names:
             measures["composite_ratio_1"] = [(finding, _first(finding.composite_ratios)) for finding in judged]
@@ -126,7 +126,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             if "contrast_1" in table.fields().names():
                 measures["contrast_1"] = [(one, contrast_of(pairs.get(one.window_id, ()))) for one in judged]
             else:  # of an earlier version
-                feedback.pushWarning(sentence(messages.PAIRS_WITHOUT_CONTRAST()))
+                tell(feedback, messages.PAIRS_WITHOUT_CONTRAST())
         return [self._measured(measure, values, feedback) for measure, values in measures.items()]
 
     @staticmethod
@@ -139,7 +139,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         known = [(finding.observer, value) for finding, value in values if value is not None]
         if len(known) < len(values):
             missing = len(values) - len(known)
-            feedback.pushWarning(sentence(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing)))
+            tell(feedback, messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing))
         groups = (tuple(value for word, value in known if word == one) for one in ("visible", "invisible"))
         return Verdicts(measure, *groups)
 

@@ -16,15 +16,18 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm, Warnings
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import TellOnce, tell
 from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.resources import style_path
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.window_records import REFERENCES
+from ..verdict_words import verdict_word
 from .block_parameters import check_sources, given_block, given_sources
 
 if TYPE_CHECKING:
@@ -135,9 +138,9 @@ class InspectWindows(SeamInspectorAlgorithm):
         windows = self.source(parameters, WINDOWS, context)
         if windows.featureCount() == 0:
             raise SettingsError(toolkit_messages.NO_WINDOWS())
-        warnings = Warnings(feedback)
+        once = TellOnce(feedback)
         cells = self._cells(parameters, context)
-        block = given_block(self, parameters, context, self._mosaic, self._given, warnings, cells)
+        block = given_block(self, parameters, context, self._mosaic, self._given, once, cells)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
         drawn = WindowFeatures(windows, crs, context)
 
@@ -156,14 +159,14 @@ class InspectWindows(SeamInspectorAlgorithm):
                 self.write(output, [result_tables.window_feature(result, geometry, observer)])
                 self.write(curves, result_tables.curve_features(result))
                 self.write(pairs, result_tables.pair_features(result))
-                warnings.say(result.notices)
+                once.tell(result.notices)
                 if result.judgement.reason is not None:
-                    feedback.pushInfo(f"{result.window_id}: {sentence(result.judgement.reason)}")
+                    tell(feedback, imagery_messages.ABOUT(what=result.window_id, why=result.judgement.reason))
                 verdicts[result.judgement.verdict] += 1
                 feedback.setProgress(100 * sum(verdicts.values()) / drawn.count)
         if drawn.renumbered:
-            feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
-        feedback.pushInfo(", ".join(f"{verdict.value}: {verdicts[verdict]}" for verdict in Verdict))
+            tell(feedback, messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
+        feedback.pushInfo(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
         self.style(output_id, style_path("windows"), context)
         return {
             OUTPUT: output_id,

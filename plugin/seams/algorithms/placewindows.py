@@ -16,8 +16,9 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...imagery import limits as imagery_limits
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import tell
 from ...toolkit.resources import style_path
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import tr
 from ..measure import limits
 
 if TYPE_CHECKING:
@@ -95,8 +96,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
             return not feedback.isCanceled() and valid(window)
 
         placement = place_windows(seams, mosaic.grid, *self._measures(parameters, context), is_valid)
-        for message in placement.dropped if not feedback.isCanceled() else ():
-            feedback.pushWarning(sentence(message))
+        if not feedback.isCanceled():
+            tell(feedback, *placement.dropped)
         sink, destination = self.sink(
             parameters, OUTPUT, context, result_tables.placed_fields(), QgsWkbTypes.Type.Polygon, crs
         )

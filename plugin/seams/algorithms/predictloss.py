@@ -16,13 +16,15 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError, SettingsError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm, Warnings
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import TellOnce, tell
 from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.resources import style_path
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import tr
 from ..measure import messages
 from .block_parameters import check_sources, given_sources, indexed_sources
 
@@ -94,9 +96,9 @@ class PredictLoss(SeamInspectorAlgorithm):
         windows = self.source(parameters, WINDOWS, context)
         if windows.featureCount() == 0:
             raise SettingsError(toolkit_messages.NO_WINDOWS())
-        warnings = Warnings(feedback)
+        once = TellOnce(feedback)
         crs, wkt = self._system(windows, parameters, context)
-        sources = self._sources(parameters, crs, wkt, context, warnings)
+        sources = self._sources(parameters, crs, wkt, context, once)
         drawn = WindowFeatures(windows, crs, context)
         requests = self._requests(drawn, sources, wkt, wavelet, levels)
 
@@ -111,14 +113,14 @@ class PredictLoss(SeamInspectorAlgorithm):
                     geometry = layers.rectangle(forecast.extent)
                 self.write(output, [result_tables.forecast_feature(forecast, geometry)])
                 self.write(pairs, result_tables.forecast_pair_features(forecast))
-                warnings.say(forecast.notices)
+                once.tell(forecast.notices)
                 if forecast.reason is not None:
-                    feedback.pushInfo(f"{forecast.window_id}: {sentence(forecast.reason)}")
+                    tell(feedback, imagery_messages.ABOUT(what=forecast.window_id, why=forecast.reason))
                 count += 1
                 not_comparable += forecast.reason is not None
                 feedback.setProgress(100 * count / drawn.count)
         if drawn.renumbered:
-            feedback.pushWarning(sentence(messages.WINDOWS_RENUMBERED(count=drawn.renumbered)))
+            tell(feedback, messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
         self.style(output_id, style_path("predicted_windows"), context)
         return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 
@@ -148,14 +150,14 @@ class PredictLoss(SeamInspectorAlgorithm):
         crs: QgsCoordinateReferenceSystem,
         wkt: str,
         context: QgsProcessingContext,
-        warnings: Warnings,
+        once: TellOnce,
     ) -> list[Source]:
         from ..measure.source_images import gather_sources
 
         indexed = indexed_sources(self, parameters, context, self._given, crs)
-        warnings.say(self._given.left_out)
+        once.tell(self._given.left_out)
         sources, notices = gather_sources(self._given.refs, indexed, wkt)
-        warnings.say(notices)
+        once.tell(notices)
         return sources
 
     @staticmethod

@@ -18,8 +18,9 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...imagery.errors import SettingsError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm, Warnings
-from ...toolkit.translation import sentence, tr
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import TellOnce, tell
+from ...toolkit.translation import tr
 from ..measure import messages
 from .block_parameters import given_block, given_sources
 
@@ -97,8 +98,7 @@ class Report(SeamInspectorAlgorithm):
         notices = write_report(
             path, request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled
         )
-        for notice in notices or ():
-            feedback.pushWarning(sentence(notice))
+        tell(feedback, *notices or ())
         return {} if notices is None else {OUTPUT: str(path)}
 
     def _request(
@@ -116,7 +116,7 @@ class Report(SeamInspectorAlgorithm):
         if self._mosaic is not None:
             block = Block(self._mosaic, ())
             if self._given.refs or parameters.get(common.SOURCE_INDEX):
-                block = given_block(self, parameters, context, self._mosaic, self._given, Warnings(feedback))
+                block = given_block(self, parameters, context, self._mosaic, self._given, TellOnce(feedback))
             crs = layers.mosaic_crs(self._mosaic)
             transform = common.transform(windows, crs, context)
         found = record_tables.read_findings(layers.features(windows), windows.fields().names(), transform)

@@ -13,6 +13,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QWidget
 from ...imagery.errors import SeamInspectorError
 from ...imagery.message import Message
 from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 
 if TYPE_CHECKING:
@@ -91,4 +92,4 @@ class ReportWriter(QObject):
         self.said.emit(" ".join(words), int(level))
 
     def _failed(self, message: Message) -> None:
-        self.said.emit(escape(sentence(message), quote=False), int(Qgis.MessageLevel.Warning))
+        self.said.emit(escape(sentence(message), quote=False), bar_level(message))

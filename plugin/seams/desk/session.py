@@ -6,13 +6,14 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
-from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.errors import SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.message import Message
 from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence
 from ..clip_pictures import ClipPicture
 from ..measure import messages
@@ -44,7 +45,7 @@ class Session(QObject):
         super().__init__(parent)
         self._project = QgsProject.instance()
         self._inputs_background = BackgroundTasks(self)  # apart, since another window layer does not matter to it
-        self._inputs_background.failed.connect(self._failed)
+        self._inputs_background.failed.connect(self._tell)
         self._block = BlockCache(self._project, self._inputs_background, self)
         self._block.opened.connect(self._opened)
         self._seams = SeamFinder(self._block, self._inputs_background)
@@ -57,14 +58,14 @@ class Session(QObject):
         self._watch.selectionChanged.connect(self.selectionChanged)
         self._watch.replaced.connect(self._windows_replaced)
         self._background = BackgroundTasks(self)
-        self._background.failed.connect(self._failed)
+        self._background.failed.connect(self._tell)
         self._results = WindowResults(self._block, self._watch, self._background, self)
         self._results.arrived.connect(self.resultArrived)
-        self._results.failed.connect(self._failed)
+        self._results.failed.connect(self._tell)
         self._new = NewWindows(self._project, self._block, self._watch, self._background, self)
         self._new.layerMade.connect(self._take_layer)
         self._new.drawn.connect(self._take_drawn)
-        self._new.said.connect(self._say)
+        self._new.told.connect(self._tell)
         self._pictures = WindowPictures(self._block, self._watch, self._background, self)
         self._pictures.arrived.connect(self.picturesArrived)
         self._background.progressChanged.connect(self.progressChanged)  # after the results, which write the last ones
@@ -250,7 +251,7 @@ class Session(QObject):
         layer = self._watch.layer
         if layer is not None and layer.isModified() and not layer.commitChanges(False):
             error = next((text.rstrip(". ") for text in layer.commitErrors() if text.startswith("ERROR")), "")
-            self._say(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error), Qgis.MessageLevel.Critical)
+            self._tell(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error))
 
     def _layers_changed(self, *_: object) -> None:
         self._block.refresh()
@@ -291,11 +292,8 @@ class Session(QObject):
         self._pictures.forget()
         self._results.forget()
 
-    def _failed(self, message: Message) -> None:
-        self._say(message, Qgis.MessageLevel.Warning)
-
-    def _say(self, message: Message, level: Qgis.MessageLevel) -> None:
-        self.messageRaised.emit(sentence(message), int(level))
+    def _tell(self, message: Message) -> None:
+        self.messageRaised.emit(sentence(message), bar_level(message))
 
     @contextmanager
     def _raised(self) -> Iterator[None]:
@@ -303,4 +301,4 @@ class Session(QObject):
         try:
             yield
         except SeamInspectorError as error:
-            self._failed(error.message)
+            self._tell(error.message)

@@ -234,9 +234,9 @@ def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[_Measur
             one = _measured(source.ref, request)
             _check_comparable(one.clip, one.curves, band)
         except NotCoveredError as error:
-            not_covering.append(error.message)
+            not_covering.append(error.message.as_warning())
         except RasterError as error:
-            notices.append(error.message)
+            notices.append(error.message.as_warning())
         else:
             sources.append(one)
     return sources, notices, not_covering

@@ -148,7 +148,7 @@ def _described(sources: Sequence[Source]) -> tuple[list[Raster], list[Message]]:
         try:
             rasters.append(describe(source.ref))
         except RasterError as error:
-            notices.append(error.message)
+            notices.append(error.message.as_warning())
     return rasters, notices
 
 
@@ -205,7 +205,7 @@ def _comparable_clips(
         except NotCoveredError:
             continue
         except RasterError as error:
-            notices.append(error.message)
+            notices.append(error.message.as_warning())
         else:
             clips.append(clip)
     return clips, notices

@@ -1,55 +1,56 @@
-"""What a user can be told: seams."""
+"""What a user can be told of seams: of inputs, windows placed and inspected, forecasts, thresholds and reports."""
 from __future__ import annotations
 
-from ...imagery.message import Message
+from ...imagery.message import INFO, WARNING, Message
 
+# settings
+MAX_RATIO_OUT_OF_RANGE = Message("The largest ratio of a significant loss is {ratio}; give a number between 0 and 1.")
+REFERENCE_UNKNOWN = Message("A verdict can't be taken against '{reference}'; choose one of {known}.")
+# the mosaic, its sources and its seamlines
+NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
+MOSAIC_OPENING = Message("The mosaic is still being opened; try again in a moment.", WARNING)
+MOSAIC_NOT_OPENED = Message(
+    "The mosaic was not opened, as the task was cancelled; choose another mosaic in the inputs, then this one again."
+)
+NO_SOURCES_GIVEN = Message(
+    "No sources are given; choose the orthoimages the mosaic was made from, or their index layer."
+)
+INDEX_WITHOUT_LOCATION = Message("The index layer has no field '{field}'; make it with gdaltindex.")
+MOSAIC_AMONG_SOURCES = Message("{name} is the mosaic itself and is left out of the sources.", WARNING)
+CELLS_WITHOUT_SOURCE = Message(
+    "The layer of seam cells has no field 'source'; add one with the file names of the orthoimages."
+)
+NO_SEAMLINES = Message("No seamlines are chosen; choose a layer of seamlines in the inputs.")
+# windows along the seams
 SPACING_NOT_POSITIVE = Message("The spacing is {spacing} m; give a positive number of metres.")
 SIDE_TOO_SHORT = Message(
-    "A window of {side} m has {pixels} px a side on this mosaic and {levels} levels need at least {fewest} px; "
-    "give a side of {metres} m or more."
+    "A window of {side} m has {pixels} px a side on this mosaic and {levels} levels need at least {fewest} px; give a "
+    "side of {metres} m or more."
 )
 MOSAIC_TOO_SMALL = Message(
     "The mosaic is {width:.1f} x {height:.1f} m, too small for a window of {side:.1f} m; give a shorter side."
 )
 STATION_WITHOUT_WINDOW = Message(
-    "Seam {seam} has no window at {station:.1f} m: it would stick out of the mosaic or hold too few valid "
-    "pixels, and there is no room beside."
+    "Seam {seam} has no window at {station:.1f} m: it would stick out of the mosaic or hold too few valid pixels, and "
+    "there is no room beside.", WARNING
 )
 STRETCH_WITHOUT_WINDOW = Message(
     "Seam {seam} has no windows from {start:.1f} to {end:.1f} m: they would stick out of the mosaic or hold too few "
-    "valid pixels, and there is no room beside."
+    "valid pixels, and there is no room beside.", WARNING
 )
 WINDOWS_CROWDED = Message(
-    "Left out because they would share more than half of their pixels with another window of the same seam: {count}."
+    "Left out because they would share more than half of their pixels with another window of the same seam: "
+    "{count}.", WARNING
 )
-SEAMS_COVERED = Message("Seams that lie within windows of longer ones and got none of their own: {count}.")
-SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.")
-SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.")
-# windows and sources
-MAX_RATIO_OUT_OF_RANGE = Message("The largest ratio of a significant loss is {ratio}; give a number between 0 and 1.")
-NO_SOURCES_GIVEN = Message(
-    "No sources are given; choose the orthoimages the mosaic was made from, or their index layer."
+SEAMS_COVERED = Message("Seams that lie within windows of longer ones and got none of their own: {count}.", WARNING)
+SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.", WARNING)
+SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
+WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.", INFO)
+WINDOWS_PLACED_IN_PART = Message(
+    "Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.", INFO
 )
-MOSAIC_AMONG_SOURCES = Message("{name} is the mosaic itself and is left out of the sources.")
-NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or move the window.")
-NO_SOURCE_COMPARABLE = Message("No source can be compared here: {why}")
-MOSAIC_CONSTANT = Message("The mosaic has no variance in the window; move the window to where there is content.")
-SOURCE_CONSTANT = Message("{name} has no variance in the window; move the window to where there is content.")
-SOURCES_WITHOUT_DETAIL = Message(
-    "No source has detail at level 1 in the window; move the window to where there is some."
-)
-BANDS_DIFFER = Message("{name} has no {band} (its bands: {bands}); choose sources with the mosaic's bands.")
-WINDOW_FAILED = Message("The window could not be measured ({error}); please report this.")
-INDEX_WITHOUT_LOCATION = Message("The index layer has no field '{field}'; make it with gdaltindex.")
-WINDOWS_RENUMBERED = Message("{count} windows had no number of their own and were given the next free ones.")
-REFERENCE_UNKNOWN = Message("A verdict can't be taken against '{reference}'; choose one of {known}.")
-COMPOSITE_UNCLEAR = Message(
-    "No source explains the mosaic's fine detail here, so their composite is no reference; add the orthoimages it was "
-    "made from, or take the verdict against the sources."
-)
-CELLS_WITHOUT_SOURCE = Message(
-    "The layer of seam cells has no field 'source'; add one with the file names of the orthoimages."
-)
+NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log messages say why.", WARNING)
+# the window layer
 WINDOW_LAYER_NOT_CREATED = Message(
     "No window layer can be written to {folder}; save the project in a folder that you may write to."
 )
@@ -57,21 +58,25 @@ WINDOWS_NOT_SAVED = Message(
     "The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that "
     "layer elsewhere."
 )
-WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.")
-WINDOWS_PLACED_IN_PART = Message(
-    "Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages."
+WINDOWS_RENUMBERED = Message("{count} windows had no number of their own and were given the next free ones.", WARNING)
+# why a window is not comparable
+NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or move the window.", INFO)
+NO_SOURCE_COMPARABLE = Message("No source can be compared here: {why}", INFO)
+MOSAIC_CONSTANT = Message("The mosaic has no variance in the window; move the window to where there is content.", INFO)
+SOURCE_CONSTANT = Message("{name} has no variance in the window; move the window to where there is content.")
+SOURCES_WITHOUT_DETAIL = Message(
+    "No source has detail at level 1 in the window; move the window to where there is some.", INFO
 )
-NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log messages say why.")
-NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
-MOSAIC_OPENING = Message("The mosaic is still being opened; try again in a moment.")
-MOSAIC_NOT_OPENED = Message(
-    "The mosaic was not opened, as the task was cancelled; choose another mosaic in the inputs, then this one again."
+BANDS_DIFFER = Message("{name} has no {band} (its bands: {bands}); choose sources with the mosaic's bands.")
+COMPOSITE_UNCLEAR = Message(
+    "No source explains the mosaic's fine detail here, so their composite is no reference; add the orthoimages it was "
+    "made from, or take the verdict against the sources.", INFO
 )
-NO_SEAMLINES = Message("No seamlines are chosen; choose a layer of seamlines in the inputs.")
-# forecasts
-ONE_SOURCE = Message("Only one source covers the window, so nothing will be feathered there.")
-ONE_SOURCE_COMPARABLE = Message("Only one source can be compared here: {why}")
-# judging the judge
+WINDOW_FAILED = Message("The window could not be measured ({error}); please report this.")
+# why no loss is foretold
+ONE_SOURCE = Message("Only one source covers the window, so nothing will be feathered there.", INFO)
+ONE_SOURCE_COMPARABLE = Message("Only one source can be compared here: {why}", INFO)
+# tables of inspected windows
 WINDOWS_WITHOUT_FIELD = Message(
     "The window layer has no field '{field}'; choose a layer of inspected windows, as 'Inspect windows' leaves it."
 )
@@ -83,36 +88,39 @@ CURVES_WITHOUT_FIELD = Message(
 )
 PAIRS_WITHOUT_CONTRAST = Message(
     "The table of pairs has no field 'contrast_1', so the absolute contrast is not judged; inspect the windows anew to "
-    "have it."
+    "have it.", WARNING
+)
+# the threshold that an observer's verdicts support
+VERDICTS_UNKNOWN = Message(
+    "Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows.", WARNING
+)
+VERDICTS_WITHOUT_VALUE = Message(
+    "{measure}: left out because nothing was measured there: {count} judged windows.", WARNING
 )
 TOO_FEW_VERDICTS = Message(
     "{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, "
-    "so judge more windows."
+    "so judge more windows.", WARNING
 )
 NO_BETTER_THAN_CHANCE = Message(
     "{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and "
-    "{high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold."
+    "{high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.", WARNING
 )
 VERDICTS_FULLY_APART = Message(
-    "{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; "
-    "the interval is the score interval."
+    "{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the "
+    "interval is the score interval.", WARNING
 )
 NO_THRESHOLD = Message(
     "{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another "
-    "measure."
+    "measure.", WARNING
 )
 THRESHOLD_TOO_HIGH = Message(
     "{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the "
-    "best below it is given."
+    "best below it is given.", WARNING
 )
-VERDICTS_UNKNOWN = Message(
-    "Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows."
-)
-VERDICTS_WITHOUT_VALUE = Message("{measure}: left out because nothing was measured there: {count} judged windows.")
 # the report
-CLIP_NOT_SHOWN = Message("Window {window}: {why}")
+NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")
+CLIP_NOT_SHOWN = Message("Window {window}: {why}", WARNING)
 DETAILS_LIMITED = Message(
     "{count} windows are flagged and the report shows curves and clips of the {most} with the lowest ratios; the "
-    "others stand in the table. Report a part of the windows to see them."
+    "others stand in the table. Report a part of the windows to see them.", WARNING
 )
-NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")

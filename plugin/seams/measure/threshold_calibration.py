@@ -96,8 +96,10 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     visible, invisible = len(verdicts.visible), len(verdicts.invisible)
     fewest = MIN_VERDICTS
     if min(visible, invisible) < fewest:
-        words = {"measure": verdicts.measure, "visible": visible, "invisible": invisible, "fewest": fewest}
-        return ThresholdCalibration(verdicts, notices=(messages.TOO_FEW_VERDICTS(**words),))
+        too_few = messages.TOO_FEW_VERDICTS(
+            measure=verdicts.measure, visible=visible, invisible=invisible, fewest=fewest
+        )
+        return ThresholdCalibration(verdicts, notices=(too_few,))
     table = _Table(verdicts, most)
     area = table.area()
     best = table.best()

@@ -78,7 +78,7 @@ def place_windows(
             height=grid.rows * metres_y,
             side=side_px * max(metres_x, metres_y),
         )
-        return Placement((), (too_small,))
+        return Placement((), (too_small.as_warning(),))
     # Half a side apart windows share half of their pixels; one more pixel allows for the snapping.
     densest_m = (side_px / 2 + 1) * max(metres_x, metres_y)
     shortest_px = max(MIN_SEAM_SHARE * side_px, MIN_SEAM_PX)

@@ -14,9 +14,10 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.feedback import tell
 from ...toolkit.translation import sentence, tr
 from . import sensor_parameters
-from .sensor_parameters import SensorAlgorithm, image_box, warn
+from .sensor_parameters import SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
@@ -73,7 +74,7 @@ class CompareSensorModels(SensorAlgorithm):
         points = self._points(parameters, context, feedback, image)
         size = (float(image.columns), float(image.rows)) if image is not None else None
         notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
-        warn(feedback, notices)
+        tell(feedback, *notices)
         result = comparison.compare(
             points,
             comparison.all_requests(rpc, self._orbit_height_m(parameters, context, image), size),
@@ -84,12 +85,11 @@ class CompareSensorModels(SensorAlgorithm):
         )
         sink, output = self.sink(parameters, OUTPUT, context, point_tables.comparison_fields())
         self.write(sink, point_tables.comparison_features(result))
-        said = sentence(result.reason)
-        feedback.pushInfo(said)
+        tell(feedback, result.reason)
         return {
             OUTPUT: output,
             RECOMMENDED: result.recommended.request.name if result.recommended is not None else "",
-            RECOMMENDATION: said,
+            RECOMMENDATION: sentence(result.reason),
             MODEL_COUNT: sum(row.errors is not None for row in result.rows),
             **self.save(parameters, common.REPORT, context, feedback, lambda path: _save_report(path, result, notices)),
         }

@@ -21,12 +21,13 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import SensorModelError
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.translation import sentence, tr
+from ...toolkit.algorithms.feedback import tell
+from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.models import registry
 from ..model_titles import MODEL_TITLES
 from . import sensor_parameters
-from .sensor_parameters import SensorAlgorithm, image_box, warn
+from .sensor_parameters import SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
@@ -128,7 +129,7 @@ class FitSensorModel(SensorAlgorithm):
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
         notices = self._notices(done) + coverage_warnings(coverage)
-        warn(feedback, notices)
+        tell(feedback, *notices)
         feedback.setProgress(60)
         crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
         if not crs.isValid():
@@ -138,18 +139,16 @@ class FitSensorModel(SensorAlgorithm):
         )
         self.write(sink, point_tables.residual_features(done))
         domain = self._domain(image, points)
-        notes: list[Message] = []
-
         def write_rpc(path: Path) -> bool:
-            said, written = self._save_rpc(done, domain, path)
-            (notes if written else notices).append(said)
-            (feedback.pushInfo if written else feedback.pushWarning)(sentence(said))
+            notice, written = self._save_rpc(done, domain, path)
+            notices.append(notice)
+            tell(feedback, notice)
             return written
 
         def write_report(path: Path) -> None:
             from ..report import save_fit_report
 
-            save_fit_report(path, done, coverage, box, notices, notes)
+            save_fit_report(path, done, coverage, box, notices)
 
         results: dict[str, Any] = {OUTPUT: output}
         for name, write in (
@@ -161,7 +160,7 @@ class FitSensorModel(SensorAlgorithm):
             for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):
                 results[f"{group}_{name}"] = value
             if errors.count:
-                feedback.pushInfo(_sentence(group, errors))
+                feedback.pushInfo(_errors_told(group, errors))
         condition = done.fitted.condition
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
@@ -235,7 +234,7 @@ class FitSensorModel(SensorAlgorithm):
 
     @staticmethod
     def _save_rpc(done: Adjustment, domain: Domain, path: Path) -> tuple[Message, bool]:
-        """Write the RPC; what to say about it, or why there is none, and whether there is one."""
+        """Write the RPC; what to tell of it, or why there is none, and whether there is one."""
         from ..measure.models.rpc import rpc_heights, rpc_of
         from ..measure.models.rpc_files import write_rpc
 
@@ -258,7 +257,7 @@ def _described(kind: registry.ModelKind) -> str:
     )
 
 
-def _sentence(group: str, errors: Accuracy) -> str:
+def _errors_told(group: str, errors: Accuracy) -> str:
     name = tr("Check points") if group == "CHECK" else tr("Control points")
     return tr(
         "{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m"

@@ -17,10 +17,11 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import CancelledError, SensorModelError, SettingsError
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.translation import sentence, tr
+from ...toolkit.algorithms.feedback import tell
+from ...toolkit.translation import tr
 from ..measure import limits, messages
 from . import sensor_parameters
-from .sensor_parameters import SensorAlgorithm, warn
+from .sensor_parameters import SensorAlgorithm
 
 if TYPE_CHECKING:
     from ..measure.image_description import SensorImage
@@ -147,9 +148,9 @@ class Orthorectify(SensorAlgorithm):
         try:
             made = orthorectify(request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled)
         except CancelledError as stopped:
-            feedback.pushWarning(sentence(stopped.message))
+            tell(feedback, stopped.message)
             return {}
-        warn(feedback, made.notices)
+        tell(feedback, *made.notices)
         feedback.pushInfo(
             tr(
                 "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."

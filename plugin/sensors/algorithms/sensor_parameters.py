@@ -21,12 +21,12 @@ from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.feedback import tell
 from ...toolkit.algorithms.parameters import Described
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
     from ..measure.control_coverage import ImageBox
     from ..measure.image_description import SensorImage
     from ..measure.models.rational import Rational
@@ -86,11 +86,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             points, notices = point_tables.file_points(path, wkt, image)
         else:
             points, with_roles, notices = point_tables.layer_points(self.source(parameters, GCPS, context))
-        warn(feedback, notices)
+        tell(feedback, *notices)
         if request is None or request.needs_heights:
             datum, dem_datum = (self.parameterAsString(parameters, name, context) for name in (HEIGHTS, DEM_HEIGHTS))
             points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))
-            warn(feedback, notices)
+            tell(feedback, *notices)
         if not len(points):
             raise SettingsError(messages.NO_POINTS())
         if with_roles:
@@ -121,7 +121,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         if rpc is None or image is None or (image.rpc and not path):
             return rpc
         rpc, notice = rpc_of_image_part(rpc, image)
-        warn(feedback, [notice] if notice is not None else [])
+        if notice is not None:
+            tell(feedback, notice)
         return rpc
 
     def _orbit_height_m(
@@ -142,14 +143,6 @@ def image_box(image: SensorImage | None, points: Points) -> ImageBox:
         return 0.0, 0.0, float(image.columns), float(image.rows)
     low, high = points.image.min(axis=0), points.image.max(axis=0)
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
-
-
-def warn(feedback: QgsProcessingFeedback, notices: list[Message] | tuple[Message, ...]) -> None:
-    """Say warnings, and what is only good to know as information."""
-    harmless = messages.HEIGHTS_CONVERTED, messages.RPC_OF_WHOLE_SCENE, messages.POINTS_DISABLED
-    quiet = {one.template for one in harmless}
-    for notice in notices:
-        (feedback.pushInfo if notice.template in quiet else feedback.pushWarning)(sentence(notice))
 
 
 def _points_path(value: object) -> str:

@@ -1,26 +1,28 @@
-"""What a user can be told: sensors."""
+"""What a user can be told of satellite images: of points, sensor models, RPCs, terrain and orthorectification."""
 from __future__ import annotations
 
-from ...imagery.message import Message
+from ...imagery.message import INFO, WARNING, Message
 
+# points
+NO_POINTS = Message("There are no points to fit a model to; measure some, or choose another layer.")
 NO_POINTS_FILE = Message(
     "{name} is no points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose "
     "one, or a point layer with the fields column and row."
 )
 POINTS_LINE_UNREADABLE = Message("Line {line} of {name} can't be read; correct or remove it.")
 POINTS_WITHOUT_SYSTEM = Message(
-    "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference "
-    "system."
+    "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system."
 )
 POINTS_WITHOUT_FIELD = Message(
     "The point layer has no field '{field}'; it needs column and row, the place of each point in the image in pixels."
 )
-NO_POINTS = Message("There are no points to fit a model to; measure some, or choose another layer.")
-POINT_LEFT_OUT = Message("Point {name} is left out: {why}")
-POINT_WITHOUT_PLACE = Message("its place in the image or on the ground is missing.")
-POINT_ROLE_UNKNOWN = Message("its role '{role}' is neither control nor check.")
-POINT_OFF_DEM = Message("it has no height and the terrain model has none there.")
-POINTS_DISABLED = Message("Points that are switched off in the georeferencer and left out: {count}.")
+POINTS_DISABLED = Message("Points that are switched off in the georeferencer and left out: {count}.", INFO)
+POINT_LEFT_OUT = Message("Point {name} is left out: {why}", WARNING)
+# why a point is left out
+POINT_WITHOUT_PLACE = Message("its place in the image or on the ground is missing.", INFO)
+POINT_ROLE_UNKNOWN = Message("its role '{role}' is neither control nor check.", INFO)
+POINT_OFF_DEM = Message("it has no height and the terrain model has none there.", INFO)
+# points that do not determine a model
 NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "
     "polynomial_2d."
@@ -44,116 +46,123 @@ TOO_MANY_BLUNDERS = Message(
     "{count} control points contradict the others, and too few are left to fit the model {model}; check the points, "
     "above all that columns and rows are not interchanged."
 )
+# points that determine a model badly
 BLUNDERS_FOUND = Message(
-    "Blunders found and left out of the errors: {count} ({names}); check those points and measure them again."
+    "Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.", WARNING
 )
 CONTROL_ON_A_LINE = Message(
-    "The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add"
-    " points to both sides."
+    "The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add "
+    "points to both sides.", WARNING
 )
 CONTROL_IN_A_CORNER = Message(
-    "The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add"
-    " points towards the image's corners."
+    "The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add "
+    "points towards the image's corners.", WARNING
 )
 CHECK_POINTS_MISSING = Message(
     "There are no check points, so the errors given are those of the fit on its own points; set roles or a share of "
-    "check points."
+    "check points.", WARNING
 )
-# sensor models: the fit
+# the fit
 NOT_CONVERGED = Message(
-    "The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points"
-    " or choose a model with fewer unknowns."
+    "The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points "
+    "or choose a model with fewer unknowns.", WARNING
 )
 ILL_CONDITIONED = Message(
-    "The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check"
-    " points only or choose a lower order."
+    "The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check "
+    "points only or choose a lower order.", WARNING
 )
 LINE_NOT_FOUND = Message(
     "No line of the image sees one of the points; check the points' places, heights and reference system."
 )
 PUSHBROOM_DIVERGED = Message(
-    "The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or "
-    "let blunders be looked for."
+    "The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or let "
+    "blunders be looked for."
 )
 NOT_INVERTED = Message(
     "The model can't be inverted over the image, so it is unsound away from its points; choose a lower order or add "
     "points."
 )
-PLANE_MODEL_HAS_NO_RPC = Message(
-    "The model polynomial_2d knows no heights and can't be written as RPC or used for orthorectification; fit a model"
-    " in space."
-)
+# RPCs
 NO_RPC = Message("The image has no RPC of its own; give the file that came with it, or choose a model that needs none.")
 RPC_INCOMPLETE = Message("{name} holds no complete RPC; get the file anew from the image's vendor.")
-RPC_NOT_WRITTEN = Message("No RPC is written: {why}")
+PLANE_MODEL_HAS_NO_RPC = Message(
+    "The model polynomial_2d knows no heights and can't be written as RPC or used for orthorectification; fit a model "
+    "in space."
+)
+RPC_NOT_WRITTEN = Message("No RPC is written: {why}", WARNING)
 RPC_FITTED = Message(
     "The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image "
-    "and heights of {low:.0f} to {high:.0f} m."
+    "and heights of {low:.0f} to {high:.0f} m.", INFO
 )
-RPC_EXACT = Message("The RPC is the model itself.")
+RPC_EXACT = Message("The RPC is the model itself.", INFO)
 RPC_OF_WHOLE_SCENE = Message(
-    "The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on."
+    "The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} "
+    "on.", INFO
 )
+# model files
 NO_MODEL_FILE = Message("{name} is no sensor model file; choose one that fitsensormodel has written.")
 MODEL_FILE_VERSION = Message(
     "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew."
 )
+MODEL_AND_RPC = Message("Both a model file and an RPC file are given; choose one of them.")
+# heights and terrain
 HEIGHTS_ASSUMED = Message(
     "{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level "
-    "differ by up to 100 m: choose egm96 or egm2008 if they are such."
+    "differ by up to 100 m: choose egm96 or egm2008 if they are such.", WARNING
 )
 HEIGHTS_CONVERTED = Message(
-    "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added."
-)
-DEM_NOT_COVERING = Message(
-    "The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, "
-    "{south:.4f} to {north:.4f} degrees north; choose one that does."
-)
-DEM_PARTLY_COVERING = Message(
-    "The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage"
-    " is empty there, so fill or extend the terrain model."
-)
-DEM_TOO_LARGE = Message(
-    "The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample "
-    "it, meshes of 10 to 30 m serve best."
+    "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are "
+    "added.", INFO
 )
 NO_DEM = Message(
     "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat."
 )
 DEM_AND_HEIGHT = Message("Both a terrain model and a constant height are given; choose one of them.")
+DEM_NOT_COVERING = Message(
+    "The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, "
+    "{south:.4f} to {north:.4f} degrees north; choose one that does."
+)
+DEM_PARTLY_COVERING = Message(
+    "The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage "
+    "is empty there, so fill or extend the terrain model.", WARNING
+)
+DEM_TOO_LARGE = Message(
+    "The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, "
+    "meshes of 10 to 30 m serve best."
+)
 # orthorectification
-MODEL_AND_RPC = Message("Both a model file and an RPC file are given; choose one of them.")
 PIXEL_SIZE_NOT_POSITIVE = Message("The pixel size is {size}; give a positive number of map units.")
 EXTENT_WITHOUT_SYSTEM = Message("An extent is given but no reference system; choose the orthoimage's reference system.")
 EXTENT_OUTSIDE = Message("The extent lies outside the image; choose one that overlaps it.")
 ORTHO_TOO_LARGE = Message("The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.")
 WARP_FAILED = Message("The orthoimage could not be written ({error}); check the folder and the free space.")
-CANCELLED = Message("The orthorectification was cancelled; nothing is left of it.")
+CANCELLED = Message("The orthorectification was cancelled; nothing is left of it.", WARNING)
 # the recommendation
 RECOMMEND_PUSHBROOM = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few "
-    "points and does not swing between them."
+    "points and does not swing between them.", INFO
 )
 RECOMMEND_RPC_BIAS = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor's RPC holds the "
-    "image's geometry and a few points remove its offset."
+    "image's geometry and a few points remove its offset.", INFO
 )
 RECOMMEND_RATIONAL = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a "
-    "parametric base quotients are the soundest, but they need many, well spread points."
+    "parametric base quotients are the soundest, but they need many, well spread points.", INFO
 )
 RECOMMEND_DLT = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest "
-    "order with one denominator and needs the fewest points."
+    "order with one denominator and needs the fewest points.", INFO
 )
 RECOMMEND_POLYNOMIAL_3D = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small "
-    "areas only and swing between the points, so watch the check points."
+    "areas only and swing between the points, so watch the check points.", INFO
 )
 RECOMMEND_POLYNOMIAL_2D = Message(
-    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for"
-    " a plane model, which serves for small areas only."
+    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for "
+    "a plane model, which serves for small areas only.", INFO
 )
 NOTHING_TO_RECOMMEND = Message(
-    "No model could be fitted and judged; the table says why for each, so measure more points or correct them."
+    "No model could be fitted and judged; the table says why for each, so measure more points or correct "
+    "them.", INFO
 )

@@ -27,10 +27,10 @@ from ..resources import icon_path
 from ..translation import sentence, tr
 from . import groups
 from . import parameters as common
+from .feedback import tell
 from .overwriting import refuse_overwriting
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
     from ...imagery.rasters import Mosaic
 
 Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
@@ -229,7 +229,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             if path is not None and write(path) is not False:
                 return {name: str(path)}
         except SettingsError as error:
-            feedback.reportError(sentence(error.message))
+            tell(feedback, error.message)
         return {}
 
     @staticmethod
@@ -245,21 +245,6 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """Give a layer that will be loaded a style."""
         if destination and context.willLoadLayerOnCompletion(destination):
             context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
-
-
-class Warnings:
-    """Says each sentence once: a raster that can't be compared is not named in every window."""
-
-    def __init__(self, feedback: QgsProcessingFeedback) -> None:
-        self._feedback = feedback
-        self._said: set[str] = set()
-
-    def say(self, notices: Iterable[Message]) -> None:
-        """Push those that were not said before."""
-        for warning in map(sentence, notices):
-            if warning not in self._said:
-                self._feedback.pushWarning(warning)
-            self._said.add(warning)
 
 
 class _Styler(QgsProcessingLayerPostProcessorInterface):

@@ -182,7 +182,7 @@ def raster_refs(
         try:
             refs.append(raster_ref(value, context))
         except RasterError as error:
-            left_out.append(error.message)
+            left_out.append(error.message.as_warning())
     return refs, left_out
 
 

@@ -12,11 +12,13 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
 )
 
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from .. import messages
-from ..translation import sentence, tr
+from ..translation import tr
 from . import parameters as common
 from .base import SeamInspectorAlgorithm
+from .feedback import tell
 from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
@@ -79,7 +81,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
             if window.extent is not None:
                 windows.append(DrawnWindow(window.window_id, window.extent, wkt))
             elif window.reason is not None:
-                feedback.pushWarning(f"{window.window_id}: {sentence(window.reason)}")
+                tell(feedback, imagery_messages.ABOUT(what=window.window_id, why=window.reason).as_warning())
         if not windows:
             raise SettingsError(messages.NO_WINDOWS())
         return windows

@@ -11,6 +11,7 @@ from seam_inspector.plugin.sensors.measure.adjustment import adjust
 from seam_inspector.plugin.sensors.measure.comparison import CHECK_POINTS, LEAVE_ONE_OUT, all_requests, compare
 from seam_inspector.plugin.sensors.measure.control_coverage import control_coverage, convex_hull, coverage_warnings
 from seam_inspector.plugin.sensors.measure.models import registry
+from seam_inspector.plugin.sensors.measure.models.earth import geocentric, unit
 from seam_inspector.plugin.sensors.measure.models.registry import ModelRequest
 from seam_inspector.plugin.sensors.measure.point_heights import is_flat
 from seam_inspector.plugin.sensors.measure.points import choose_check_points
@@ -138,6 +139,18 @@ def test_points_on_a_line_or_a_plane_are_refused() -> None:
             with pytest.raises(SensorModelError, match=words):
                 adjust(asked, points(image, wrong))
     assert adjust(registry.POLYNOMIAL_2D.request(), points(made_rational(1, 2).project(flat), flat)).control.count == 30
+
+
+def test_points_on_a_plane_in_space_are_refused_by_name() -> None:
+    """Their heights fall off with the square of the distance as the Earth does, so that only X, Y and Z tell."""
+    ground = places(30, 1)
+    origin, up = geocentric(MIDDLE[np.newaxis])[0], unit(geocentric(MIDDLE[np.newaxis])[0])
+    for _ in range(5):
+        ground[:, 2] -= (geocentric(ground) - origin) @ up
+    image = made_rational(1, 2).project(ground)
+    with pytest.raises(SensorModelError, match="lie on one plane, so the terms in Z of the model pushbroom can't"):
+        adjust(registry.PUSHBROOM.request(), points(image, ground))
+    assert adjust(registry.DLT.request(), points(image, ground)).control.count == 30
 
 
 def test_layout_says_what_is_extrapolated() -> None:

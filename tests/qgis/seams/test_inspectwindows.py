@@ -133,7 +133,7 @@ def test_results(scene: Scene) -> None:
     reasons = outcome.column("reason")
     assert reasons[:2] == [None, None]
     assert "10 x 10 px" in reasons[2]
-    assert outcome.log.infos[-1] == "significant: 1, reduced: 1, preserved: 0, not_comparable: 1"
+    assert outcome.log.infos[-1] == "significant: 1, reduced: 1, preserved: 0, not comparable: 1"
 
 
 def test_rows_of_curves_and_pairs(scene: Scene) -> None:

@@ -20,7 +20,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, SettingsError, WindowError
 from ....imagery.grids import PixelWindow
-from ....imagery.message import Message
+from ....imagery.message import WARNING, Message
 from ....toolkit import layers
 from ....toolkit.background_task import Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
@@ -57,7 +57,7 @@ class BlockCache(QObject):
         """Another project."""
         self._files: BlockFiles | None = None
         self._opened: OpenedFiles | None = None
-        self._unopened: Message = messages.NO_MOSAIC()  # why nothing is opened
+        self._unopened: Message = messages.NO_MOSAIC()  # why nothing is opened; a warning while it is being opened
         self._block: Block | None = None
         self._failure: Message | None = None  # why what is opened makes no block
 
@@ -163,7 +163,7 @@ class BlockCache(QObject):
 
     def _ended(self, key: object, outcome: Outcome) -> None:
         """A task that was cancelled in QGIS, or failed, must not leave us waiting."""
-        if key == self._turn and self._unopened == messages.MOSAIC_OPENING() and self._opened is None:
+        if key == self._turn and self._unopened.level is WARNING and self._opened is None:
             self._take(self._turn, ("", ""), outcome.message)
 
     def seamlines(self, block: Block) -> Iterator[bytes | None] | None:

@@ -10,10 +10,10 @@ from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, 
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import SettingsError
+from ....imagery.message import WARNING
 from ....toolkit.desk.layer_box import LayerBox
 from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.translation import sentence, tr
-from ...measure import messages
 from ...measure.window_placing import window_side_px
 from ...tables.source_index import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value, vectors_without
@@ -163,7 +163,7 @@ class InputsPanel(QWidget):
         count = sum(project.mapLayer(source) is not None for source in inputs.sources)
         problem = self._session.problem() if self._session.mosaic_layer() is not None else None
         parts = [""]
-        if problem == messages.MOSAIC_OPENING():
+        if problem is not None and problem.level is WARNING:
             parts.append(tr("opening ..."))
         elif problem is not None and count:  # it is not the sources that are missing
             parts.append(tr("can't be used"))

@@ -11,14 +11,14 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from qgis.core import Qgis, QgsApplication, QgsProject
+from qgis.core import QgsApplication, QgsProject
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
 from ....imagery.grids import PixelWindow
 from ....toolkit import layer_editing, layers
 from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.log_messages import write_log
+from ....toolkit.message_bar import write_log
 from ....toolkit.translation import tr
 from ... import jobs
 from ...measure import messages
@@ -39,8 +39,8 @@ class NewWindows(QObject):
     """Id of a new window layer in the project, to be followed from now on."""
     drawn = pyqtSignal(list)
     """Feature ids of windows that are to be inspected at once."""
-    said = pyqtSignal(object, object)
-    """A Message and its Qgis.MessageLevel."""
+    told = pyqtSignal(object)
+    """A Message."""
 
     def __init__(
         self, project: QgsProject, block: BlockCache, watch: WindowWatch, background: BackgroundTasks, parent: QObject
@@ -104,11 +104,13 @@ class NewWindows(QObject):
                 yield
         write_log(placement.dropped)
         if windows:
-            placed = messages.WINDOWS_PLACED_IN_PART if placement.dropped else messages.WINDOWS_PLACED
-            self.said.emit(placed(count=len(windows), notes=len(placement.dropped)), Qgis.MessageLevel.Success)
+            dropped, count = len(placement.dropped), len(windows)
+            self.told.emit(
+                messages.WINDOWS_PLACED_IN_PART(count=count, notes=dropped)
+                if dropped else messages.WINDOWS_PLACED(count=count)
+            )
         else:
-            why = placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED()
-            self.said.emit(why, Qgis.MessageLevel.Warning)
+            self.told.emit(placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED())
 
     def _with_layer(self, block: Block) -> Iterator[None]:
         """Make the window layer when there is none."""
@@ -150,7 +152,7 @@ class NewWindows(QObject):
             self._waiting.popleft()
         except SeamInspectorError as error:
             self._waiting.popleft()
-            self.said.emit(error.message, Qgis.MessageLevel.Warning)
+            self.told.emit(error.message)
         except BaseException:
             self._waiting.popleft()
             raise

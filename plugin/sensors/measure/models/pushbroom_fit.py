@@ -98,7 +98,7 @@ def _nominal_orbit(
     middle = places.mean(axis=0)
     affine = least_squares(np.column_stack([np.ones(len(places)), places - middle]), image)
     if affine.rank < 4 or affine.condition > limits.MAX_LINEAR_CONDITION:
-        raise SensorModelError(messages.POINTS_ON_A_PLANE())
+        raise SensorModelError(messages.POINTS_ON_A_PLANE(model="pushbroom"))
     gradients = affine.values[1:].T  # px per m, (2, 3)
     up = unit(middle)
     view = unit(np.cross(gradients[0], gradients[1]))

@@ -1,0 +1,222 @@
+"""Every message is used with the values that its sentence has places for, and at the level that it is used at."""
+from __future__ import annotations
+
+import ast
+import importlib
+import string
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+import pytest
+from seam_inspector.plugin.imagery.message import Level, Message, placeholders
+from seam_inspector.plugin.photos.measure import messages as photos_messages
+from seam_inspector.plugin.photos.measure.orientation import MarkStatus
+from seam_inspector.plugin.photos.measure.scan_orientation import OrientationEvidence
+from seam_inspector.plugin.photos.measure.transformations import PlaneModel
+
+CODE = ("plugin", "tests", "demo", "benchmarks")
+FAMILIES = ("RECOMMEND_",)
+"""Messages that stand in a table without their values, one of which is taken and called: all take the same values."""
+NO_ERROR = ("CancelledError",)
+"""Exceptions by which the user's own wish is told."""
+NUMERIC = "eEfFgGnd%"
+"""The formats that only numbers have."""
+
+
+@dataclass(frozen=True)
+class Use:
+    """A place in the code that names a message."""
+
+    place: str
+    module: Path
+    """The file of the message, without its ending."""
+    name: str
+    call: ast.Call | None
+    """The call that gives it its values, if there is one."""
+    is_compared: bool
+    """Whether only its text is asked for, or it is held against another one."""
+    exception: str
+    """The exception that it goes into as it is raised."""
+
+
+def imported(tree: ast.Module, path: Path) -> tuple[dict[str, Path], dict[str, tuple[Path, str]]]:
+    """Modules of messages by their name in a file, and messages imported by name."""
+    modules: dict[str, Path] = {}
+    names: dict[str, tuple[Path, str]] = {}
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.ImportFrom):
+            continue
+        folder = path.parents[node.level - 1] if node.level else Path()
+        target = folder.joinpath(*(node.module or "").removeprefix("seam_inspector.").split("."))
+        for alias in node.names:
+            if alias.name == "messages":
+                modules[alias.asname or alias.name] = target / "messages"
+            elif target.name == "messages":
+                names[alias.asname or alias.name] = target, alias.name
+    return modules, names
+
+
+def uses(code: str, path: Path) -> Iterator[Use]:
+    """Every use of a message in a file."""
+    tree = ast.parse(code)
+    parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
+    modules, names = imported(tree, path)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in modules:
+            module, name = modules[node.value.id], node.attr
+        elif isinstance(node, ast.Name) and node.id in names:
+            module, name = names[node.id]
+        else:
+            continue
+        if not name.isupper() or name == "WORDS":
+            continue
+        parent = parents[node]
+        call = parent if isinstance(parent, ast.Call) and parent.func is node else None
+        is_compared = isinstance(parent, ast.Attribute) and parent.attr == "template"
+        yield Use(
+            f"{path}:{node.lineno}", module, name, call, is_compared or (path.parts[0] == "tests" and call is None),
+            raised_by(call or node, parents),
+        )
+
+
+def raised_by(node: ast.expr, parents: dict[ast.AST, ast.AST]) -> str:
+    """The name of the exception that is raised with this as its message; empty where none is."""
+    while isinstance(parents[node], ast.IfExp):
+        node = parents[node]  # type: ignore[assignment]
+    maker = parents[node]
+    if isinstance(maker, ast.Call) and isinstance(maker.func, ast.Name) and isinstance(parents[maker], ast.Raise):
+        return maker.func.id
+    return ""
+
+
+@pytest.fixture(scope="module")
+def all_uses(repository: Path) -> list[Use]:
+    return [
+        use
+        for folder in CODE
+        for path in sorted((repository / folder).rglob("*.py"))
+        for use in uses(path.read_text(encoding="utf-8"), path.relative_to(repository))
+    ]
+
+
+def message(use: Use) -> Message | None:
+    """The message of that name, if it is one."""
+    module = importlib.import_module(".".join(["seam_inspector", *use.module.parts]))
+    found = getattr(module, use.name, None)
+    return found if isinstance(found, Message) else None
+
+
+def fault(use: Use) -> str:
+    """What is wrong with how a message is given its values; empty when nothing is."""
+    found = message(use)
+    if found is None:
+        return "no such message"
+    wanted = placeholders(found.template)
+    if use.call is None:
+        is_free = use.is_compared or use.name.startswith(FAMILIES) or not wanted
+        return "" if is_free else f"lacks {sorted(wanted)}"
+    given = [keyword.arg for keyword in use.call.keywords]
+    if use.call.args or None in given:
+        return "values have to be named one by one"
+    if set(given) != wanted:
+        return f"takes {sorted(wanted)}, is given {sorted(map(str, given))}"
+    words = [keyword.arg for keyword in use.call.keywords if is_text(keyword.value)]
+    numbers = {name for _, name, form, _ in string.Formatter().parse(found.template) if form and form[-1] in NUMERIC}
+    return f"numbers wanted for {sorted(numbers & set(words))}" if numbers & set(words) else ""  # type: ignore[arg-type]
+
+
+def is_text(value: ast.expr) -> bool:
+    """Whether an expression is no number for sure."""
+    if isinstance(value, ast.Constant):
+        return not isinstance(value.value, (int, float))
+    if isinstance(value, ast.Call):
+        name = value.func.attr if isinstance(value.func, ast.Attribute) else getattr(value.func, "id", "")
+        return name in ("str", "repr", "join", "format", "tuple", "list", "sorted") or name.isupper()
+    if isinstance(value, ast.Attribute):
+        return value.attr in ("name", "path", "message", "ref")
+    return isinstance(value, (ast.JoinedStr, ast.Tuple, ast.List, ast.Dict, ast.Set))
+
+
+def test_every_message_gets_the_values_that_it_takes(all_uses: list[Use]) -> None:
+    assert len({(use.module, use.name) for use in all_uses}) > 250
+    assert {f"{use.place} {use.name}": why for use in all_uses if (why := fault(use))} == {}
+
+
+def test_messages_of_a_family_take_the_same_values(all_uses: list[Use]) -> None:
+    for family in FAMILIES:
+        taken = {placeholders(found.template) for use in all_uses if use.name.startswith(family)
+                 and (found := message(use)) is not None}
+        assert len(taken) == 1, family
+
+
+def test_every_message_is_used(all_uses: list[Use], repository: Path) -> None:
+    used: defaultdict[Path, set[str]] = defaultdict(set)
+    for use in all_uses:
+        if not use.place.startswith("tests"):
+            used[use.module].add(use.name)
+    for path in sorted((repository / "plugin").rglob("messages.py")):
+        module = path.relative_to(repository).with_suffix("")
+        found = vars(importlib.import_module(".".join(["seam_inspector", *module.parts])))
+        assert {name for name, value in found.items() if isinstance(value, Message)} - used[module] == set(), module
+
+
+def test_what_an_exception_carries_is_an_error(all_uses: list[Use]) -> None:
+    raised = [use for use in all_uses if use.exception and use.place.startswith("plugin")]
+    assert len(raised) > 150
+    levels = {f"{use.place} {use.name}": found.level for use in raised if (found := message(use)) is not None
+              and use.exception not in NO_ERROR}
+    assert {place: level for place, level in levels.items() if level is not Level.ERROR} == {}
+
+
+@pytest.mark.parametrize(
+    ("code", "why"),
+    [
+        ("messages.WINDOW_OUTSIDE()", ""),
+        ("x = {1: messages.WINDOW_OUTSIDE}", ""),
+        ("messages.NOT_FOUND(path=path)", ""),
+        ("raise RasterError(messages.NOT_FOUND())", "takes ['path'], is given []"),
+        ("messages.NOT_FOUND(name=name)", "takes ['path'], is given ['name']"),
+        ("messages.NOT_FOUND(path)", "named one by one"),
+        ("messages.NOT_FOUND(**values)", "named one by one"),
+        ("raise RasterError(messages.NOT_FOUND)", "lacks ['path']"),
+        ("messages.NOT_FOUNT(path=path)", "no such message"),
+        ("messages.TOO_MANY_INVALID(name=name, share=f'{share}', most=most)", "numbers wanted for ['share']"),
+        ("messages.TOO_MANY_INVALID(name=name, share=share, most=ref.name)", "numbers wanted for ['most']"),
+    ],
+)
+def test_a_wrong_use_is_found(code: str, why: str) -> None:
+    (use,) = uses(f"from . import messages\n{code}", Path("plugin/imagery/some.py"))
+    assert why in fault(use)
+    assert bool(fault(use)) == bool(why)
+
+
+def test_messages_are_found_however_they_are_imported() -> None:
+    for line in (
+        "from ...imagery import messages as imagery_messages\nimagery_messages.NOT_FOUND",
+        "from ...imagery.messages import NOT_FOUND\nNOT_FOUND",
+        "from seam_inspector.plugin.imagery.messages import NOT_FOUND as GONE\nGONE",
+    ):
+        (use,) = uses(line, Path("plugin/seams/measure/some.py"))
+        assert (use.module, use.name) == (Path("plugin/imagery/messages"), "NOT_FOUND"), line
+
+
+def test_wrong_values_are_refused_at_once() -> None:
+    told = Message("{name} has {count:d} bands.")
+    assert str(told(name="a.tif", count=3)) == "a.tif has 3 bands."
+    for values in ({"name": "a.tif"}, {"name": "a.tif", "count": 3, "band": 1}, {}):
+        with pytest.raises(TypeError, match=r"takes \['count', 'name'\] and was given"):
+            told(**values)
+
+
+def test_a_message_is_told_as_a_warning_where_the_work_goes_on() -> None:
+    told = Message("{name} is gone.")(name="a.tif")
+    assert (told.level, told.as_warning().level) == (Level.ERROR, Level.WARNING)
+    assert str(told.as_warning()) == str(told) == "a.tif is gone."
+
+
+@pytest.mark.parametrize("words", [PlaneModel, MarkStatus, OrientationEvidence])
+def test_every_word_of_a_photo_has_its_message(words: type[Enum]) -> None:
+    assert {one.value for one in words} <= set(photos_messages.WORDS)
