@@ -2,7 +2,7 @@
 
 Leaves in the output folder: windows.gpkg (layers placed and inspected), curves.csv, pairs.csv, curves.png, and
 prints a table like table 1 of Pyka 2010. A folder of one's own holds one or more mosaics (mosaic*.tif), the
-orthoimages (all other rasters) and the seamlines (seam*.gpkg, .shp or .geojson).
+orthoimages (all other rasters that can be one) and the seamlines (seam*.gpkg, .shp or .geojson).
 """
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import argparse
 import csv
 import sys
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,6 +30,8 @@ from demo.block import make_block
 
 RASTERS = {".tif", ".tiff", ".jp2", ".vrt", ".img", ".png", ".jpg"}
 VECTORS = {".gpkg", ".shp", ".geojson"}
+FEWEST_VALUES = 32  # in an orthoimage; labels and masks have fewer
+LOOK_PX = 512  # longer side of the overview in which they are counted
 PICTURE_PX = (220, 150)  # width and height of the mosaic and a source below the curves, at about 2x magnification
 
 
@@ -60,6 +62,9 @@ class Log(QgsProcessingFeedback):
 
     def pushWarning(self, warning: str) -> None:  # noqa: N802
         print("    !", warning)
+
+    def reportError(self, error: str, fatalError: bool = False) -> None:  # noqa: N802
+        print("    !!", error)
 
 
 def main() -> int:
@@ -95,7 +100,7 @@ def make_demonstration(folder: Path) -> Inputs:
 
 
 def find_inputs(folder: Path) -> list[Inputs]:
-    """The mosaics of a folder, each with all its orthoimages and the seamlines."""
+    """The mosaics of a folder, each with all rasters that can be its orthoimages, and the seamlines."""
     if not folder.is_dir():
         raise SystemExit(f"{folder} is no folder.")
     files = sorted(path for path in folder.iterdir() if path.is_file())
@@ -104,26 +109,39 @@ def find_inputs(folder: Path) -> list[Inputs]:
     seamlines = [path for path in files if path.suffix.lower() in VECTORS and path.name.lower().startswith("seam")]
     if not mosaics or not seamlines:
         raise SystemExit(f"{folder} needs a raster named mosaic* and a vector file named seam*.")
-    sources = tuple(path for path in images if path not in mosaics)
-    return [Inputs(mosaic, sources, seamlines[0]) for mosaic in mosaics]
+    others = [path for path in images if path not in mosaics]
+    jobs = []
+    for mosaic in mosaics:
+        sources = tuple(path for path in others if is_orthoimage(path, mosaic))
+        if len(sources) < len(others):
+            print("No orthoimages of", mosaic.name + ":", ", ".join(p.name for p in others if p not in sources))
+        jobs.append(Inputs(mosaic, sources, seamlines[0]))
+    return jobs
+
+
+def is_orthoimage(path: Path, mosaic: Path) -> bool:
+    """Whether a raster can be a source of a mosaic: on the map, with its colours, and no few values as labels have."""
+    try:
+        raster = rasters.describe_mosaic(rasters.RasterRef(str(path)))
+        if rasters.describe(rasters.RasterRef(str(mosaic))).has_luminance and not raster.has_luminance:
+            return False
+        overview = rasters.read_overview(raster, raster.extent, LOOK_PX)
+    except SeamInspectorError:
+        return False
+    return overview is None or len(np.unique(overview[0])) >= FEWEST_VALUES  # none: too large for a look
 
 
 def inspect(job: Inputs, output: Path, side: float | None, spacing: float | None) -> None:
     """Place windows, inspect them, draw and print what was found."""
     output.mkdir(parents=True, exist_ok=True)
     package, curves = output / "windows.gpkg", output / "curves.csv"
-    package.unlink(missing_ok=True)
-    side = side or fitting_side(job.mosaic)
-    print(f"Placing windows of {side:g} m along the seams of {job.mosaic.name}")
-    seamlines = f"{job.seamlines}|layername=seamlines" if has_layer(job.seamlines, "seamlines") else job.seamlines
-    run(
-        "placewindows",
-        SEAMLINES=str(seamlines),
-        MOSAIC=str(job.mosaic),
-        SIDE=side,
-        SPACING=spacing or side,
-        OUTPUT=f"ogr:dbname='{package}' table=\"placed\" (geom)",
-    )
+    for wide in [side] if side else fitting_sides(job.mosaic):
+        package.unlink(missing_ok=True)
+        if place(job, package, wide, spacing or wide):
+            break
+    else:
+        print("No window has room on the mosaic.")
+        return
     print(f"Inspecting them against {len(job.sources)} orthoimages")
     run(
         "inspectwindows",
@@ -145,11 +163,31 @@ def inspect(job: Inputs, output: Path, side: float | None, spacing: float | None
     print(f"Results are in {output}: windows.gpkg, curves.csv, pairs.csv, curves.png")
 
 
-def fitting_side(mosaic: Path) -> float:
-    """100 m, or a quarter of a smaller mosaic."""
-    grid = rasters.describe_mosaic(rasters.RasterRef(str(mosaic))).grid
+def place(job: Inputs, package: Path, side: float, spacing: float) -> int:
+    """Place windows along the seams; how many had room."""
+    print(f"Placing windows of {side:.4g} m along the seams of {job.mosaic.name}")
+    seamlines = f"{job.seamlines}|layername=seamlines" if has_layer(job.seamlines, "seamlines") else job.seamlines
+    run(
+        "placewindows",
+        SEAMLINES=str(seamlines),
+        MOSAIC=str(job.mosaic),
+        SIDE=side,
+        SPACING=spacing,
+        OUTPUT=f"ogr:dbname='{package}' table=\"placed\" (geom)",
+    )
+    return int(QgsVectorLayer(f"{package}|layername=placed", "placed", "ogr").featureCount())
+
+
+def fitting_sides(mosaic: Path) -> Iterator[float]:
+    """100 m, or a quarter of a smaller mosaic; then half as much again and again, for one that is a narrow strip."""
+    raster = rasters.describe_mosaic(rasters.RasterRef(str(mosaic)))
+    grid = raster.grid
     shorter = min(grid.columns * grid.metres_x * grid.pixel_width, grid.rows * grid.metres_y * grid.pixel_height)
-    return min(imagery_limits.STANDARD_SIDE_M, shorter / 4)
+    side = min(imagery_limits.STANDARD_SIDE_M, shorter / 4)
+    yield side
+    while side / 2 >= imagery_limits.MIN_SIDE_PX * raster.ground_sample_distance:
+        side /= 2
+        yield side
 
 
 def has_layer(path: Path, name: str) -> bool:
@@ -225,14 +263,14 @@ def draw(chosen: Iterable[Inspected], curves: dict[int, list[ChartCurve]], job: 
 
 def draw_pictures(axes: Any, window: Inspected, curves: list[ChartCurve], mosaic: rasters.Mosaic, job: Inputs) -> None:
     """The middle of a window in the mosaic and in the least sharp source, one above the other."""
-    source = min((curve for curve in curves if not curve.is_mosaic), key=lambda curve: curve.detail[0]).label
-    path = next(path for path in job.sources if path.name == source)
+    files = {path.name: path for path in job.sources}  # the composite is no file
+    source = min((curve for curve in curves if curve.label in files), key=lambda curve: curve.detail[0]).label
     whole = grids.snap_window(mosaic.grid, window.extent)
     width, height = min(PICTURE_PX[0], whole.width), min(PICTURE_PX[1], whole.height)
     middle = grids.PixelWindow(
         whole.column + (whole.width - width) // 2, whole.row + (whole.height - height) // 2, width, height
     )
-    clips = [rasters.read_clip(rasters.RasterRef(str(file)), mosaic, middle) for file in (job.mosaic, path)]
+    clips = [rasters.read_clip(rasters.RasterRef(str(file)), mosaic, middle) for file in (job.mosaic, files[source])]
     images = [np.moveaxis(clip.bands[[0, 1, 2] if clip.raster.has_luminance else [0, 0, 0]], 0, -1) for clip in clips]
     gap = np.full((4, width, 3), 255, dtype=np.uint8)
     axes.imshow(np.concatenate([stretched(images[0]), gap, stretched(images[1])]), interpolation="nearest")
