@@ -10,7 +10,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.pixels import Pixels
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure.assessment import assess
-from seam_inspector.plugin.radiometry.measure.image_statistics import stream
+from seam_inspector.plugin.radiometry.measure.image_statistics import stream_statistics
 from seam_inspector.plugin.radiometry.measure.rules import default_rules
 
 from .ground import COMPRESSED, FORMATS, TILES, Ground
@@ -44,7 +44,7 @@ def histograms(path: Path) -> object:
     """Histograms and areas only."""
     pixels = Pixels(RasterRef(str(path)))
     image = pixels.image()
-    return stream(pixels, image, image.whole)
+    return stream_statistics(pixels, image, image.whole)
 
 
 def whole(path: Path) -> object:

@@ -25,7 +25,7 @@ def histogram_figure(result: Assessment) -> Figure | None:
         counts, middles = histogram.binned(result.available)
         colour = BAND_COLOURS.get(name) or (PAPER.text if len(result.histograms) == 1 else next(spare))
         axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=name)
-    rules = {finding.rule.check: finding.rule for finding in result.findings}
+    rules = {checked.rule.check: checked.rule for checked in result.checked_figures}
     whole = next(iter(result.histograms.values())).has_steps
     for check in (CLIPPED_LOW, CLIPPED_HIGH):
         if check in rules:
@@ -73,7 +73,7 @@ def step_and_contrast(result: Assessment) -> tuple[float, float] | None:
     """The largest step of any seam and band, and the mean of the bands' contrasts beside the seams; None where they
     are not measured."""
     steps, contrasts = (
-        [finding.value for finding in result.findings if finding.rule.check == check and finding.value is not None]
+        [one.value for one in result.checked_figures if one.rule.check == check and one.value is not None]
         for check in (SEAM_STEP, SEAM_CONTRAST)
     )
     return (max(steps), math.fsum(contrasts) / len(contrasts)) if steps and contrasts else None

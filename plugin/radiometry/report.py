@@ -15,7 +15,7 @@ from ..toolkit.translation import sentence, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
 from .measure import limits
 from .measure import rules as checks
-from .measure.assessment import ALL_BANDS, Assessment, RuleFinding
+from .measure.assessment import ALL_BANDS, Assessment, CheckedFigure
 from .measure.rules import Rule, RuleSet
 
 WORDS = {
@@ -91,17 +91,17 @@ def _title(result: Assessment) -> str:
 
 
 def _overview(result: Assessment) -> list[object]:
-    states = [finding.passed for finding in result.findings]
-    missing = sum(finding.value is None for finding in result.findings)
-    failed = dict.fromkeys(tr(WORDS[finding.rule.check]) for finding in result.findings if finding.passed is False)
+    states = [checked.passed for checked in result.checked_figures]
+    missing = sum(checked.value is None for checked in result.checked_figures)
+    failed = dict.fromkeys(tr(WORDS[one.rule.check]) for one in result.checked_figures if one.passed is False)
     return [_title(result), states.count(True), states.count(False), missing, ", ".join(failed)]
 
 
 def _section(result: Assessment) -> ImageSection:
-    by_check: dict[str, dict[str, RuleFinding]] = {}
-    for finding in result.findings:
-        by_check.setdefault(finding.rule.check, {})[finding.band] = finding
-    bands = list(dict.fromkeys(finding.band for finding in result.findings))
+    by_check: dict[str, dict[str, CheckedFigure]] = {}
+    for checked in result.checked_figures:
+        by_check.setdefault(checked.rule.check, {})[checked.band] = checked
+    bands = list(dict.fromkeys(checked.band for checked in result.checked_figures))
     figure = histogram_figure(result)
     return ImageSection(
         _title(result),
@@ -112,11 +112,11 @@ def _section(result: Assessment) -> ImageSection:
     )
 
 
-def _check_row(check: str, own: Mapping[str, RuleFinding], bands: Sequence[str]) -> CheckRow:
+def _check_row(check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str]) -> CheckRow:
     values = [own[band].value if band in own else None for band in bands]
     rule = next(iter(own.values())).rule
-    failed = [finding.band for finding in own.values() if finding.passed is False]
-    passed = tr("passed") if any(finding.passed for finding in own.values()) else ""
+    failed = [checked.band for checked in own.values() if checked.passed is False]
+    passed = tr("passed") if any(checked.passed for checked in own.values()) else ""
     names = "" if len(failed) == len(own) else f" ({', '.join(failed)})"
     return CheckRow(
         tr(WORDS[check]),
@@ -146,12 +146,12 @@ def _short(check: str, limit: float) -> str:
     return f"{limit:g}" if check == checks.SIGNAL_TO_NOISE else f"{100 * limit:g}\u00a0%"
 
 
-def _remarks(own: Mapping[str, RuleFinding]) -> list[str]:
+def _remarks(own: Mapping[str, CheckedFigure]) -> list[str]:
     """Each reason with the bands that it concerns, where it doesn't concern all."""
     reasons: dict[str, list[str]] = {}
-    for finding in own.values():
-        if finding.reason is not None:
-            reasons.setdefault(sentence(finding.reason), []).append(finding.band)
+    for checked in own.values():
+        if checked.reason is not None:
+            reasons.setdefault(sentence(checked.reason), []).append(checked.band)
     return [
         reason if len(concerned) == len(own) else f"{', '.join(concerned)}: {reason}"
         for reason, concerned in reasons.items()

@@ -31,20 +31,20 @@ def radiometry_fields() -> QgsFields:
 
 def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image or a window of it."""
-    for finding in result.findings:
-        rule = finding.rule
+    for checked in result.checked_figures:
+        rule = checked.rule
         yield feature(
             radiometry_fields(),
             [
                 result.image.ref.name,
                 result.window_id,
-                finding.band,
+                checked.band,
                 rule.check,
-                finding.value,
+                checked.value,
                 limit_text(rule),
-                None if finding.passed is None else int(finding.passed),
+                None if checked.passed is None else int(checked.passed),
                 rule.source,
-                sentence(finding.reason) if finding.reason else None,
+                sentence(checked.reason) if checked.reason else None,
                 rule.least,
                 rule.most,
             ],

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from ..imagery.errors import SeamInspectorError
 from ..imagery.rasters import Mosaic, RasterRef, describe_picture
 from ..toolkit.background_task import Cancelled, Job
-from .measure.bar_groups import BarLine, judge, measure_line
+from .measure.bar_groups import judge_lines
+from .measure.bar_lines import BarLine, measure_line
 from .measure.target import Target
 
 
@@ -23,11 +24,11 @@ def image_job(ref: RasterRef) -> Job:
 
 
 def bar_job(raster: Mosaic, line: BarLine, target: Target, width: float) -> Job:
-    """Measures and judges one line by itself; yields the Resolution."""
+    """Measures and judges one line by itself; yields the TargetResolution."""
 
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         measured = measure_line(raster, line, target.bars, width)
         if not cancelled():
-            yield 1.0, judge(raster, [measured], target)
+            yield 1.0, judge_lines(raster, [measured], target)
 
     return job

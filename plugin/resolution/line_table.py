@@ -16,7 +16,8 @@ from ..toolkit.attribute_values import text, whole_number
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
-from .measure.bar_groups import BarLine, GroupResult
+from .measure.bar_groups import GroupResult
+from .measure.bar_lines import BarLine
 from .measure.profiles import Segment
 from .measure.target import DIRECTIONS
 

@@ -9,11 +9,11 @@ from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import said_once, save_page
 from ..toolkit.translation import sentence, tr
 from .charts import direction_title, group_chart, target_picture, verdict_of, verdict_word
-from .measure.bar_groups import GroupResult, Resolution
+from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import DIRECTIONS, Target
 
 
-def save_resolution_report(path: Path, raster: Mosaic, resolution: Resolution, target: Target) -> None:
+def save_resolution_report(path: Path, raster: Mosaic, resolution: TargetResolution, target: Target) -> None:
     """Write distances, the target with its lines, every group's profiles, and a table of all that was measured.
 
     Raises SettingsError where no file can be.
@@ -38,7 +38,7 @@ def save_resolution_report(path: Path, raster: Mosaic, resolution: Resolution, t
     )
 
 
-def _summary(resolution: Resolution) -> str:
+def _summary(resolution: TargetResolution) -> str:
     words = []
     for direction in DIRECTIONS:
         grd = resolution.worst(direction)

@@ -37,6 +37,7 @@ from .transformations import PlaneModel, fit_transformation
 
 SEARCH_SIDE_PX = 3000  # the longer side of the photo for the first search: 80 um on a 23 cm photo
 SEARCH_WINDOW_PX = 768  # of a search window at its finest: larger ones are reduced
+SCALE_RANGE = (0.9, 1.1)  # against the scale that the positions imply, roughly placed as they are
 DISTINCT_SHARE = 1.5  # of a mark's size: so far around it nothing may look alike
 DISTINCT_FRAME_SHARE = 0.03  # of the frame: 6 mm on 23 cm, so that an arm's end is told from its counterpart
 MARK_ROOM = 0.05  # of the frame: around a search area, so that a mark at its edge is seen whole
@@ -115,7 +116,7 @@ class _Finder:
         frame = self._calibration.points @ upright.T
         return MarkFrame(
             tuple(every), frame, tuple(_around(place, scale * self._settings.search_mm) for place in places),
-            (0.9 * scale, 1.1 * scale), math.radians(2 * limits.MAX_ROTATION_DEG),
+            (SCALE_RANGE[0] * scale, SCALE_RANGE[1] * scale), math.radians(2 * limits.MAX_ROTATION_DEG),
         ), scale
 
     def around_positions(self, frame: MarkFrame, scale: float) -> FoundMarks:

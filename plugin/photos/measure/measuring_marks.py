@@ -21,6 +21,7 @@ from .photo_views import Place
 
 BRIGHTNESS_REACH_PX = 2  # 5 x 5 grey values: they hold the grain itself
 SETTLING_ROUNDS = 5  # two or three are enough to stay within 0.005 px
+SETTLED_PX = 0.003  # between two rounds
 LOBE_SHARE = 0.7  # of a mark's size: a ring on its own edge, a cross on its own arm still correlates
 MAX_SECOND_SHARE = 0.85  # of the best correlation: above it, which of the two is the mark is a guess
 HALF_REACH_PX = 4  # how far a half may look for the mark
@@ -182,7 +183,7 @@ def _settled_place(
         best, before = float(field[row, column]), place
         place = left + x + template.centre[0] + offset[0], top + y + template.centre[1] + offset[1]
         offset = _fraction(place[0]), _fraction(place[1])
-        if max(abs(place[0] - before[0]), abs(place[1] - before[1])) < 0.003:
+        if max(abs(place[0] - before[0]), abs(place[1] - before[1])) < SETTLED_PX:
             break
     return place[0], place[1], best, level
 

@@ -22,6 +22,7 @@ MIN_TELLING_MISFIT_MM = 0.03  # rms: twice what film and scanner leave on UNBC's
 MAX_RESIDUAL_RATIO = 0.5  # of the next best way to lie
 MIN_STRIP_RATIO = 1.5  # the strip's margin against the next widest one
 MIN_DOTS_RATIO = 2.5  # the side with the dots against the next: UNBC 4 to 6
+DOTS_BESIDE_RING = (0.9, 1.25, 2.2, 0.35)  # ring radii, UNBC: half the row's length, its nearest, farthest, a dot
 DOT_PROMINENCE = 0.25  # of the profile's range: UNBC's four dots 0.4
 
 
@@ -206,8 +207,8 @@ def count_numbering_dots(pixels: np.ndarray, radius: float, angle: float) -> int
     if abs(angle) > 0.5:
         pixels = ndimage.rotate(pixels, angle, reshape=False, order=1, mode="nearest")
     middle = pixels.shape[0] // 2
-    across, near, far = round(0.9 * radius), round(1.25 * radius), round(2.2 * radius)
-    width = max(2, round(0.35 * radius))
+    across, near, far, width = (round(share * radius) for share in DOTS_BESIDE_RING)
+    width = max(2, width)
     profiles = []
     for turn in range(4):
         turned = np.rot90(pixels, turn)

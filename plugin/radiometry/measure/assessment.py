@@ -14,9 +14,18 @@ from ...imagery.message import Message
 from ...imagery.pixels import PixelImage, Pixels
 from ...imagery.value_ranges import ValueRange, is_range_known, value_range
 from . import limits, messages
-from . import rules as checks
-from .image_statistics import Histogram, ImageStatistics, can_count, stream
-from .rules import Rule, RuleSet
+from .image_statistics import Histogram, ImageStatistics, can_count, stream_statistics
+from .rules import (
+    AT_SEAMS,
+    CLIPPED_LOW,
+    COLOUR_BALANCE,
+    CONTRAST,
+    PEAK,
+    SEAM_STEP,
+    SIGNAL_TO_NOISE,
+    Rule,
+    RuleSet,
+)
 from .seam_steps import SeamStep, seam_steps
 from .uniform_areas import colour_balance, signal_to_noise
 
@@ -27,7 +36,7 @@ ALL_BANDS = "all"
 
 
 @dataclass(frozen=True)
-class RuleFinding:
+class CheckedFigure:
     """One figure of one band against its rule."""
 
     band: str
@@ -48,7 +57,7 @@ class Assessment:
     image: PixelImage
     window_id: int | None
     """None for the whole image."""
-    findings: tuple[RuleFinding, ...]
+    checked_figures: tuple[CheckedFigure, ...]
     available: ValueRange | None
     """The range that shares are shares of."""
     histograms: dict[str, Histogram]
@@ -73,18 +82,18 @@ def assess(
 
     Raises RasterError when the pixels can't be read.
     """
-    wanted = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or seams is not None]
+    applied = [rule for rule in rules.rules if rule.check not in AT_SEAMS or seams is not None]
     if not can_count(image, rules.value_range):
         why = messages.NO_VALUE_RANGE(data_type=image.data_type)
-        return Assessment(image, window_id, tuple(_not_measurable(image, wanted, why)), None, {}, (), ())
-    statistics = stream(pixels, image, window, rules.value_range, progress)
+        return Assessment(image, window_id, tuple(_not_measurable(image, applied, why)), None, {}, (), ())
+    statistics = stream_statistics(pixels, image, window, rules.value_range, progress)
     if not statistics.complete:
         return None
     count = min(histogram.pixels for histogram in statistics.histograms.values())
     if count < MIN_STATISTICS_PIXELS:
         why = messages.TOO_FEW_VALID_PIXELS(count=count, least=MIN_STATISTICS_PIXELS)
-        findings = tuple(_not_measurable(image, wanted, why))
-        return Assessment(image, window_id, findings, None, statistics.histograms, (), ())
+        figures = tuple(_not_measurable(image, applied, why))
+        return Assessment(image, window_id, figures, None, statistics.histograms, (), ())
     largest = max(histogram.largest for histogram in statistics.histograms.values())
     available = rules.value_range or value_range(image, largest)
     assert available is not None  # else the values could not have been counted
@@ -94,10 +103,10 @@ def assess(
             messages.RANGE_ASSUMED(name=image.ref.name, largest=f"{largest:g}", low=available[0], high=available[1])
         )
     steps = _steps(pixels, image, window, seams)
-    findings = tuple(
-        finding for rule in wanted for finding in _findings(rule, image, statistics, available, steps, largest)
+    figures = tuple(
+        checked for rule in applied for checked in _checked_figures(rule, image, statistics, available, steps, largest)
     )
-    return Assessment(image, window_id, findings, available, statistics.histograms, tuple(steps), tuple(notices))
+    return Assessment(image, window_id, figures, available, statistics.histograms, tuple(steps), tuple(notices))
 
 
 def clipped_share(histogram: Histogram, rule: Rule, available: ValueRange) -> float:
@@ -107,7 +116,7 @@ def clipped_share(histogram: Histogram, rule: Rule, available: ValueRange) -> fl
     """
     low, high = available
     width = rule.values - 1 if histogram.has_steps else rule.values * (high - low) / 256
-    if rule.check == checks.CLIPPED_LOW:
+    if rule.check == CLIPPED_LOW:
         return histogram.share(most=low + width)
     return histogram.share(least=high - width)
 
@@ -130,43 +139,43 @@ def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -
     return math.sqrt(squares / sum(step.stations for step in steps)) / (available[1] - available[0])
 
 
-def _findings(
+def _checked_figures(
     rule: Rule,
     image: PixelImage,
     statistics: ImageStatistics,
     available: ValueRange,
     steps: Sequence[SeamStep],
     largest: float,
-) -> Iterator[RuleFinding]:
-    if rule.check == checks.COLOUR_BALANCE:
-        yield _finding(ALL_BANDS, rule, _colours(image, statistics, available))
+) -> Iterator[CheckedFigure]:
+    if rule.check == COLOUR_BALANCE:
+        yield _checked_figure(ALL_BANDS, rule, _colour_figure(image, statistics, available))
         return
     for index, (name, histogram) in enumerate(statistics.histograms.items()):
-        if rule.check in checks.AT_SEAMS:
-            figure = _at_seams(rule, index, available, steps, largest)
-        elif rule.check == checks.SIGNAL_TO_NOISE:
-            figure = _signal(statistics, index, available)
+        if rule.check in AT_SEAMS:
+            figure = _seam_figure(rule, index, available, steps, largest)
+        elif rule.check == SIGNAL_TO_NOISE:
+            figure = _noise_figure(statistics, index, available)
         else:
-            figure = _of_histogram(rule, histogram, available)
-        yield _finding(name, rule, figure)
+            figure = _histogram_figure(rule, histogram, available)
+        yield _checked_figure(name, rule, figure)
 
 
-def _of_histogram(rule: Rule, histogram: Histogram, available: ValueRange) -> float | Message:
-    if rule.check == checks.PEAK:
+def _histogram_figure(rule: Rule, histogram: Histogram, available: ValueRange) -> float | Message:
+    if rule.check == PEAK:
         return peak_deviation(histogram, available)
-    if rule.check == checks.CONTRAST:
+    if rule.check == CONTRAST:
         return contrast(histogram, available)
     return clipped_share(histogram, rule, available)
 
 
-def _signal(statistics: ImageStatistics, band: int, available: ValueRange) -> float | Message:
+def _noise_figure(statistics: ImageStatistics, band: int, available: ValueRange) -> float | Message:
     ratio = signal_to_noise(statistics.areas, band, available)
     if ratio is None:
         return messages.NO_UNIFORM_AREA(least=limits.MIN_AREAS, side=limits.AREA_PX)
     return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else ratio
 
 
-def _colours(image: PixelImage, statistics: ImageStatistics, available: ValueRange) -> float | Message:
+def _colour_figure(image: PixelImage, statistics: ImageStatistics, available: ValueRange) -> float | Message:
     if not image.has_luminance:
         return messages.NO_COLOURS()
     balance = colour_balance(statistics.areas, range(3), available)
@@ -175,29 +184,29 @@ def _colours(image: PixelImage, statistics: ImageStatistics, available: ValueRan
     return balance
 
 
-def _at_seams(
+def _seam_figure(
     rule: Rule, band: int, available: ValueRange, steps: Sequence[SeamStep], largest: float
 ) -> float | Message:
     if not steps or largest <= 0:
         return messages.NO_SEAM_HERE(pixels=limits.MIN_SEAM_STATIONS * limits.SEAM_STATION_PX)
-    if rule.check == checks.SEAM_STEP:
+    if rule.check == SEAM_STEP:
         return max(abs(step.steps[band]) for step in steps) / largest
     return seam_contrast(steps, band, available)
 
 
-def _finding(band: str, rule: Rule, figure: float | Message) -> RuleFinding:
+def _checked_figure(band: str, rule: Rule, figure: float | Message) -> CheckedFigure:
     """A figure against its rule, or why there is none."""
     if isinstance(figure, Message):
-        return RuleFinding(band, rule, None, None, messages.NOT_MEASURABLE(why=figure))
+        return CheckedFigure(band, rule, None, None, messages.NOT_MEASURABLE(why=figure))
     if not rule.has_limit:
-        return RuleFinding(band, rule, figure, None, messages.NO_LIMIT())
-    return RuleFinding(band, rule, figure, rule.passes(figure))
+        return CheckedFigure(band, rule, figure, None, messages.NO_LIMIT())
+    return CheckedFigure(band, rule, figure, rule.passes(figure))
 
 
-def _not_measurable(image: PixelImage, rules: Sequence[Rule], why: Message) -> Iterator[RuleFinding]:
+def _not_measurable(image: PixelImage, rules: Sequence[Rule], why: Message) -> Iterator[CheckedFigure]:
     for rule in rules:
-        for band in (ALL_BANDS,) if rule.check == checks.COLOUR_BALANCE else image.band_names:
-            yield _finding(band, rule, why)
+        for band in (ALL_BANDS,) if rule.check == COLOUR_BALANCE else image.band_names:
+            yield _checked_figure(band, rule, why)
 
 
 def _steps(

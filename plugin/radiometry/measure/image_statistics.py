@@ -91,7 +91,7 @@ def can_count(image: PixelImage, given: ValueRange | None) -> bool:
     return given is not None or (dtype.itemsize <= 2 and dtype.kind in "iu")
 
 
-def stream(
+def stream_statistics(
     pixels: Pixels,
     image: PixelImage,
     window: PixelWindow,

@@ -28,7 +28,8 @@ from ..measure import limits, messages
 
 if TYPE_CHECKING:
     from ...imagery.rasters import Mosaic
-    from ..measure.bar_groups import MeasuredLine, Resolution
+    from ..measure.bar_groups import TargetResolution
+    from ..measure.bar_lines import MeasuredLine
     from ..measure.target import Target
 
 RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
@@ -136,7 +137,8 @@ class MeasureResolution(SeamInspectorAlgorithm):
     ) -> dict[str, Any]:
         from ...toolkit import layers
         from .. import line_table
-        from ..measure.bar_groups import judge, measure_line
+        from ..measure.bar_groups import judge_lines
+        from ..measure.bar_lines import measure_line
 
         raster, target = self._raster, self._target(parameters, context)
         target.check()
@@ -156,7 +158,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
             line = line_table.bar_line(row, raster.grid, transform)
             measured.append(measure_line(raster, line, target.bars, width, band))
             feedback.setProgress(90 * len(measured) / max(count, 1))
-        resolution = judge(raster, measured, target)
+        resolution = judge_lines(raster, measured, target)
         tell(feedback, *resolution.notices)
         for result in resolution.results:
             if result.reason is not None:
@@ -209,14 +211,14 @@ class MeasureResolution(SeamInspectorAlgorithm):
         return None if number == 0 else band_index(raster.ref, number)
 
 
-def _save_chart(path: Path, resolution: Resolution, target: Target) -> None:
+def _save_chart(path: Path, resolution: TargetResolution, target: Target) -> None:
     from ...toolkit.charts.figure_files import save_figure
     from ..charts import group_chart
 
     save_figure(group_chart(resolution.results, target.criterion), path)
 
 
-def _save_report(path: Path, raster: Mosaic, resolution: Resolution, target: Target) -> None:
+def _save_report(path: Path, raster: Mosaic, resolution: TargetResolution, target: Target) -> None:
     from ..report import save_resolution_report
 
     save_resolution_report(path, raster, resolution, target)

@@ -45,7 +45,8 @@ from .. import line_layer
 from ..jobs import bar_job, image_job
 from ..line_table import pixel_segment
 from ..measure import limits, messages
-from ..measure.bar_groups import BarLine, Resolution
+from ..measure.bar_groups import TargetResolution
+from ..measure.bar_lines import BarLine
 from ..measure.target import DIRECTIONS, Target
 from .bar_profile import BarProfile
 from .bar_tool import BarTool
@@ -186,7 +187,7 @@ class BarDock(ToolDock):
             self._measure(self._waiting)
 
     def _take(self, resolution: object) -> None:
-        assert isinstance(resolution, Resolution)
+        assert isinstance(resolution, TargetResolution)
         self.results = resolution.results
         self.profile.show_results(self.results, self.target().criterion)
         self.verdict.setText(_verdict(resolution))
@@ -283,7 +284,7 @@ def _row(*widgets: QWidget) -> QWidget:
     return row
 
 
-def _verdict(resolution: Resolution) -> str:
+def _verdict(resolution: TargetResolution) -> str:
     """What a line by itself shows: its distance and verdict, or the reasons why it has none."""
     results = resolution.results
     reasons = list(dict.fromkeys(sentence(result.reason) for result in results if result.reason is not None))

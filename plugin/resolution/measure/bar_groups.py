@@ -1,58 +1,23 @@
-"""From lines across the bars to the ground resolved distance: every group measured, then all judged together."""
+"""From the lines measured across the bars to the ground resolved distance: all groups judged together."""
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...imagery.errors import BarLineError
 from ...imagery.message import Message
 from ...imagery.rasters import Mosaic
 from . import limits, messages
-from .bars import BarReading, read_bars
-from .profiles import Patch, Segment, bar_profile, read_patch, turned_line
+from .bar_lines import MeasuredLine
+from .bars import BarReading
 from .target import DIRECTIONS, Target
 
 MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Shannon
 MIN_ALIAS_FREE_PX = 2.5  # three bars that are finer than two pixels can't seem so far apart in the 5 px they cover
 MAX_BAR_SPACING_DIFFERENCE = 0.25  # relative, two steps of 2^(1/6): bars further off are not the group's
 MAX_TARGET_SCALE_DIFFERENCE = 0.2  # relative: more is no error of drawing or of the pixel size
-MAX_SATURATED_SHARE = 0.25  # of the middle of a bar: more is not noise that touches the limit
-
-GREEN = "green"
-
-
-@dataclass(frozen=True)
-class BarLine:
-    """One line of the user, in pixels of the raster."""
-
-    group: int | None
-    """Number of the group; None where none is given."""
-    direction: str
-    """``along`` or ``across`` the flight, or what was given instead."""
-    segment: Segment | None
-    """None where the line can't be used."""
-    reason: Message | None = None
-    """Why it can't be used."""
-
-
-@dataclass(frozen=True)
-class MeasuredLine:
-    """What a line showed."""
-
-    line: BarLine
-    segment: Segment | None
-    """The line turned to be perpendicular to the bars; None when it could not be measured."""
-    readings: dict[str, BarReading] = field(default_factory=dict)
-    """By band."""
-    saturated: dict[str, float] = field(default_factory=dict)
-    """The DN that bars are clipped at, by band."""
-    shifts: dict[str, float] = field(default_factory=dict)
-    """Displacement of a band's bars against those of green along the line, px, by band."""
-    reason: Message | None = None
-    """Why it could not be measured."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +48,7 @@ class GroupResult:
 
 
 @dataclass(frozen=True)
-class Resolution:
+class TargetResolution:
     """What a target says."""
 
     results: tuple[GroupResult, ...]
@@ -107,41 +72,9 @@ class Resolution:
         return None if along is None or across is None else math.sqrt(along * across)
 
 
-def measure_line(
-    raster: Mosaic, line: BarLine, bars: int, width: float, band: int | None = None
-) -> MeasuredLine:
-    """Profiles across the bars of one group and what they show; never raises for a line that can't be measured.
-
-    ``width``: px either side that the profile is averaged over. ``band``: the place of the one band that is measured,
-    None for all. Raises RasterError when the raster can't be read.
-    """
-    if line.segment is None or line.reason is not None:
-        return MeasuredLine(line, None, reason=line.reason)
-    try:
-        patch = read_patch(raster, line.segment, bars)
-    except BarLineError as error:
-        return MeasuredLine(line, None, reason=error.message)
-    names = raster.band_names
-    wanted = list(range(len(names))) if band is None else [band]
-    segment = turned_line(patch, wanted, line.segment, width)
-    every = {index: read_bars(bar_profile(patch, index, segment, width), bars) for index in wanted}
-    readings = {names[index]: reading for index, reading in every.items()}
-    clipped = {names[index]: _saturation(patch, index, segment, width, reading) for index, reading in every.items()}
-    reference = readings.get(GREEN)
-    if GREEN in names and reference is None:
-        reference = read_bars(bar_profile(patch, names.index(GREEN), segment, width), bars)
-    shifts = {}
-    for name, reading in readings.items():
-        shift = _shift(reading, reference)
-        if shift is not None:
-            shifts[name] = shift
-    saturated = {name: value for name, value in clipped.items() if value is not None}
-    return MeasuredLine(line, segment, readings, saturated, shifts)
-
-
-def judge(raster: Mosaic, measured: Sequence[MeasuredLine], target: Target) -> Resolution:
+def judge_lines(raster: Mosaic, measured: Sequence[MeasuredLine], target: Target) -> TargetResolution:
     """The verdicts on all lines of a target, and its ground resolved distance by direction and band."""
-    measured = _without_twins(measured)
+    measured = _without_repeated_groups(measured)
     scale, off_scale = _pixels_per_cm(raster, measured, target)
     notices = [] if off_scale is None else [off_scale]
     results = [result for line in measured for result in _line_results(line, target, scale)]
@@ -149,10 +82,10 @@ def judge(raster: Mosaic, measured: Sequence[MeasuredLine], target: Target) -> R
     for (direction, band), distance in distances.items():
         if distance is None:
             notices.append(messages.NO_GRD(direction=direction, band=band))
-    return Resolution(tuple(results), distances, tuple(notices), off_scale)
+    return TargetResolution(tuple(results), distances, tuple(notices), off_scale)
 
 
-def _without_twins(measured: Sequence[MeasuredLine]) -> list[MeasuredLine]:
+def _without_repeated_groups(measured: Sequence[MeasuredLine]) -> list[MeasuredLine]:
     """The lines, all but the first of a group and direction put out of count."""
     seen: set[tuple[int | None, str]] = set()
     lines = []
@@ -174,21 +107,18 @@ def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -
     cycle = None if scale is None else grd * scale
     results = []
     for band, reading in measured.readings.items():
-        reason = _weakness(reading, target)
-        aliasing = None if reason is not None else _aliasing(reading, cycle)
+        reason = _why_unresolved(reading, target)
+        aliasing = None if reason is not None else _why_aliased(reading, cycle)
         why = reason or aliasing
         if why is None and band in measured.saturated:
-            results.append(GroupResult(measured, band, grd, True, False, _clipped(measured, band)))
+            clipped = messages.BARS_SATURATED(value=measured.saturated[band])
+            results.append(GroupResult(measured, band, grd, True, False, clipped))
         else:
             results.append(GroupResult(measured, band, grd, why is None, aliasing is not None, why))
     return results
 
 
-def _clipped(measured: MeasuredLine, band: str) -> Message:
-    return messages.BARS_SATURATED(value=measured.saturated[band])
-
-
-def _weakness(reading: BarReading, target: Target) -> Message | None:
+def _why_unresolved(reading: BarReading, target: Target) -> Message | None:
     """Why a reading is no resolved group; None when it is one."""
     found, noise = len(reading.bars), reading.profile.noise
     if reading.is_flat or found == 0:
@@ -204,7 +134,7 @@ def _weakness(reading: BarReading, target: Target) -> Message | None:
     return None
 
 
-def _aliasing(reading: BarReading, cycle: float | None) -> Message | None:
+def _why_aliased(reading: BarReading, cycle: float | None) -> Message | None:
     """Why bars that stand out can't be the group's; None when they can. ``cycle``: the group's, px; None: unknown."""
     spacing = reading.spacing
     assert spacing is not None
@@ -232,7 +162,7 @@ def _pixels_per_cm(
         group = one.line.group
         if one.reason is not None or group is None:
             continue
-        good = [reading for reading in one.readings.values() if _weakness(reading, target) is None]
+        good = [reading for reading in one.readings.values() if _why_unresolved(reading, target) is None]
         spacings = [reading.spacing for reading in good if reading.spacing is not None]
         if spacings and float(np.median(spacings)) >= MIN_ALIAS_FREE_PX:
             seen.append((target.grd_cm(group), float(np.median(spacings))))
@@ -283,29 +213,3 @@ def _without_spurious(
         else:
             lost.setdefault(key, group)
     return judged, distances
-
-
-def _saturation(patch: Patch, band: int, segment: Segment, width: float, reading: BarReading) -> float | None:
-    """The DN that two bars or more are clipped at; None when they are not."""
-    if len(reading.bars) < 2 or reading.spacing is None or patch.highest is None:
-        return None
-    along, beside = patch.distances(segment)
-    near = (np.abs(beside) <= width + 0.5) & patch.valid
-    values = patch.bands[band]
-    limits = {patch.highest, *(2.0**bits - 1 for bits in (8, 10, 11, 12, 14, 16))} if reading.bright else {0.0}
-    clipped = []
-    for bar in reading.bars:
-        middle = values[near & (np.abs(along - bar.position) <= max(reading.spacing / 8, 0.5))]
-        if middle.size:
-            extreme = float(middle.max() if reading.bright else middle.min())
-            if extreme in limits and np.mean(middle == extreme) > MAX_SATURATED_SHARE:
-                clipped.append(extreme)
-    return clipped[0] if len(clipped) >= 2 else None
-
-
-def _shift(reading: BarReading, reference: BarReading | None) -> float | None:
-    """Mean displacement of bars and gaps; None where they don't correspond."""
-    if reference is None or len(reading.bars) < 2 or len(reading.bars) != len(reference.bars):
-        return None
-    mine, others = ([one.position for one in (*each.bars, *each.gaps)] for each in (reading, reference))
-    return float(np.mean(np.subtract(mine, others)))

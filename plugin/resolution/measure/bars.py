@@ -10,6 +10,9 @@ from . import limits
 from .profiles import Profile
 
 MIN_BAR_PROMINENCE = 0.25  # of the full amplitude: half the criterion, so that bars below it are still counted
+GROUND_BEYOND = 0.15  # of a line's length, beyond its ends: what lies there is ground
+GROUND_WITHIN = 0.03  # the same, before its ends
+MIN_GROUND_OFFSET = 0.15  # of the full amplitude: ground nearer to the middle is neither bright nor dark
 
 _VERTEX_SHARE = 1 / 8  # of a cycle, either side of an extreme: the part of a bar that a parabola is fitted to
 _FLANK = (0.3, 0.8)  # of a cycle from an outer bar: where the ground beside it is its gap
@@ -108,11 +111,10 @@ def _between(profile: Profile, low: float, high: float) -> np.ndarray:
 
 def _is_bright(profile: Profile, middle: float, extent: float, bars: int) -> bool:
     """Bars are what the ground at both ends is not; where that lies half-way, what there are ``bars`` of."""
-    reach = 0.15 * profile.length
-    ends = _between(profile, -reach, 0.03 * profile.length)
-    ends |= _between(profile, 0.97 * profile.length, profile.length + reach)
+    length, beyond, within = profile.length, GROUND_BEYOND * profile.length, GROUND_WITHIN * profile.length
+    ends = _between(profile, -beyond, within) | _between(profile, length - within, length + beyond)
     ground = float(np.median(profile.values[ends]))
-    if abs(ground - middle) > 0.15 * extent:
+    if abs(ground - middle) > MIN_GROUND_OFFSET * extent:
         return ground < middle
     counts = [abs(len(_peaks(profile, sign, extent)) - bars) for sign in (1.0, -1.0)]
     return counts[0] <= counts[1]

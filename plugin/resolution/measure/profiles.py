@@ -129,7 +129,7 @@ def read_patch(raster: Mosaic, line: Segment, bars: int) -> Patch:
     return patch
 
 
-def turned_line(patch: Patch, bands: list[int], line: Segment, width: float) -> Segment:
+def perpendicular_line(patch: Patch, bands: list[int], line: Segment, width: float) -> Segment:
     """The line turned to be perpendicular to the bars: where the profile, averaged along them, is modulated most.
 
     It is sought within 10 degrees, by the energy of the profile's slopes in all the bands.

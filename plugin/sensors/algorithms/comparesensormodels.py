@@ -42,15 +42,7 @@ class CompareSensorModels(SensorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(*sensor_parameters.gcps())
-        self.addDescribed(*sensor_parameters.image())
-        self.addDescribed(*sensor_parameters.image_rpc())
-        self.addDescribed(*sensor_parameters.dem(tr("Gives heights to points that have none.")))
-        self.addDescribed(*sensor_parameters.heights(sensor_parameters.HEIGHTS, tr("Heights of the points")))
-        self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
-        self.addDescribed(*sensor_parameters.check_share())
-        self.addDescribed(*sensor_parameters.robust())
-        self.addDescribed(*sensor_parameters.gcps_crs(), advanced=True)
-        self.addDescribed(*sensor_parameters.orbit_height(), advanced=True)
+        self.addFittingParameters()
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Models"), QgsProcessing.SourceType.TypeVector),
             tr("One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."),

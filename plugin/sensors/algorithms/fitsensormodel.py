@@ -76,15 +76,7 @@ class FitSensorModel(SensorAlgorithm):
             common.choice(BIAS, tr("Correction of the RPC"), _BIASES),
             tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
         )
-        self.addDescribed(*sensor_parameters.image())
-        self.addDescribed(*sensor_parameters.image_rpc())
-        self.addDescribed(*sensor_parameters.dem(tr("Gives heights to points that have none.")))
-        self.addDescribed(*sensor_parameters.heights(sensor_parameters.HEIGHTS, tr("Heights of the points")))
-        self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
-        self.addDescribed(*sensor_parameters.check_share())
-        self.addDescribed(*sensor_parameters.robust())
-        self.addDescribed(*sensor_parameters.gcps_crs(), advanced=True)
-        self.addDescribed(*sensor_parameters.orbit_height(), advanced=True)
+        self.addFittingParameters()
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Residuals"), QgsProcessing.SourceType.TypeVectorPoint),
             tr("The points with residuals, model minus measured: in pixels, and in metres at the point's height."),

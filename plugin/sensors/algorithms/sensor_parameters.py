@@ -50,6 +50,18 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     GROUP = groups.SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
+    def addFittingParameters(self) -> None:
+        """What a fit to points takes beside them and the model."""
+        self.addDescribed(*image())
+        self.addDescribed(*image_rpc())
+        self.addDescribed(*dem(tr("Gives heights to points that have none.")))
+        self.addDescribed(*heights(HEIGHTS, tr("Heights of the points")))
+        self.addDescribed(*heights(DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(*check_share())
+        self.addDescribed(*robust())
+        self.addDescribed(*gcps_crs(), advanced=True)
+        self.addDescribed(*orbit_height(), advanced=True)
+
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         # A georeferencer's file is no layer that QGIS can load, so that its own check gets one in its place.
         given = super().for_check(parameters)

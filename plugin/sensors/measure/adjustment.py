@@ -15,6 +15,7 @@ from .models.sensor_model import FittedModel
 from .points import Points
 
 BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
+SIGMA_OF_MEDIAN = 1.4826  # standard deviation over the median of absolute values, normal coordinates
 RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates of standard deviation 1
 MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
 TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
@@ -201,6 +202,6 @@ def _robust_sigma(residuals: np.ndarray, redundancy: float) -> float:
 
 def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
     """(n,) bool: check points that differ from the others as well as from what the control points let expect."""
-    usual = 1.4826 * float(np.median(np.abs(residuals)))
+    usual = SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals)))
     limit = MAX_BLUNDER_SIGMAS * max(usual, np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
     return np.abs(residuals).max(axis=1) > limit

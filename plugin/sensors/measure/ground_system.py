@@ -8,9 +8,7 @@ import numpy as np
 
 from ...imagery.reference_systems import is_geographic, metres_per_unit, same_system, transform_points
 
-WGS84_WKT_CODE = "EPSG:4326"
-
-WGS84 = WGS84_WKT_CODE
+WGS84 = "EPSG:4326"
 
 
 @dataclass(frozen=True)

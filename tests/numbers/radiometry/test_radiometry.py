@@ -16,8 +16,8 @@ from seam_inspector.plugin.imagery.lines.seamlines import Seam
 from seam_inspector.plugin.imagery.pixels import Pixels
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure import image_statistics
-from seam_inspector.plugin.radiometry.measure.assessment import Assessment, RuleFinding, assess
-from seam_inspector.plugin.radiometry.measure.image_statistics import ImageStatistics, area_step, stream
+from seam_inspector.plugin.radiometry.measure.assessment import Assessment, CheckedFigure, assess
+from seam_inspector.plugin.radiometry.measure.image_statistics import ImageStatistics, area_step, stream_statistics
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet, default_rules
 from seam_inspector.plugin.radiometry.measure.uniform_areas import Areas, sample_areas, signal_to_noise
 
@@ -34,13 +34,13 @@ def checked(path: str, window: PixelWindow | None = None, rules: RuleSet | None 
     return result
 
 
-def finding(result: Assessment, check: str, band: str = "band_1") -> RuleFinding:
-    (found,) = [one for one in result.findings if (one.rule.check, one.band) == (check, band)]
+def checked_figure(result: Assessment, check: str, band: str = "band_1") -> CheckedFigure:
+    (found,) = [one for one in result.checked_figures if (one.rule.check, one.band) == (check, band)]
     return found
 
 
 def figure(result: Assessment, check: str, band: str = "band_1") -> float:
-    value = finding(result, check, band).value
+    value = checked_figure(result, check, band).value
     assert value is not None
     return value
 
@@ -48,7 +48,7 @@ def figure(result: Assessment, check: str, band: str = "band_1") -> float:
 def streamed(path: str, given: tuple[float, float] | None = None) -> ImageStatistics:
     pixels = Pixels(RasterRef(path))
     image = pixels.image()
-    return stream(pixels, image, image.whole, given)
+    return stream_statistics(pixels, image, image.whole, given)
 
 
 def grey(level: float = 128, sigma: float = 8.0, side: int = 256, seed: int = 0) -> np.ndarray:
@@ -111,7 +111,8 @@ def test_tails_peak_and_contrast_of_a_known_histogram(make_raster: MakeRaster) -
     assert figure(result, "clipped_high") == pytest.approx(0.001)  # values 251 to 255
     assert figure(result, "peak") == pytest.approx((150 - 127.5) / 255)
     assert figure(result, "contrast") == pytest.approx(values.std() / 255)
-    assert [finding(result, check).passed for check in ("clipped_low", "peak", "contrast")] == [True, True, False]
+    judged = [checked_figure(result, check).passed for check in ("clipped_low", "peak", "contrast")]
+    assert judged == [True, True, False]
 
 
 def test_of_values_without_steps_a_256th_of_the_range_counts_as_one(make_raster: MakeRaster) -> None:
@@ -202,14 +203,14 @@ def test_a_colour_cast_is_found_on_what_is_grey(make_raster: MakeRaster, cast: f
     pixels = np.rint(scene + random.normal(0, 3, scene.shape)).clip(0, 255).astype(np.uint8)
     result = checked(make_raster("a.tif", pixels))
     assert figure(result, "colour_balance", "all") == pytest.approx(cast, abs=0.003)
-    assert finding(result, "colour_balance", "all").passed is passed
+    assert checked_figure(result, "colour_balance", "all").passed is passed
 
 
 # --- what can't be measured ------------------------------------------------------------------------------------
 
 
 def reasons(result: Assessment) -> dict[str, str]:
-    return {one.rule.check: str(one.reason) for one in result.findings if one.value is None}
+    return {one.rule.check: str(one.reason) for one in result.checked_figures if one.value is None}
 
 
 def test_without_uniform_or_grey_areas_it_says_so(make_raster: MakeRaster) -> None:
@@ -236,7 +237,7 @@ def test_too_few_valid_pixels(make_raster: MakeRaster) -> None:
     pixels = np.zeros((200, 200), np.uint8)
     pixels[:40, :40] = 90
     result = checked(make_raster("a.tif", pixels, nodata=0))
-    assert len(reasons(result)) == len(result.findings) == 6
+    assert len(reasons(result)) == len(result.checked_figures) == 6
     assert set(reasons(result).values()) == {
         "not measurable: 1600 pixels are valid and at least 4096 are needed; choose a larger part."
     }
@@ -257,7 +258,7 @@ def test_float_values_need_a_range_from_the_rules(make_raster: MakeRaster) -> No
 
 def test_a_rule_without_limit_is_measured_and_not_judged(make_raster: MakeRaster) -> None:
     rules = RuleSet("own", (Rule("contrast", None, None, "nobody"),))
-    (found,) = checked(make_raster("a.tif", grey()), rules=rules).findings
+    (found,) = checked(make_raster("a.tif", grey()), rules=rules).checked_figures
     assert found.passed is None
     assert found.value == pytest.approx(8 / 255, rel=0.02)
     assert str(found.reason) == "The rules set no limit; give one in the rules file."
@@ -297,7 +298,7 @@ def test_the_step_at_a_seam_is_what_was_put_there(make_raster: MakeRaster, step:
     pixels[0, 0] = 200  # the largest value
     result = checked(make_raster("a.tif", pixels), seams=[seam((150, 0), (150 + slant, 300))])
     assert figure(result, "seam_step") == pytest.approx(abs(step) / 200, abs=0.004)
-    assert finding(result, "seam_step").passed is None  # the order sets no limit
+    assert checked_figure(result, "seam_step").passed is None  # the order sets no limit
     assert result.seams[0].stations == 18
     assert figure(result, "seam_contrast") == pytest.approx(6 / 255, rel=0.05)
 
@@ -328,7 +329,7 @@ def test_no_seam_on_the_raster(make_raster: MakeRaster) -> None:
     for seams in ([], [seam((900, 0), (900, 300))], [seam((10, 10), (50, 10))]):
         said = reasons(checked(path, seams=seams))
         assert said["seam_step"] == "not measurable: no seam runs across valid pixels of it for 64 px or more."
-    assert "seam_step" not in {one.rule.check for one in checked(path).findings}
+    assert "seam_step" not in {one.rule.check for one in checked(path).checked_figures}
 
 
 def test_seams_on_a_rotated_raster_are_refused(make_raster: MakeRaster) -> None:
@@ -348,7 +349,7 @@ def test_memory_stays_flat(tmp_path: Path) -> None:
         pixels = Pixels(RasterRef(path))
         image = pixels.image()
         tracemalloc.start()
-        stream(pixels, image, image.whole)
+        stream_statistics(pixels, image, image.whole)
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert peaks[1] < 1.5 * peaks[0]

@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 from seam_inspector.plugin.imagery.rasters import RasterRef, describe_picture
-from seam_inspector.plugin.resolution.measure.bar_groups import BarLine, MeasuredLine, Resolution, judge, measure_line
+from seam_inspector.plugin.resolution.measure.bar_groups import TargetResolution, judge_lines
+from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, MeasuredLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 
@@ -17,5 +18,5 @@ def measured(path: str, lines: dict[int, Ends], width: float = 3.0, bars: int = 
     ]
 
 
-def resolution(path: str, lines: dict[int, Ends], target: Target, width: float = 3.0) -> Resolution:
-    return judge(describe_picture(RasterRef(path)), measured(path, lines, width, target.bars), target)
+def resolution(path: str, lines: dict[int, Ends], target: Target, width: float = 3.0) -> TargetResolution:
+    return judge_lines(describe_picture(RasterRef(path)), measured(path, lines, width, target.bars), target)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.rasters import RasterRef, band_index, describe_picture
-from seam_inspector.plugin.resolution.measure.bar_groups import BarLine, measure_line
+from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.rasters import RasterRef, describe_picture
-from seam_inspector.plugin.resolution.measure.bar_groups import BarLine, MeasuredLine, Resolution, judge
+from seam_inspector.plugin.resolution.measure.bar_groups import TargetResolution, judge_lines
+from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, MeasuredLine
 from seam_inspector.plugin.resolution.measure.bars import BarReading, Extreme
 from seam_inspector.plugin.resolution.measure.profiles import Profile, Segment
 from seam_inspector.plugin.resolution.measure.target import Target
@@ -26,7 +27,7 @@ def test_half_of_the_full_amplitude_is_enough(make_raster: MakeRaster, amplitude
     reading = BarReading(profile, True, bars, gaps, (Extreme(1.0, 50.0),), 100.0, amplitude, None)
     line = MeasuredLine(BarLine(0, "along", Segment((0, 0), (20, 0))), None, {"grey": reading})
     raster = describe_picture(RasterRef(make_raster("any.tif", np.zeros((8, 8), np.uint8), gsd=0.1)))
-    assert judge(raster, [line], Target(reference_group=0, reference_grd_cm=50)).results[0].resolved is resolved
+    assert judge_lines(raster, [line], Target(reference_group=0, reference_grd_cm=50)).results[0].resolved is resolved
 
 
 @pytest.mark.parametrize(("clipped", "value"), [((), None), ((1,), None), ((0, 2), 255.0), ((0, 1, 2), 255.0)])
@@ -68,9 +69,9 @@ def test_a_directions_distance_is_its_worst_bands_and_the_targets_the_geometric_
     distances: dict[tuple[str, str], float | None] = {
         ("along", "red"): 30.0, ("along", "green"): 40.0, ("across", "red"): 90.0, ("across", "green"): 85.0
     }
-    found = Resolution((), distances, ())
+    found = TargetResolution((), distances, ())
     assert (found.worst("along"), found.worst("across"), found.mean) == (40, 90, 60)
-    lost = Resolution((), {**distances, ("along", "red"): None}, ())
+    lost = TargetResolution((), {**distances, ("along", "red"): None}, ())
     assert (lost.worst("along"), lost.worst("across"), lost.mean) == (None, 90, None)
 
 
