@@ -74,8 +74,8 @@ def refuse_overwriting(
             continue
         for other in outputs:
             if any(output.meets(_Place(file, other.place.table)) for file in other.files.values()):
-                names = {"first": other.title, "second": output.title}
-                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=output.place.path, **names))
+                path, first = output.place.path, other.title
+                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=path, first=first, second=output.title))
         outputs.append(output)
     if not any(_may_exist(file) for output in outputs for file in output.files.values()):
         return  # what is not there yet is no input: most runs need no look at them
