@@ -31,7 +31,7 @@ def report_cost(ground: Ground, tile_format: str, count: int) -> tuple[float, fl
     for number, result in enumerate(islice(cycle(measured), count), 1):
         assert result.window is not None
         extent = block.mosaic.grid.window_extent(result.window)
-        findings.append(WindowRecord(number, "significant", ratios=result.judgement.ratios.detail, extent=extent))
+        findings.append(WindowRecord(number, extent, "significant", ratios=result.judgement.ratios.detail))
         shares = [(clip.raster, clip.role, clip.curves["luminance"]) for clip in result.clips]
         curves[number] = [CurveRecord(name, role, curve.detail, curve.background) for name, role, curve in shares]
     request = ReportRequest(tuple(findings), curves, block=block, wkt=block.mosaic.wkt)

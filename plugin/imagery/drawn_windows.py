@@ -5,16 +5,15 @@ from dataclasses import dataclass
 
 from . import messages
 from .errors import RasterError, WindowError
-from .grids import Extent, Grid, PixelWindow, snap_window
+from .grids import Extent, Grid, PixelWindow, WindowOutline, snap_window
 from .pixels import PixelImage
 from .reference_systems import extent_on
 
 
 @dataclass(frozen=True)
-class DrawnWindow:
+class DrawnWindow(WindowOutline):
     """A rectangle to be measured on every image under it."""
 
-    window_id: int
     extent: Extent
     """In ``wkt``."""
     wkt: str

@@ -12,6 +12,15 @@ Extent = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
+class WindowOutline:
+    """Which window, and where it lies: what all know of one."""
+
+    window_id: int
+    extent: Extent | None
+    """The rectangle around it, in the reference system asked for; None where there is none, or it can't be measured."""
+
+
+@dataclass(frozen=True)
 class PixelWindow:
     """A rectangle of whole pixels on one raster's grid."""
 

@@ -7,33 +7,33 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtCore import QLocale
 
 from ..toolkit.translation import tr
-from .verdict_words import verdict_word
+from .verdict_words import verdict_sentence
 
 if TYPE_CHECKING:
     from .measure.explanation import Change, Explanation
     from .measure.inspection import WindowResult
-    from .tables.window_layer import WindowRow
+    from .measure.window_records import WindowRecord
 
 _APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it
 _LOSSES = ("significant", "reduced")
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
-def window_sentence(row: WindowRow, result: WindowResult | None = None) -> str:
+def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> str:
     """What was found in a window; with its result the numbers of the cause are told too.
 
     A result that is not the one in the row, as after an undo, is left aside.
     """
     if not row.verdict:
-        return tr("Not inspected yet.")
-    if row.verdict == "not_comparable":
-        found = row.reason or tr("The mosaic could not be compared with a source here.")
-    else:
+        return verdict_sentence("")
+    if row.is_compared:
         found = _finding(row, explanation_of(row, result))
+    else:
+        found = row.reason or verdict_sentence(row.verdict)
     return tr("{finding} Changed since: inspect it again.").format(finding=found) if row.stale else found
 
 
-def explanation_of(row: WindowRow, result: WindowResult | None) -> Explanation | None:
+def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
     """The explanation behind what the row holds; None when it is not at hand."""
     found = result.explanation if result is not None else None
     if result is None or found is None or found.cause.value != row.cause:
@@ -83,11 +83,9 @@ def percent(ratio: float) -> str:
     return QLocale().toString(share, "f", decimals)
 
 
-def _finding(row: WindowRow, found: Explanation | None) -> str:
+def _finding(row: WindowRecord, found: Explanation | None) -> str:
     """The verdict, the ratios, and the cause."""
-    verdict = tr("Significant loss.") if row.verdict == "significant" else f"{verdict_word(row.verdict).capitalize()}."
-    ratio = row.ratios[0] if row.ratios else None
-    because = _because(row, found)
+    verdict, ratio, because = verdict_sentence(row.verdict), row.ratio, _because(row, found)
     if ratio is None:
         return f"{verdict} {because[:1].upper()}{because[1:]}." if because else verdict
     values = {"percent": percent(ratio)}
@@ -104,7 +102,7 @@ def _finding(row: WindowRow, found: Explanation | None) -> str:
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
-def _because(row: WindowRow, found: Explanation | None) -> str:
+def _because(row: WindowRecord, found: Explanation | None) -> str:
     """What the cause did, to go on a sentence with; empty where there is nothing to be said."""
     is_loss = row.verdict in _LOSSES
     template, value = "", None

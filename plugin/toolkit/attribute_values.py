@@ -26,9 +26,11 @@ def text(value: object) -> str:
 
 def number(value: object) -> float | None:
     """A finite number."""
+    if not isinstance(value, (str, int, float)):  # NULL, as most values of a layer that is not inspected yet
+        return None
     try:
         found = value if type(value) is float else float(str(value))
-    except ValueError:  # NULL, or a word
+    except ValueError:
         return None
     return found if math.isfinite(found) else None
 

@@ -107,10 +107,10 @@ def outline_extent(feature: QgsFeature, transform: QgsCoordinateTransform | None
 
     Raises WindowError when it can't be transformed.
     """
-    geometry = QgsGeometry(feature.geometry())
-    if geometry.isNull() or geometry.isEmpty():
+    geometry = feature.geometry()
+    if geometry.isEmpty():
         return None
-    return extent(geometry if transform is None else _transformed(geometry, transform))
+    return extent(geometry if transform is None else _transformed(QgsGeometry(geometry), transform))
 
 
 def rectangle(bounds: Extent) -> QgsGeometry:

@@ -105,21 +105,22 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         """The measures that are there, ratio_1 first, in the judged windows."""
         from ...toolkit import layers
         from ..measure.window_records import contrast_of
-        from ..tables.record_tables import read_findings, read_pairs
+        from ..tables.record_tables import check_inspected, read_pairs, read_windows
 
         windows = self.source(parameters, WINDOWS, context)
         names = windows.fields().names()
         if "observer" not in names:
             raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="observer"))
         judged, unknown = [], 0
-        for finding in read_findings(layers.features(windows), names):
-            judged += [finding] if finding.observer in ("visible", "invisible") else []
-            unknown += finding.observer not in ("visible", "invisible", "")
+        check_inspected(names)
+        for window in read_windows(layers.features(windows), names):
+            judged += [window] if window.observer in ("visible", "invisible") else []
+            unknown += window.observer not in ("visible", "invisible", "")
         if unknown:
             tell(feedback, messages.VERDICTS_UNKNOWN(count=unknown))
-        measures = {"ratio_1": [(finding, _first(finding.ratios)) for finding in judged]}
+        measures = {"ratio_1": [(window, window.ratio) for window in judged]}
         if "composite_ratio_1" in names:
-            measures["composite_ratio_1"] = [(finding, _first(finding.composite_ratios)) for finding in judged]
+            measures["composite_ratio_1"] = [(window, window.composite_ratio) for window in judged]
         if parameters.get(PAIRS):
             table = self.source(parameters, PAIRS, context)
             pairs = read_pairs(layers.features(table), table.fields().names())
@@ -136,7 +137,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         """The windows where the measure has a value, by the observer's word."""
         from ..measure.threshold_calibration import Verdicts
 
-        known = [(finding.observer, value) for finding, value in values if value is not None]
+        known = [(window.observer, value) for window, value in values if value is not None]
         if len(known) < len(values):
             missing = len(values) - len(known)
             tell(feedback, messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing))
@@ -162,7 +163,3 @@ def _numbers(found: ThresholdCalibration) -> dict[str, float]:
     if found.wanted is not None:
         numbers[WANTED_COUNT] = sum(found.wanted)
     return numbers
-
-
-def _first(values: tuple[float | None, ...]) -> float | None:
-    return values[0] if values else None

@@ -129,6 +129,7 @@ class InspectWindows(SeamInspectorAlgorithm):
     ) -> dict[str, Any]:
         from ...toolkit import layers
         from ...toolkit.executors import open_executor
+        from ...toolkit.table_fields import column_fields
         from ..measure.verdicts import Verdict
         from ..measure.window_runs import inspect_windows
         from ..tables import result_tables
@@ -150,8 +151,10 @@ class InspectWindows(SeamInspectorAlgorithm):
             output, output_id = self.sink(
                 parameters, OUTPUT, context, result_tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
             )
-            curves, curves_id = self.optional_sink(parameters, CURVES, context, result_tables.curve_fields())
-            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, result_tables.pair_fields(settings.levels))
+            curve_fields = column_fields(result_tables.CURVE_COLUMNS)
+            pair_fields = column_fields(result_tables.PAIR_COLUMNS, settings.levels)
+            curves, curves_id = self.optional_sink(parameters, CURVES, context, curve_fields)
+            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, pair_fields)
             for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, feedback.isCanceled):
                 geometry, observer = drawn.taken(result.window_id)
                 if result.window is not None:

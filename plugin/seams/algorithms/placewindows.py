@@ -80,8 +80,9 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ...imagery.lines.seamlines import find_seams
         from ...imagery.pixels import validity_check
         from ...toolkit import layers
+        from ...toolkit.table_fields import column_feature, column_fields
         from ..measure.window_placing import place_windows
-        from ..tables import result_tables
+        from ..tables.result_tables import PLACED_COLUMNS
 
         seamlines = self.source(parameters, SEAMLINES, context)
         mosaic = self._mosaic
@@ -99,13 +100,13 @@ class PlaceWindows(SeamInspectorAlgorithm):
         if not feedback.isCanceled():
             tell(feedback, *placement.dropped)
         sink, destination = self.sink(
-            parameters, OUTPUT, context, result_tables.placed_fields(), QgsWkbTypes.Type.Polygon, crs
+            parameters, OUTPUT, context, column_fields(PLACED_COLUMNS), QgsWkbTypes.Type.Polygon, crs
         )
         for done, placed in enumerate(placement.windows, 1):
             if feedback.isCanceled():
                 break
             geometry = layers.rectangle(mosaic.grid.window_extent(placed.window))
-            self.write(sink, [result_tables.placed_feature(placed, geometry)])
+            self.write(sink, [column_feature(PLACED_COLUMNS, placed, geometry=geometry)])
             feedback.setProgress(100 * done / len(placement.windows))
         feedback.pushInfo(
             tr("{windows} windows placed along {seams} seams.").format(

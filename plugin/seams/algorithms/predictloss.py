@@ -87,9 +87,10 @@ class PredictLoss(SeamInspectorAlgorithm):
     ) -> dict[str, Any]:
         from ...toolkit import layers
         from ...toolkit.executors import open_executor
+        from ...toolkit.table_fields import column_feature, column_fields
         from ..measure.loss_forecast import forecast_window, not_foretold
         from ..measure.window_runs import in_order
-        from ..tables import result_tables
+        from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS, forecast_pair_features
 
         wavelet, levels = self.decomposition(parameters, context)
         self.check(parameters, context)
@@ -104,15 +105,16 @@ class PredictLoss(SeamInspectorAlgorithm):
 
         count = not_comparable = 0
         with open_executor() as (executor, ahead):
-            polygons = result_tables.forecast_fields(levels), QgsWkbTypes.Type.Polygon, crs
+            polygons = column_fields(FORECAST_COLUMNS, levels), QgsWkbTypes.Type.Polygon, crs
             output, output_id = self.sink(parameters, OUTPUT, context, *polygons)
-            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, result_tables.forecast_pair_fields(levels))
+            table = column_fields(FORECAST_PAIR_COLUMNS, levels)
+            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, table)
             for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, feedback.isCanceled):
                 geometry, _observer = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
                     geometry = layers.rectangle(forecast.extent)
-                self.write(output, [result_tables.forecast_feature(forecast, geometry)])
-                self.write(pairs, result_tables.forecast_pair_features(forecast))
+                self.write(output, [column_feature(FORECAST_COLUMNS, forecast, levels, geometry)])
+                self.write(pairs, forecast_pair_features(forecast))
                 once.tell(forecast.notices)
                 if forecast.reason is not None:
                     tell(feedback, imagery_messages.ABOUT(what=forecast.window_id, why=forecast.reason))

@@ -119,7 +119,9 @@ class Report(SeamInspectorAlgorithm):
                 block = given_block(self, parameters, context, self._mosaic, self._given, TellOnce(feedback))
             crs = layers.mosaic_crs(self._mosaic)
             transform = common.transform(windows, crs, context)
-        found = record_tables.read_findings(layers.features(windows), windows.fields().names(), transform)
+        names = windows.fields().names()
+        record_tables.check_inspected(names)
+        found = record_tables.read_windows(layers.features(windows), names, transform)
         curves = self._rows(parameters, CURVES, context)
         pairs = self._rows(parameters, PAIRS, context)
         return ReportRequest(

@@ -71,7 +71,7 @@ class InspectionDock(ToolDock):
     def zoom_to(self, fid: int) -> None:
         """Show a window so that one image pixel covers 2 x 2 screen pixels."""
         row, grid, layer = self.session.row(fid), self.session.mosaic_grid(), self.session.window_layer()
-        if row is None or grid is None or layer is None:
+        if row is None or row.extent is None or grid is None or layer is None:
             return
         self.session.select([fid])
         xmin, ymin, xmax, ymax = row.extent

@@ -18,8 +18,8 @@ from ...toolkit.translation import sentence
 from ..clip_pictures import ClipPicture
 from ..measure import messages
 from ..measure.inspection import Block, WindowRequest, WindowResult
+from ..measure.window_records import WindowRecord
 from ..tables import window_layer
-from ..tables.window_layer import WindowRow
 from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache
 from .inputs.inputs_watch import InputsWatch
@@ -143,11 +143,11 @@ class Session(QObject):
         """The layer that holds the windows, while it is there."""
         return self._watch.layer
 
-    def windows(self) -> list[WindowRow]:
+    def windows(self) -> list[WindowRecord]:
         """All windows by their number."""
         return self._watch.rows()
 
-    def row(self, fid: int) -> WindowRow | None:
+    def row(self, fid: int) -> WindowRecord | None:
         """One window."""
         return self._watch.row(fid)
 

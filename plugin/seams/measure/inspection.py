@@ -123,6 +123,11 @@ class WindowResult:
     """Why a source that could not be read or compared did not take part."""
 
     @property
+    def is_compared(self) -> bool:
+        """Whether a source took part."""
+        return self.judgement.verdict is not Verdict.NOT_COMPARABLE
+
+    @property
     def with_composite(self) -> tuple[ClipResult, ...]:
         """The clips, last the sources' composite where there is one."""
         found = self.explanation

@@ -1,6 +1,7 @@
-"""What was found in a window, as an inspection's tables hold it: plain data to count, to draw and to report.
+"""Windows and what was found in them, as a window layer and the tables of an inspection hold it.
 
-Tables of earlier versions lack some of it; what is not there is None or empty.
+Plain data to count, to draw and to report. Tables of earlier versions lack some of it; what is not there is None or
+empty.
 """
 from __future__ import annotations
 
@@ -8,38 +9,57 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ...imagery.band_names import judged_band
-from ...imagery.grids import Extent
+from ...imagery.grids import WindowOutline
 
 COMPOSITE = "composite"
 """The hard-cut composite of the sources, where a source's name or a clip's role would stand."""
 REFERENCES = ("sources", COMPOSITE)
 """What a verdict can be taken against: whole sources, as in the paper, or their hard-cut composite."""
+_NOT_COMPARED = ("", "not_comparable")  # words of Verdict, which is not loaded when QGIS starts
 
 
 @dataclass(frozen=True)
-class WindowRecord:
-    """One inspected window."""
+class WindowRecord(WindowOutline):
+    """One window of a layer, inspected or not. Its number is for good."""
 
-    window_id: int
     verdict: str = ""
     """A verdict's word, or empty while it is not inspected."""
     reason: str = ""
     """Why it is not comparable."""
-    cause: str = ""
-    """The cause's word."""
-    observer: str = ""
-    """``visible``, ``invisible`` or empty."""
+    sources: int | None = None
+    """How many sources took part."""
     ratios: tuple[float | None, ...] = ()
     """ratio_1..ratio_R."""
+    background_ratio: float | None = None
+    observer: str = ""
+    """``visible``, ``invisible`` or empty."""
     composite_ratios: tuple[float | None, ...] = ()
     """composite_ratio_1..composite_ratio_R."""
     expected_ratios: tuple[float | None, ...] = ()
     """expected_ratio_1..expected_ratio_R."""
-    background_ratio: float | None = None
     unclear_share: float | None = None
     """Share of the pixels where no source wins clearly."""
-    extent: Extent | None = None
-    """In the reference system that the reader asked for; None without an outline."""
+    cause: str = ""
+    """Word of what explains the loss."""
+    fid: int = 0
+    """Feature id; changes when a new feature is saved."""
+    stale: bool = False
+    """Whether it or the inputs changed after it was inspected, as far as the desk knows."""
+
+    @property
+    def is_compared(self) -> bool:
+        """Whether it was inspected and a source took part."""
+        return self.verdict not in _NOT_COMPARED
+
+    @property
+    def ratio(self) -> float | None:
+        """At level 1."""
+        return self.ratios[0] if self.ratios else None
+
+    @property
+    def composite_ratio(self) -> float | None:
+        """At level 1."""
+        return self.composite_ratios[0] if self.composite_ratios else None
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProject
@@ -11,12 +12,11 @@ from ...toolkit import layers
 from ...toolkit.background_task import Cancelled, Job
 from ..measure.inspection import Block, WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
-from ..tables.window_layer import WindowRow
 from .inspection_report import ReportRequest, write_report
 
 
 def report_request(
-    rows: Iterable[WindowRow],
+    rows: Iterable[WindowRecord],
     result: Callable[[int], WindowResult | None],
     crs: QgsCoordinateReferenceSystem,
     block: Block | None,
@@ -31,7 +31,7 @@ def report_request(
     inspected = [row for row in rows if row.verdict]
     measured = {row.window_id: found for row in inspected if (found := result(row.fid)) is not None}
     return ReportRequest(
-        tuple(_finding(row, measured.get(row.window_id), crs, target, project) for row in inspected),
+        tuple(_on_mosaic(row, measured.get(row.window_id), crs, target, project) for row in inspected),
         curves={number: _curves(found) for number, found in measured.items() if found.clips},
         pairs={number: _pairs(found) for number, found in measured.items() if found.pairs},
         block=block,
@@ -51,27 +51,20 @@ def report_job(path: Path, request: ReportRequest) -> Job:
     return job
 
 
-def _finding(
-    row: WindowRow,
+def _on_mosaic(
+    row: WindowRecord,
     found: WindowResult | None,
     crs: QgsCoordinateReferenceSystem,
     target: QgsCoordinateReferenceSystem,
     project: QgsProject,
 ) -> WindowRecord:
+    """With its extent in another system, and all that was measured of its composite."""
+    row = replace(row, extent=row.extent and layers.transformed_extent(row.extent, crs, target, project))
     why = found.explanation if found is not None else None
-    return WindowRecord(
-        window_id=row.window_id,
-        verdict=row.verdict,
-        reason=row.reason,
-        cause=row.cause,
-        observer=row.observer,
-        ratios=row.ratios,
-        composite_ratios=(row.composite_ratio,) if why is None else next(iter(why.ratios.values())).detail,
-        expected_ratios=why.expected if why is not None else (),
-        background_ratio=row.background_ratio,
-        unclear_share=why.unclear_share if why is not None else None,
-        extent=layers.transformed_extent(row.extent, crs, target, project),
-    )
+    if why is None:
+        return row
+    ratios = next(iter(why.ratios.values())).detail
+    return replace(row, composite_ratios=ratios, expected_ratios=why.expected, unclear_share=why.unclear_share)
 
 
 def _curves(found: WindowResult) -> list[CurveRecord]:

@@ -26,7 +26,7 @@ from ..clip_pictures import bytes_picture
 from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
-from ..verdict_words import VERDICT_COLOURS, cause_word, verdict_colour, verdict_word
+from ..verdict_words import VERDICTS, cause_word, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
 from .variance_table import anchor, window_rows
@@ -151,7 +151,7 @@ def _mosaics_title(request: ReportRequest) -> str:
 
 def _summary(request: ReportRequest) -> dict[str, object]:
     """Verdicts, observer's words and ratios of each mosaic, and its causes."""
-    verdicts = [verdict for verdict in VERDICT_COLOURS if verdict or any(not one.verdict for one in request.findings)]
+    verdicts = [verdict for verdict in VERDICTS if verdict or any(not one.verdict for one in request.findings)]
     causes = Counter((_mosaic_of(request, one), one.cause) for one in request.findings if one.cause)
     flagged = Counter((_mosaic_of(request, one), one.cause) for one in flagged_windows(request.findings))
     ordered = sorted(causes.items(), key=lambda item: (item[0][0], -item[1], item[0][1]))
@@ -178,7 +178,7 @@ def _counts(findings: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[o
 
 def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     """The sketch and its legend."""
-    order = list(VERDICT_COLOURS)[::-1]
+    order = list(VERDICTS)[::-1]
     known = [one for one in request.findings if one.extent is not None]
     known.sort(key=lambda one: (order.index(one.verdict) if one.verdict in order else 0, one.window_id in detailed))
     if not known:
@@ -190,8 +190,8 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     return {
         "sketch": map_sketch(shapes, *metres, background=_background(request, shapes, metres)),
         "map_legend": [
-            (colour, f"{verdict_word(word)} ({counts[word]})")
-            for word, colour in VERDICT_COLOURS.items()
+            (shown.colour, f"{verdict_word(word)} ({counts[word]})")
+            for word, shown in VERDICTS.items()
             if counts[word]
         ],
     }

@@ -1,50 +1,52 @@
-"""The tables of an inspection -> findings. Fields may be missing, and may be text, as in a CSV file."""
+"""The tables of an inspection -> records. Fields may be missing, and may be text, as in a CSV file."""
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ...imagery.band_names import judged_band
 from ...imagery.errors import SettingsError
-from ...toolkit.attribute_values import attributes
+from ...toolkit.attribute_values import Attributes, attributes
 from ...toolkit.layers import outline_extent
 from ..measure import messages
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
+from .result_tables import WINDOW_COLUMNS
 
 _BACKGROUND = 0
 
 
-def read_findings(
-    rows: Iterable[QgsFeature], names: Sequence[str], transform: QgsCoordinateTransform | None = None
-) -> list[WindowRecord]:
-    """The windows of an inspected layer in its order; ``transform`` leads to the system of their extents.
-
-    One without a number of its own gets 0. Raises SettingsError when the layer has no ``ratio_1``,
-    WindowError when an outline can't be transformed.
-    """
+def check_inspected(names: Iterable[str]) -> None:
+    """Raise SettingsError for a window layer without ratios."""
     if "ratio_1" not in names:
         raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="ratio_1"))
-    ratios, composite, expected = (_levels(names, kind) for kind in ("ratio", "composite_ratio", "expected_ratio"))
-    return [
-        WindowRecord(
-            window_id=row.whole_number("window_id") or 0,
-            verdict=row.text("verdict"),
-            reason=row.text("reason"),
-            cause=row.text("cause"),
-            observer=row.text("observer").lower(),
-            ratios=tuple(map(row.number, ratios)),
-            composite_ratios=tuple(map(row.number, composite)),
-            expected_ratios=tuple(map(row.number, expected)),
-            background_ratio=row.number("background_ratio"),
-            unclear_share=row.number("unclear_share"),
-            extent=outline_extent(row.feature, transform),
-        )
-        for row in attributes(rows, names)
-    ]
+
+
+def read_windows(
+    rows: Iterable[QgsFeature],
+    names: Sequence[str],
+    transform: QgsCoordinateTransform | None = None,
+    unnumbered: int = 0,
+) -> list[WindowRecord]:
+    """The windows of a layer in its order; ``transform`` leads to the system of their extents.
+
+    One without a number of its own is ``unnumbered``. Raises WindowError when an outline can't be transformed.
+    """
+    read = {"text": Attributes.text, "real": Attributes.number, "integer": Attributes.whole_number}
+    levels = [(f"{one.name}s", level_names(one.name, names)) for one in WINDOW_COLUMNS if one.by_level]
+    single = [(one.name, read[one.kind]) for one in WINDOW_COLUMNS if not one.by_level]
+    found = []
+    for row in attributes(rows, names):
+        values: dict[str, Any] = {name: value(row, name) for name, value in single}
+        values.update((name, tuple(map(row.number, fields))) for name, fields in levels)
+        if values["window_id"] is None:
+            values["window_id"] = unnumbered
+        values["observer"] = values["observer"].lower()
+        found.append(WindowRecord(extent=outline_extent(row.feature, transform), fid=row.feature.id(), **values))
+    return found
 
 
 def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[PairRecord]]:
@@ -107,7 +109,7 @@ class _Components(NamedTuple):
         return CurveRecord(self.raster, self.role, detail, self.shares[_BACKGROUND])
 
 
-def _levels(names: Sequence[str], kind: str) -> list[str]:
-    """The fields of a kind, level by level."""
-    found = (re.fullmatch(rf"{kind}_([1-9][0-9]*)", name) for name in names)
+def level_names(name: str, names: Iterable[str]) -> list[str]:
+    """The fields ``name_1``..``name_R`` among some, level by level."""
+    found = (re.fullmatch(rf"{name}_([1-9][0-9]*)", one) for one in names)
     return [match[0] for match in sorted(filter(None, found), key=lambda match: int(match[1]))]

@@ -1,202 +1,185 @@
-"""The tables of an inspection: their fields, and features from results. The field names are contracts."""
+"""The tables of an inspection, one entry per column: its field, and how its value comes from a result.
+
+The field names are contracts. A window's columns are also what its record is read from (``record_tables``).
+"""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
+from ...imagery.message import Message
 from ...imagery.shifts import Shift
 from ...imagery.wavelets import Curve
-from ...toolkit.table_fields import feature, table_fields
+from ...toolkit.table_fields import Column, column_feature, column_features, column_fields
 from ...toolkit.translation import sentence
 from ..measure.explanation import Change
-from ..measure.inspection import WindowResult
-from ..measure.loss_forecast import Forecast
+from ..measure.inspection import ClipResult, PairResult, WindowResult
+from ..measure.loss_forecast import Forecast, ForecastPair
+from ..measure.tone import Tone
 from ..measure.window_placing import PlacedWindow
 
 
+class _CurveRow(NamedTuple):
+    """A component of a curve."""
+
+    window_id: int
+    clip: ClipResult
+    band: str
+    curve: Curve
+    component: str
+    level: int
+    share: float
+
+
+class _PairRow(NamedTuple):
+    """The mosaic against a source in a window."""
+
+    window_id: int
+    pair: PairResult
+
+    @property
+    def change(self) -> Change | None:
+        """What became of the source's grey values, where that is known."""
+        return self.pair.change
+
+    @property
+    def tone(self) -> Tone | None:
+        """Of that change."""
+        return self.pair.change.tone if self.pair.change else None
+
+    @property
+    def shift(self) -> Shift | None:
+        """Of that change."""
+        return self.pair.change.shift if self.pair.change else None
+
+
+class _ForecastPairRow(NamedTuple):
+    """A pair of sources."""
+
+    forecast: Forecast
+    pair: ForecastPair
+
+
+WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
+    Column("window_id", "integer", lambda result: result.window_id),
+    Column("verdict", "text", lambda result: result.judgement.verdict.value),
+    Column("reason", "text", lambda result: _words(result.judgement.reason)),
+    Column("sources", "integer", lambda result: result.source_count),
+    Column("ratio", "real", lambda result: result.judgement.ratios.detail, by_level=True),
+    Column("background_ratio", "real", lambda result: result.judgement.ratios.background),
+    Column("observer", "text", lambda result: None),  # the operator's word, not ours
+    Column("composite_ratio", "real", lambda result: _composite_ratios(result), by_level=True),
+    Column("expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True),
+    Column("unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share),
+    Column("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
+)
+"""OUTPUT: one polygon per window, as measured."""
+
+CURVE_COLUMNS: tuple[Column[_CurveRow], ...] = (
+    Column("window_id", "integer", lambda row: row.window_id),
+    Column("raster", "text", lambda row: row.clip.raster),
+    Column("role", "text", lambda row: row.clip.role),
+    Column("band", "text", lambda row: row.band),
+    Column("component", "text", lambda row: row.component),
+    Column("level", "integer", lambda row: row.level),
+    Column("relative_variance", "real", lambda row: row.share if row.curve.variance > 0 else None),
+    Column("variance", "real", lambda row: row.share * row.curve.variance if row.curve.variance > 0 else 0.0),
+)
+"""CURVES: one row per window, raster, band and component; a constant clip has no relative variances."""
+
+PAIR_COLUMNS: tuple[Column[_PairRow], ...] = (
+    Column("window_id", "integer", lambda row: row.window_id),
+    Column("source", "text", lambda row: row.pair.source),
+    Column("band", "text", lambda row: row.pair.band),
+    Column("ratio", "real", lambda row: row.pair.ratios.detail, by_level=True),
+    Column("similarity", "real", lambda row: row.pair.similarity),
+    Column("offset_x", "real", lambda row: row.pair.offset_x),
+    Column("offset_y", "real", lambda row: row.pair.offset_y),
+    Column("resampled", "integer", lambda row: int(row.pair.resampled)),
+    Column("gain", "real", lambda row: row.tone and row.tone.gain),
+    Column("bias", "real", lambda row: row.tone and row.tone.bias),
+    Column("gamma", "real", lambda row: row.tone and row.tone.gamma),
+    Column("contrast", "real", lambda row: row.change and row.change.contrast, by_level=True),
+    Column("sharpness", "real", lambda row: row.change and row.change.sharpness, by_level=True),
+    Column("clipped", "real", lambda row: row.change and row.change.clipped),
+    Column("colour_shift", "real", lambda row: row.change and row.change.colour_shift),
+    Column("shift_x", "real", lambda row: row.shift and row.shift.x),
+    Column("shift_y", "real", lambda row: row.shift and row.shift.y),
+)
+"""PAIRS: one row per window, source and band."""
+
+FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (
+    Column("window_id", "integer", lambda forecast: forecast.window_id),
+    Column("reason", "text", lambda forecast: _words(forecast.reason)),
+    Column("sources", "integer", lambda forecast: forecast.sources),
+    Column("expected_ratio", "real", lambda forecast: forecast.expected, by_level=True),
+)
+"""OUTPUT of ``predictloss``: one polygon per window."""
+
+FORECAST_PAIR_COLUMNS: tuple[Column[_ForecastPairRow], ...] = (
+    Column("window_id", "integer", lambda row: row.forecast.window_id),
+    Column("source", "text", lambda row: row.pair.source),
+    Column("other", "text", lambda row: row.pair.other),
+    Column("band", "text", lambda row: row.forecast.band),
+    Column("rho", "real", lambda row: row.pair.feather.rho, by_level=True),
+    Column("ratio", "real", lambda row: row.pair.feather.ratios, by_level=True),
+    Column("shift_x", "real", lambda row: row.pair.shift and row.pair.shift.x),
+    Column("shift_y", "real", lambda row: row.pair.shift and row.pair.shift.y),
+    Column("resampled", "integer", lambda row: int(row.pair.resampled)),
+)
+"""PAIRS of ``predictloss``: one row per window and pair of sources."""
+
+PLACED_COLUMNS: tuple[Column[PlacedWindow], ...] = (
+    Column("window_id", "integer", lambda placed: placed.window_id),
+    Column("seam_id", "integer", lambda placed: placed.seam_id),
+    Column("station", "real", lambda placed: placed.station_m),
+)
+"""The windows of ``placewindows``."""
+
+
 def window_fields(levels: int) -> QgsFields:
-    """OUTPUT: one polygon per window, as measured."""
-    return table_fields(
-        ("window_id", "integer"),
-        ("verdict", "text"),
-        ("reason", "text"),
-        ("sources", "integer"),
-        *_level_fields("ratio", levels),
-        ("background_ratio", "real"),
-        ("observer", "text"),
-        *_level_fields("composite_ratio", levels),
-        *_level_fields("expected_ratio", levels),
-        ("unclear_share", "real"),
-        ("cause", "text"),
-    )
+    """Of OUTPUT, and of every window layer."""
+    return column_fields(WINDOW_COLUMNS, levels)
 
 
-def curve_fields() -> QgsFields:
-    """CURVES: one row per window, raster, band and component."""
-    return table_fields(
-        ("window_id", "integer"),
-        ("raster", "text"),
-        ("role", "text"),
-        ("band", "text"),
-        ("component", "text"),
-        ("level", "integer"),
-        ("relative_variance", "real"),
-        ("variance", "real"),
-    )
-
-
-def pair_fields(levels: int) -> QgsFields:
-    """PAIRS: one row per window, source and band."""
-    return table_fields(
-        ("window_id", "integer"),
-        ("source", "text"),
-        ("band", "text"),
-        *_level_fields("ratio", levels),
-        ("similarity", "real"),
-        ("offset_x", "real"),
-        ("offset_y", "real"),
-        ("resampled", "integer"),
-        ("gain", "real"),
-        ("bias", "real"),
-        ("gamma", "real"),
-        *_level_fields("contrast", levels),
-        *_level_fields("sharpness", levels),
-        ("clipped", "real"),
-        ("colour_shift", "real"),
-        ("shift_x", "real"),
-        ("shift_y", "real"),
-    )
-
-
-def forecast_fields(levels: int) -> QgsFields:
-    """OUTPUT of ``predictloss``: one polygon per window."""
-    return table_fields(
-        ("window_id", "integer"),
-        ("reason", "text"),
-        ("sources", "integer"),
-        *_level_fields("expected_ratio", levels),
-    )
-
-
-def forecast_pair_fields(levels: int) -> QgsFields:
-    """PAIRS of ``predictloss``: one row per window and pair of sources."""
-    return table_fields(
-        ("window_id", "integer"),
-        ("source", "text"),
-        ("other", "text"),
-        ("band", "text"),
-        *_level_fields("rho", levels),
-        *_level_fields("ratio", levels),
-        ("shift_x", "real"),
-        ("shift_y", "real"),
-        ("resampled", "integer"),
-    )
-
-
-def placed_fields() -> QgsFields:
-    """The windows of ``placewindows``."""
-    return table_fields(("window_id", "integer"), ("seam_id", "integer"), ("station", "real"))
-
-
-def placed_feature(placed: PlacedWindow, geometry: QgsGeometry) -> QgsFeature:
-    """The row of a placed window."""
-    return feature(placed_fields(), [placed.window_id, placed.seam_id, placed.station_m], geometry)
-
-
-def window_feature(result: WindowResult, geometry: QgsGeometry, observer: str | None) -> QgsFeature:
+def window_feature(result: WindowResult, geometry: QgsGeometry | None, observer: str | None) -> QgsFeature:
     """The row of OUTPUT for a result."""
-    judgement, found = result.judgement, result.explanation
-    levels = len(judgement.ratios.detail)
-    unknown = [None] * levels
-    return feature(
-        window_fields(levels),
-        [
-            result.window_id,
-            judgement.verdict.value,
-            sentence(judgement.reason) if judgement.reason else None,
-            result.source_count,
-            *judgement.ratios.detail,
-            judgement.ratios.background,
-            observer,
-            *(next(iter(found.ratios.values())).detail if found else unknown),
-            *(found.expected if found else unknown),
-            found.unclear_share if found else None,
-            found.cause.value if found else None,
-        ],
-        geometry,
-    )
+    row = column_feature(WINDOW_COLUMNS, result, len(result.judgement.ratios.detail), geometry)
+    row["observer"] = observer
+    return row
 
 
 def curve_features(result: WindowResult) -> Iterator[QgsFeature]:
-    """The rows of CURVES for a result; a constant clip has no relative variances."""
-    fields = curve_fields()
-    for clip in result.with_composite:
-        for band, curve in clip.curves.items():
-            for component, level, share in _components(curve):
-                row = [result.window_id, clip.raster, clip.role, band, component, level]
-                known = curve.variance > 0
-                yield feature(fields, [*row, share if known else None, share * curve.variance if known else 0.0])
+    """The rows of CURVES for a result."""
+    return column_features(CURVE_COLUMNS, _curve_rows(result))
 
 
 def pair_features(result: WindowResult) -> Iterator[QgsFeature]:
     """The rows of PAIRS for a result: each source, then their composite."""
-    for pair in (*result.pairs, *result.composite_pairs):
-        levels = len(pair.ratios.detail)
-        yield feature(
-            pair_fields(levels),
-            [
-                result.window_id,
-                pair.source,
-                pair.band,
-                *pair.ratios.detail,
-                pair.similarity,
-                pair.offset_x,
-                pair.offset_y,
-                int(pair.resampled),
-                *_change_values(pair.change, levels),
-            ],
-        )
-
-
-def _change_values(change: Change | None, levels: int) -> list[object]:
-    if change is None:
-        return [None] * (7 + 2 * levels)
-    tone = change.tone
-    return [
-        *((tone.gain, tone.bias, tone.gamma) if tone else (None, None, None)),
-        *change.contrast,
-        *change.sharpness,
-        change.clipped,
-        change.colour_shift,
-        *_shift_values(change.shift),
-    ]
-
-
-def _shift_values(shift: Shift | None) -> tuple[float | None, float | None]:
-    return (shift.x, shift.y) if shift else (None, None)
-
-
-def forecast_feature(forecast: Forecast, geometry: QgsGeometry | None) -> QgsFeature:
-    """The row of OUTPUT for a forecast."""
-    reason = sentence(forecast.reason) if forecast.reason else None
-    fields = forecast_fields(len(forecast.expected))
-    return feature(fields, [forecast.window_id, reason, forecast.sources, *forecast.expected], geometry)
+    rows = (_PairRow(result.window_id, pair) for pair in (*result.pairs, *result.composite_pairs))
+    return column_features(PAIR_COLUMNS, rows, len(result.judgement.ratios.detail))
 
 
 def forecast_pair_features(forecast: Forecast) -> Iterator[QgsFeature]:
     """The rows of PAIRS for a forecast."""
-    fields = forecast_pair_fields(len(forecast.expected))
-    for pair in forecast.pairs:
-        row = [forecast.window_id, pair.source, pair.other, forecast.band, *pair.feather.rho, *pair.feather.ratios]
-        yield feature(fields, [*row, *_shift_values(pair.shift), int(pair.resampled)])
+    rows = (_ForecastPairRow(forecast, pair) for pair in forecast.pairs)
+    return column_features(FORECAST_PAIR_COLUMNS, rows, len(forecast.expected))
 
 
-def _components(curve: Curve) -> Iterator[tuple[str, int, float]]:
-    for level, share in enumerate(curve.detail, 1):
-        yield "detail", level, share
-    yield "background", len(curve.detail), curve.background
+def _curve_rows(result: WindowResult) -> Iterator[_CurveRow]:
+    for clip in result.with_composite:
+        for band, curve in clip.curves.items():
+            shares = [*(("detail", level, share) for level, share in enumerate(curve.detail, 1)),
+                      ("background", len(curve.detail), curve.background)]
+            for component, level, share in shares:
+                yield _CurveRow(result.window_id, clip, band, curve, component, level, share)
 
 
-def _level_fields(name: str, levels: int) -> list[tuple[str, str]]:
-    return [(f"{name}_{level}", "real") for level in range(1, levels + 1)]
+def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
+    return next(iter(result.explanation.ratios.values())).detail if result.explanation else None
+
+
+def _words(reason: Message | None) -> str | None:
+    return sentence(reason) if reason else None

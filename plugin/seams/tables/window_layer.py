@@ -5,14 +5,10 @@ QGIS's own.
 """
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from qgis.core import (
-    NULL,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
     QgsFeature,
@@ -27,52 +23,23 @@ from qgis.core import (
 )
 
 from ...imagery.errors import WindowLayerError
-from ...imagery.grids import Extent
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.layer_editing import edit_step
-from ...toolkit.layers import extent, rectangle
 from ...toolkit.resources import style_path
+from ...toolkit.table_fields import column_fields, column_names, column_values
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.inspection import WindowResult
-from .result_tables import window_feature, window_fields
+from ..measure.window_records import WindowRecord
+from .record_tables import level_names, read_windows
+from .result_tables import WINDOW_COLUMNS, window_fields
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
 _LAYER_NAME = "windows"
-_RATIO = re.compile(r"ratio_[1-9][0-9]*")
-_ANY_RATIO = re.compile(r"((composite|expected)_)?ratio_[1-9][0-9]*")
 _SHAPEFILE = "ESRI Shapefile"
 _SHAPEFILE_NAME = 10  # letters at most, so it goes without background_ratio
-
-
-@dataclass(frozen=True)
-class WindowRow:
-    """One window of the layer."""
-
-    fid: int
-    """Feature id; changes when a new feature is saved."""
-    window_id: int
-    """Its number for good."""
-    verdict: str
-    """A verdict's word, or empty while the window is not inspected."""
-    reason: str
-    """Why it is not comparable."""
-    sources: int | None
-    """How many sources took part."""
-    ratios: tuple[float | None, ...]
-    """ratio_1..ratio_R."""
-    background_ratio: float | None
-    observer: str
-    """``visible``, ``invisible`` or empty."""
-    extent: Extent
-    """In the layer's reference system."""
-    stale: bool
-    """Whether it or the inputs changed after it was inspected."""
-    composite_ratio: float | None = None
-    """composite_ratio_1."""
-    cause: str = ""
-    """Word of what explains the loss; empty in layers of earlier versions."""
+_SHAPEFILE_LENGTHS = {"integer": (9, 0), "real": (20, 15), "text": (254, 0)}  # and decimals
 
 
 def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> Path:
@@ -108,13 +75,10 @@ def holds_windows(layer: QgsMapLayer | None) -> bool:
     )
 
 
-def read_rows(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list[WindowRow]:
+def read_layer(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list[WindowRecord]:
     """Some windows, or all of them; where ``window_id`` is not filled in it is UNNUMBERED. None is stale yet."""
-    names = layer.fields().names()
-    places = {name: place for place, name in enumerate(names)}
-    ratios = sorted((name for name in names if _RATIO.fullmatch(name)), key=lambda name: int(name[6:]))
     request = QgsFeatureRequest() if fids is None else QgsFeatureRequest().setFilterFids(list(fids))
-    return [_row(feature, places, ratios) for feature in layer.getFeatures(request)]
+    return read_windows(layer.getFeatures(request), layer.fields().names(), unnumbered=UNNUMBERED)
 
 
 def complete_fields(layer: QgsVectorLayer, levels: int) -> dict[int, int]:
@@ -142,15 +106,16 @@ def complete_fields(layer: QgsVectorLayer, levels: int) -> dict[int, int]:
 
 
 def _missing_fields(layer: QgsVectorLayer, levels: int) -> list[QgsField]:
-    missing = [field for field in window_fields(levels) if layer.fields().indexOf(field.name()) < 0]
-    if layer.storageType() == _SHAPEFILE:
-        missing = [field for field in missing if len(field.name()) <= _SHAPEFILE_NAME]
-        for field in missing:  # QGIS does not save a field whose length comes out as another one
-            length, precision = (9, 0) if field.name() in ("window_id", "sources") else (254, 0)
-            if field.name().startswith("ratio_"):
-                length, precision = 20, 15
-            field.setLength(length)
-            field.setPrecision(precision)
+    is_shapefile, missing = layer.storageType() == _SHAPEFILE, []
+    for column in WINDOW_COLUMNS:
+        for field in column_fields([column], levels):
+            if layer.fields().indexOf(field.name()) >= 0 or (is_shapefile and len(field.name()) > _SHAPEFILE_NAME):
+                continue
+            if is_shapefile:  # QGIS does not save a field whose length comes out as another one
+                length, precision = _SHAPEFILE_LENGTHS[column.kind]
+                field.setLength(length)
+                field.setPrecision(precision)
+            missing.append(field)
     return missing
 
 
@@ -191,14 +156,14 @@ def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) ->
 
     Ratios of more levels, left by another inspection, go.
     """
-    ratios = dict.fromkeys(name for name in layer.fields().names() if _ANY_RATIO.fullmatch(name))
+    measured = [column for column in WINDOW_COLUMNS if column.name not in ("window_id", "observer")]
+    names = layer.fields().names()
+    nothing = {name: None for column in measured if column.by_level for name in level_names(column.name, names)}
     with edit_step(layer, tr("Inspect windows")):
         for fid, result in results.items():
-            row = window_feature(result, rectangle((0, 0, 0, 0)), None)
-            values = {**ratios, **dict(zip(row.fields().names(), row.attributes()))}
-            for name in ("window_id", "observer"):
-                del values[name]
-            _change(layer, fid, values)
+            levels = len(result.judgement.ratios.detail)
+            values = zip(column_names(measured, levels), column_values(measured, result, levels))
+            _change(layer, fid, {**nothing, **dict(values)})
 
 
 def write_observer(layer: QgsVectorLayer, fids: Iterable[int], observer: str) -> None:
@@ -219,34 +184,6 @@ def _change(layer: QgsVectorLayer, fid: int, values: Mapping[str, object]) -> No
         index = layer.fields().indexOf(name)
         if index >= 0:
             layer.changeAttributeValue(fid, index, value)
-
-
-def _row(feature: QgsFeature, places: Mapping[str, int], ratios: list[str]) -> WindowRow:
-    values = feature.attributes()
-
-    def value(name: str, default: Any = None) -> Any:
-        place = places.get(name, len(values))
-        found = values[place] if place < len(values) else None
-        return found if _known(found) else default
-
-    return WindowRow(
-        feature.id(),
-        int(value("window_id", UNNUMBERED)),
-        value("verdict", ""),
-        value("reason", ""),
-        value("sources"),
-        tuple([value(name) for name in ratios]),
-        value("background_ratio"),
-        value("observer", ""),
-        extent(feature.geometry()),
-        False,
-        value("composite_ratio_1"),
-        value("cause", ""),
-    )
-
-
-def _known(value: object) -> bool:
-    return value is not None and value != NULL
 
 
 def _free_path(folder: Path) -> Path:

@@ -13,7 +13,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import WindowError
-from ...imagery.grids import Extent
+from ...imagery.grids import WindowOutline
 from ...imagery.message import Message
 from ..attribute_values import text, whole_number
 from . import parameters as common
@@ -22,14 +22,11 @@ _LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bi
 
 
 @dataclass(frozen=True)
-class WindowFeature:
-    """One feature."""
+class WindowFeature(WindowOutline):
+    """One feature that is to be measured."""
 
-    window_id: int
-    extent: Extent | None
-    """The rectangle around it, in the reference system asked for; None where it can't be measured."""
     reason: Message | None = None
-    """Why not."""
+    """Why it can't be."""
 
 
 class WindowFeatures:

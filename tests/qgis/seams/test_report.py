@@ -246,7 +246,7 @@ def many(block: Block, count: int) -> ReportRequest:
     for number in range(1, count + 1):
         column, row = random.integers(0, block.mosaic.grid.columns - 256, 2).tolist()
         extent = block.mosaic.grid.window_extent(PixelWindow(column, row, 256, 256))
-        findings.append(WindowRecord(number, "significant", ratios=(0.3 + number / 1000, 0.5, 0.7), extent=extent))
+        findings.append(WindowRecord(number, extent, "significant", ratios=(0.3 + number / 1000, 0.5, 0.7)))
         shares = random.uniform(0.01, 0.2, (3, 3))
         roles = (("mosaic.tif", "mosaic"), ("a.tif", "source"), ("b.tif", "source"))
         curves[number] = [

@@ -13,7 +13,7 @@ from seam_inspector.plugin.seams.measure.explanation import Change, Explanation
 from seam_inspector.plugin.seams.measure.inspection import WindowResult
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
-from seam_inspector.plugin.seams.tables.window_layer import WindowRow
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.verdict_words import cause_sentence, cause_word
 from seam_inspector.plugin.seams.window_summary import cause_numbers, explanation_of, window_sentence
 
@@ -22,7 +22,7 @@ from tests.qgis.seams.desk.windows_session import window
 RATIOS = (0.38, 0.52, 0.88)
 
 
-def row(cause: str, verdict: str = "significant", **values: Any) -> WindowRow:
+def row(cause: str, verdict: str = "significant", **values: Any) -> WindowRecord:
     return window(1, verdict, RATIOS, **{"sources": 2, "composite_ratio": 0.4, "cause": cause, **values})
 
 

@@ -10,14 +10,12 @@ if TYPE_CHECKING:
     from ...measure.inspection import WindowResult
     from ..session import Session
 
-_NOT_COMPARABLE = "not_comparable"
-
 
 def selected_results(session: Session) -> tuple[list[WindowResult], str]:
     """The selected windows' results that can be compared; without any, why not."""
     selected = session.selected()
     found = [result for result in map(session.result, selected) if result is not None]
-    usable = [result for result in found if result.judgement.verdict.value != _NOT_COMPARABLE and result.clips]
+    usable = [result for result in found if result.is_compared and result.clips]
     return usable, "" if usable else _why_nothing(session, selected, found)
 
 
@@ -47,7 +45,7 @@ def _why_nothing(session: Session, selected: Sequence[int], found: Sequence[Wind
     if any(map(session.is_pending, selected)):
         return tr("Measuring ...")
     rows = [row for row in map(session.row, selected) if row is not None]
-    if len(rows) == 1 and rows[0].verdict == _NOT_COMPARABLE and rows[0].reason and not rows[0].stale:
+    if len(rows) == 1 and rows[0].verdict and not rows[0].is_compared and rows[0].reason and not rows[0].stale:
         return rows[0].reason
     if any(row.verdict for row in rows):
         return tr("The curves are not kept with the project. Inspect again to see them.")

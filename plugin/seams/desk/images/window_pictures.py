@@ -10,7 +10,7 @@ from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from ... import jobs
 from ...clip_pictures import ClipPicture
-from ...tables.window_layer import WindowRow
+from ...measure.window_records import WindowRecord
 from ..inputs.block_cache import BlockCache
 from ..windows.window_watch import WindowWatch
 
@@ -70,7 +70,7 @@ class WindowPictures(QObject):
         if is_awaited and not self._background.is_under_way(key):
             self._take(key, [])
 
-    def _key(self, row: WindowRow) -> tuple[object, ...]:
+    def _key(self, row: WindowRecord) -> tuple[object, ...]:
         """What pictures are of: another place of the same window, or other inputs, make other pictures."""
         return row.window_id, row.extent, self._watch.state
 

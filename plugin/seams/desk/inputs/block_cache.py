@@ -22,14 +22,15 @@ from ....imagery.errors import SeamInspectorError, SettingsError, WindowError
 from ....imagery.grids import PixelWindow
 from ....imagery.message import WARNING, Message
 from ....toolkit import layers
+from ....toolkit import messages as toolkit_messages
 from ....toolkit.background_task import Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from ...measure import messages
 from ...measure.inspection import Block, InspectionSettings, Source, WindowRequest, make_block, window_request
 from ...measure.seam_cells import Cell
+from ...measure.window_records import WindowRecord
 from ...tables import window_layer
-from ...tables.window_layer import WindowRow
 from .block_files import BlockFiles, OpenedFiles, block_files, layer_sources, opening_job
 from .project_inputs import Inputs
 
@@ -187,7 +188,7 @@ class BlockCache(QObject):
             raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
         return found
 
-    def requests(self, block: Block, layer: QgsVectorLayer, rows: Sequence[WindowRow]) -> Iterator[WindowRequest]:
+    def requests(self, block: Block, layer: QgsVectorLayer, rows: Sequence[WindowRecord]) -> Iterator[WindowRequest]:
         """The requests for windows, to be made in any thread, as there may be thousands."""
         crs = layers.mosaic_crs(block.mosaic)
         transform = QgsCoordinateTransform(layer.crs(), crs, self._project.transformContext())
@@ -199,19 +200,21 @@ class BlockCache(QObject):
 
 def _requests(
     block: Block,
-    rows: list[WindowRow],
+    rows: list[WindowRecord],
     shapes: dict[int, QgsGeometry],
     transform: QgsCoordinateTransform,
     settings: InspectionSettings,
 ) -> Iterator[WindowRequest]:
     """A generator, so that nothing is done before it is asked."""
     for row in rows:
-        geometry = shapes.get(row.fid, layers.rectangle(row.extent))
-        if _is_transformed(geometry, transform):
-            yield window_request(block, row.window_id, layers.extent(geometry), settings)
-        else:
+        why = toolkit_messages.WINDOW_EMPTY()
+        if row.extent is not None:
+            geometry = shapes.get(row.fid, layers.rectangle(row.extent))
+            if _is_transformed(geometry, transform):
+                yield window_request(block, row.window_id, layers.extent(geometry), settings)
+                continue
             why = imagery_messages.EXTENT_NOT_TRANSFORMED()
-            yield WindowRequest(row.window_id, block.mosaic, (), None, settings, why)
+        yield WindowRequest(row.window_id, block.mosaic, (), None, settings, why)
 
 
 def _geometries(source: QgsVectorLayerFeatureSource, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:

@@ -16,7 +16,7 @@ from ...window_summary import window_sentence
 from .verdict_chips import verdict_chip, window_tip, windows_sentence
 
 if TYPE_CHECKING:
-    from ...tables.window_layer import WindowRow
+    from ...measure.window_records import WindowRecord
     from ..session import Session
 
 _SENTENCE_LINES = 3
@@ -90,7 +90,7 @@ class JudgeBar(QWidget):
         for button, word in ((self._visible, "visible"), (self._invisible, "invisible")):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(row.observer == word for row in selected))
-        compared = [row for row in windows.values() if _can_be_judged(row)]
+        compared = [row for row in windows.values() if row.is_compared]
         judged = sum(bool(row.observer) for row in compared)
         tip = tr("{judged} of {count} compared windows are judged.").format(judged=judged, count=len(compared))
         self._position.setToolTip(rich_tip(tip))
@@ -150,7 +150,7 @@ class JudgeBar(QWidget):
 
     # Where the selected window stands
 
-    def _find_place(self, selected: Sequence[WindowRow]) -> None:
+    def _find_place(self, selected: Sequence[WindowRecord]) -> None:
         places = {fid: place for place, fid in enumerate(self._fids)}
         found = [places[row.fid] for row in selected if row.fid in places]
         self._place = max(found, default=-1)
@@ -165,16 +165,16 @@ class JudgeBar(QWidget):
             place = max(self._last_place, 0) + min(by, 0) if self._last_place >= 0 else 0
         return self._fids[place] if 0 <= place < len(self._fids) else None
 
-    def _next_fid(self, windows: dict[int, WindowRow]) -> int | None:
+    def _next_fid(self, windows: dict[int, WindowRecord]) -> int | None:
         start = self._place + 1 if self._place >= 0 else max(self._last_place, 0)
         current = self._fids[self._place] if self._place >= 0 else None
         for fid in [*self._fids[start:], *self._fids[:start]]:
             row = windows.get(fid)
-            if row is not None and fid != current and _can_be_judged(row) and not row.observer:
+            if row is not None and fid != current and row.is_compared and not row.observer:
                 return fid
         return None
 
-    def _say(self, selected: Sequence[WindowRow], any_windows: bool) -> None:
+    def _say(self, selected: Sequence[WindowRecord], any_windows: bool) -> None:
         tip = ""
         if len(selected) == 1:
             row = selected[0]
@@ -269,8 +269,3 @@ class JudgeBar(QWidget):
         action.setAutoRepeat(False)
         action.triggered.connect(slot)
         return action
-
-
-def _can_be_judged(row: WindowRow) -> bool:
-    """Whether there is something to compare: it was inspected, and a source took part."""
-    return row.verdict not in ("", "not_comparable")

@@ -10,16 +10,13 @@ from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.translation import tr
-from ...verdict_words import VERDICT_COLOURS, verdict_colour, verdict_word
+from ...verdict_words import VERDICTS, verdict_colour, verdict_word
 from ...window_summary import cause_numbers, explanation_of, window_sentence
 
 if TYPE_CHECKING:
     from ...measure.inspection import WindowResult
-    from ...tables.window_layer import WindowRow
+    from ...measure.window_records import WindowRecord
 
-
-VERDICTS = tuple(VERDICT_COLOURS)
-"""Worst first; the empty one is that of a window not inspected."""
 _CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one and scales it down
 
 
@@ -36,25 +33,21 @@ def verdict_chip(verdict: str, stale: bool = False) -> QIcon:
     return icon
 
 
-def windows_sentence(rows: Sequence[WindowRow]) -> str:
+def windows_sentence(rows: Sequence[WindowRecord]) -> str:
     """What was found in several windows, in plain words."""
     counts = Counter(row.verdict for row in rows)
-    parts = [f"{counts[verdict]} {verdict_word(verdict)}" for verdict in (*VERDICTS, *_unknown(counts))
-             if counts[verdict]]
+    words = dict.fromkeys([*VERDICTS, *counts])  # the unknown ones last
+    parts = [f"{counts[verdict]} {verdict_word(verdict)}" for verdict in words if counts[verdict]]
     changed = sum(row.stale for row in rows)
     if changed:
         parts.append(tr("{count} changed since").format(count=changed))
     return tr("{count} windows selected: {verdicts}.").format(count=len(rows), verdicts=", ".join(parts))
 
 
-def window_tip(row: WindowRow, result: WindowResult | None = None) -> str:
+def window_tip(row: WindowRecord, result: WindowResult | None = None) -> str:
     """The sentence about a window, and the numbers behind it, as rich text that wraps, for a tooltip."""
     found = explanation_of(row, result)
     return rich_tip(window_sentence(row, result), *(cause_numbers(found) if found is not None else ()))
-
-
-def _unknown(counts: Counter[str]) -> list[str]:
-    return [verdict for verdict in counts if verdict not in VERDICTS]
 
 
 def _chip(verdict: str, stale: bool, side: int) -> QPixmap:

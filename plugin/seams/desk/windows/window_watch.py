@@ -11,13 +11,14 @@ from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ....imagery.grids import Extent
 from ....toolkit import layer_editing
+from ...measure.window_records import WindowRecord
 from ...tables import window_layer
-from ...tables.window_layer import UNNUMBERED, WindowRow
+from ...tables.window_layer import UNNUMBERED
 
 _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the windows to be inspected again
 _SHORTEST_TEXT = 100  # letters; some formats cut longer ones
 
-Place = tuple[Extent, "int | None"]
+Place = tuple["Extent | None", "int | None"]
 """Where a window lay and the number of the inputs' state; None is the state in which the layer was first seen."""
 
 
@@ -39,7 +40,7 @@ class WindowWatch(QObject):
         self._forget()
 
     def _forget(self) -> None:
-        self._rows: dict[int, WindowRow] = {}
+        self._rows: dict[int, WindowRecord] = {}
         self._fids: dict[int, int] = {}
         self._unread: set[int] | None = None  # None: all of them
         self._measured: dict[int, set[tuple[object, Place]]] = {}  # what was found in a window, and for which place
@@ -47,7 +48,7 @@ class WindowWatch(QObject):
         self._state: int | None = None
         self._first_state: int | None = None
         self._unnumbered: set[int] = set()
-        self._given: dict[int | Extent, int] = {}  # numbers of windows that have none, by feature id and by place
+        self._given: dict[int | Extent | None, int] = {}  # numbers of windows that have none, by feature id and place
         self._last_number = 0  # a number is not used again, or an old result would be taken for a new window's
         self._told: set[int] = set()
 
@@ -81,12 +82,12 @@ class WindowWatch(QObject):
 
     # Rows
 
-    def rows(self) -> list[WindowRow]:
+    def rows(self) -> list[WindowRecord]:
         """All windows by their number."""
         self._read()
         return list(self._rows.values())
 
-    def row(self, fid: int) -> WindowRow | None:
+    def row(self, fid: int) -> WindowRecord | None:
         """One window."""
         self._read()
         return self._rows.get(fid)
@@ -125,7 +126,7 @@ class WindowWatch(QObject):
         if self._layer is None or (unread is not None and not unread):
             return
         rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
-        fresh = window_layer.read_rows(self._layer, unread)
+        fresh = window_layer.read_layer(self._layer, unread)
         fresh.sort(key=lambda row: (row.fid < 0, abs(row.fid)))  # of two with one number the older one keeps it
         taken = {row.window_id for row in rows.values()}
         self._last_number = max([self._last_number, *(row.window_id for row in fresh)])
@@ -142,7 +143,7 @@ class WindowWatch(QObject):
         self._rows = dict(sorted(rows.items(), key=lambda item: item[1].window_id))
         self._fids = {row.window_id: fid for fid, row in self._rows.items()}
 
-    def _numbered(self, row: WindowRow, taken: set[int]) -> WindowRow:
+    def _numbered(self, row: WindowRecord, taken: set[int]) -> WindowRecord:
         """With a number that is written as soon as the window is inspected."""
         numbers = (self._given.get(row.fid), self._given.get(row.extent))
         number = next((number for number in numbers if number is not None and number not in taken), None)
@@ -188,11 +189,11 @@ class WindowWatch(QObject):
             stale = unseen.union(row.window_id for row in self._rows.values() if row.stale)
             self._layer.setCustomProperty(_STALE, [str(number) for number in sorted(stale)])
 
-    def _marked(self, row: WindowRow) -> WindowRow:
+    def _marked(self, row: WindowRecord) -> WindowRecord:
         stale = bool(row.verdict) and not self._is_up_to_date(row)
         return row if row.stale == stale else replace(row, stale=stale)
 
-    def _is_up_to_date(self, row: WindowRow) -> bool:
+    def _is_up_to_date(self, row: WindowRecord) -> bool:
         known, finding = self._measured[row.window_id], _finding(row)
         is_first = self._state == self._first_state and (finding, (row.extent, None)) in known
         return is_first or (finding, (row.extent, self._state)) in known
@@ -259,7 +260,7 @@ class WindowWatch(QObject):
             self.selectionChanged.emit()
 
 
-def _finding(row: WindowRow) -> object:
+def _finding(row: WindowRecord) -> object:
     """What was found in a window, as far as every format keeps it."""
     ratios = [f"{ratio:.9g}" for ratio in (*row.ratios, row.background_ratio, row.composite_ratio) if ratio is not None]
     return row.verdict, row.cause, row.reason[:_SHORTEST_TEXT], row.sources, tuple(ratios)

@@ -10,7 +10,7 @@ from ...verdict_words import cause_word, observer_word, verdict_word
 from .windows_model import WindowsModel
 
 if TYPE_CHECKING:
-    from ...tables.window_layer import WindowRow
+    from ...measure.window_records import WindowRecord
 
 
 class WindowsFilter(QSortFilterProxyModel):
@@ -20,10 +20,10 @@ class WindowsFilter(QSortFilterProxyModel):
         super().__init__(parent)
         self._model = model
         self._words: list[str] = []
-        self._accepts: Callable[[WindowRow], bool] | None = None
+        self._accepts: Callable[[WindowRecord], bool] | None = None
         self._told: dict[tuple[str, str, str], list[str]] = {}
         self._fids: list[int] | None = None
-        self._shown: list[WindowRow] = []
+        self._shown: list[WindowRecord] = []
         self._rows: dict[int, int] = {}
         for signal in (
             model.dataChanged, model.rowsInserted, model.rowsRemoved, model.layoutChanged, model.modelReset
@@ -54,7 +54,7 @@ class WindowsFilter(QSortFilterProxyModel):
         self.fids()
         return self._rows.get(fid, -1)
 
-    def set_filter(self, text: str, accepts: Callable[[WindowRow], bool] | None) -> None:
+    def set_filter(self, text: str, accepts: Callable[[WindowRecord], bool] | None) -> None:
         """Show the windows that match all words of a text, and only those a test accepts."""
         self._words, self._accepts = text.casefold().split(), accepts
         self._forget()
@@ -66,10 +66,10 @@ class WindowsFilter(QSortFilterProxyModel):
     def filterAcceptsRow(self, place: int, parent: QModelIndex) -> bool:
         return not self.is_on or self._shows(self._model.windows()[place])
 
-    def _shows(self, row: WindowRow) -> bool:
+    def _shows(self, row: WindowRecord) -> bool:
         return (self._accepts is None or self._accepts(row)) and all(self._matches(row, word) for word in self._words)
 
-    def _matches(self, row: WindowRow, word: str) -> bool:
+    def _matches(self, row: WindowRecord, word: str) -> bool:
         """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
         anywhere in the reason, which names files. A number is a window's."""
         if word.isdigit():

@@ -11,13 +11,13 @@ from qgis.PyQt.QtGui import QFont, QIcon
 
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.translation import tr
-from ...verdict_words import cause_sentence, cause_word, observer_word, verdict_word
+from ...verdict_words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_word
 from ...window_summary import cause_numbers, explanation_of
-from .verdict_chips import VERDICTS, verdict_chip, window_tip
+from .verdict_chips import verdict_chip, window_tip
 
 if TYPE_CHECKING:
     from ...measure.inspection import WindowResult
-    from ...tables.window_layer import WindowRow
+    from ...measure.window_records import WindowRecord
 
 _ALIGNED_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 _CENTRED = int(Qt.AlignmentFlag.AlignCenter)
@@ -29,6 +29,7 @@ _FONT = Qt.ItemDataRole.FontRole
 _TOOL_TIP = Qt.ItemDataRole.ToolTipRole
 _MAX_RUNS = 64  # changes in more places than that are told to the views as one
 _OBSERVERS = ("visible", "invisible")
+_SEVERITY = {verdict: place for place, verdict in enumerate(VERDICTS) if verdict}
 _ASCENDING = Qt.SortOrder.AscendingOrder
 
 
@@ -51,12 +52,12 @@ class Column(NamedTuple):
     level: int = 0
     """Of a ratio: 1..R."""
 
-    def key(self, row: WindowRow) -> Any:
+    def key(self, row: WindowRecord) -> Any:
         """What the column is sorted by; None where the row has nothing there."""
         if self.kind is ColumnKind.ID:
             return row.window_id
         if self.kind is ColumnKind.VERDICT:  # the worst first
-            return VERDICTS.index(row.verdict) if row.verdict in VERDICTS and row.verdict else None
+            return _SEVERITY.get(row.verdict)
         if self.kind is ColumnKind.RATIO:
             return self.ratio(row)
         if self.kind is ColumnKind.CAUSE:
@@ -67,7 +68,7 @@ class Column(NamedTuple):
             return _OBSERVERS.index(row.observer) if row.observer in _OBSERVERS else None
         return row.reason.casefold() or None
 
-    def text(self, row: WindowRow) -> str:
+    def text(self, row: WindowRecord) -> str:
         """What the cell says."""
         if self.kind is ColumnKind.ID:
             return str(row.window_id)
@@ -85,11 +86,11 @@ class Column(NamedTuple):
             return observer_word(row.observer)
         return row.reason
 
-    def ratio(self, row: WindowRow) -> float | None:
+    def ratio(self, row: WindowRecord) -> float | None:
         """The row's ratio at this column's level."""
         return row.ratios[self.level - 1] if self.level <= len(row.ratios) else None
 
-    def tip(self, row: WindowRow, result: WindowResult | None = None) -> str:
+    def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         ratio = self.ratio(row) if self.kind is ColumnKind.RATIO else None
         if self.kind is ColumnKind.CAUSE and row.cause and not row.stale:
@@ -142,13 +143,13 @@ class WindowsModel(QAbstractTableModel):
         self._short_titles = False
         self.sorted_by: Column = Column(ColumnKind.ID)
         self.sort_order = _ASCENDING
-        self._rows: list[WindowRow] = []
+        self._rows: list[WindowRecord] = []
         self._places: dict[int, int] = {}
         self._chips: dict[tuple[str, bool], QIcon] = {}
         self._italic = QFont()
         self._italic.setItalic(True)
 
-    def windows(self) -> list[WindowRow]:
+    def windows(self) -> list[WindowRecord]:
         """From top to bottom; not to be changed."""
         return self._rows
 
@@ -162,7 +163,7 @@ class WindowsModel(QAbstractTableModel):
             self._short_titles = short
             self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self.columns) - 1)
 
-    def set_windows(self, windows: Iterable[WindowRow]) -> None:
+    def set_windows(self, windows: Iterable[WindowRecord]) -> None:
         """Show these, with as little stir as can be: selection and persistent indexes stay with their windows."""
         rows = self._in_order(windows)
         levels = max((len(row.ratios) for row in rows), default=0)
@@ -234,14 +235,14 @@ class WindowsModel(QAbstractTableModel):
             return _ALIGNED_LEFT if column == self.sorted_by else _alignment(column)
         return None
 
-    def _in_order(self, windows: Iterable[WindowRow]) -> list[WindowRow]:
+    def _in_order(self, windows: Iterable[WindowRecord]) -> list[WindowRecord]:
         rows, key = sorted(windows, key=Column(ColumnKind.ID).key), self.sorted_by.key
         present = sorted(
             (row for row in rows if key(row) is not None), key=key, reverse=self.sort_order != _ASCENDING
         )
         return present + [row for row in rows if key(row) is None]
 
-    def _rearrange(self, rows: list[WindowRow]) -> None:
+    def _rearrange(self, rows: list[WindowRecord]) -> None:
         """The same windows in another order."""
         self.layoutAboutToBeChanged.emit([], QAbstractTableModel.LayoutChangeHint.VerticalSortHint)
         before = self.persistentIndexList()
@@ -251,7 +252,7 @@ class WindowsModel(QAbstractTableModel):
         self.changePersistentIndexList(before, after)
         self.layoutChanged.emit([], QAbstractTableModel.LayoutChangeHint.VerticalSortHint)
 
-    def _reset(self, rows: list[WindowRow], levels: int = 0) -> None:
+    def _reset(self, rows: list[WindowRecord], levels: int = 0) -> None:
         self.beginResetModel()
         if levels:
             self.columns = _columns(levels)
@@ -261,7 +262,7 @@ class WindowsModel(QAbstractTableModel):
         self._set_rows(rows)
         self.endResetModel()
 
-    def _set_rows(self, rows: list[WindowRow]) -> None:
+    def _set_rows(self, rows: list[WindowRecord]) -> None:
         self._rows = rows
         self._places = {row.fid: place for place, row in enumerate(rows)}
 

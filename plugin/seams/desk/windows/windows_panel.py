@@ -23,14 +23,14 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....toolkit.translation import tr
-from ...verdict_words import verdict_word
-from .verdict_chips import VERDICTS, verdict_chip
+from ...verdict_words import VERDICTS, verdict_word
+from .verdict_chips import verdict_chip
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 from .windows_table import WindowsTable
 
 if TYPE_CHECKING:
-    from ...tables.window_layer import WindowRow
+    from ...measure.window_records import WindowRecord
     from ..session import Session
 
 _SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
@@ -198,7 +198,7 @@ class WindowsPanel(QWidget):
         self._search.setShowClearButton(True)
         self._search.setPlaceholderText(tr("Filter windows"))
         self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
-        choices: list[tuple[str, Callable[[WindowRow], bool] | None]] = [(tr("all"), None)]
+        choices: list[tuple[str, Callable[[WindowRecord], bool] | None]] = [(tr("all"), None)]
         choices += [(verdict_word(verdict), partial(_has_verdict, verdict)) for verdict in VERDICTS]
         choices += [(tr("not judged"), _is_not_judged), (tr("changed"), _is_stale)]
         for text, accepts in choices:
@@ -260,13 +260,13 @@ class WindowsPanel(QWidget):
         return menu
 
 
-def _has_verdict(verdict: str, row: WindowRow) -> bool:
+def _has_verdict(verdict: str, row: WindowRecord) -> bool:
     return row.verdict == verdict
 
 
-def _is_not_judged(row: WindowRow) -> bool:
+def _is_not_judged(row: WindowRecord) -> bool:
     return not row.observer
 
 
-def _is_stale(row: WindowRow) -> bool:
+def _is_stale(row: WindowRecord) -> bool:
     return row.stale

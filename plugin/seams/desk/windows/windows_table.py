@@ -10,8 +10,7 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOp
 from ....toolkit.desk.theme import ReadableItems, readable_palette
 from ....toolkit.translation import tr
 from ...measure.causes import Cause
-from ...verdict_words import cause_word, observer_word, verdict_word
-from .verdict_chips import VERDICTS
+from ...verdict_words import VERDICTS, cause_word, observer_word, verdict_word
 from .windows_filter import WindowsFilter
 from .windows_model import Column, ColumnKind, WindowsModel
 

@@ -26,6 +26,7 @@ from seam_inspector.plugin.seams.desk.curves.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.inspection import ClipResult, WindowResult
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict, judge
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
 from seam_inspector.plugin.toolkit.desk.theme import contrast
 
@@ -33,13 +34,6 @@ from demo.gaps import Gaps
 from tests.patience import MOST_WORK_S, PATIENCE_S
 
 BANDS = ("luminance", "red", "green", "blue")
-
-
-class Row:
-    """Of a session's window row, what the panel reads."""
-
-    def __init__(self, window_id: int, verdict: str = "", reason: str = "", stale: bool = False) -> None:
-        self.window_id, self.verdict, self.reason, self.stale = window_id, verdict, reason, stale
 
 
 class Inputs:
@@ -64,12 +58,12 @@ class FakeSession(QObject):
         self.inputs = Inputs()
         self.is_busy = False
         self.results: dict[int, WindowResult] = {}
-        self.rows_by_fid: dict[int, Row] = {}
+        self.rows_by_fid: dict[int, WindowRecord] = {}
         self.fids: list[int] = []
 
     def add(self, fid: int, result: WindowResult) -> None:
         self.results[fid] = result
-        self.rows_by_fid[fid] = Row(result.window_id, result.judgement.verdict.value)
+        self.rows_by_fid[fid] = WindowRecord(result.window_id, None, result.judgement.verdict.value)
         self.resultArrived.emit(fid)
 
     def select(self, fids: list[int]) -> None:
@@ -85,12 +79,12 @@ class FakeSession(QObject):
     def is_pending(self, fid: int) -> bool:
         return self.is_busy
 
-    def row(self, fid: int) -> Row | None:
+    def row(self, fid: int) -> WindowRecord | None:
         return self.rows_by_fid.get(fid)
 
 
-def make_row(window_id: int) -> Row:
-    return Row(window_id)
+def make_row(window_id: int) -> WindowRecord:
+    return WindowRecord(window_id, None)
 
 
 def make_curve(level_1: float) -> Curve:
@@ -199,7 +193,7 @@ def select_one(session: FakeSession, result: WindowResult | None = None) -> None
 def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: CurvesPanel) -> None:
     assert text_of(panel).startswith("Select a window")
 
-    session.rows_by_fid[1] = Row(12)
+    session.rows_by_fid[1] = WindowRecord(12, None)
     session.select([1])
     settle()
     assert text_of(panel) == "Not inspected yet"
@@ -221,7 +215,9 @@ def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: Curve
 
 
 def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: FakeSession, panel: CurvesPanel) -> None:
-    session.rows_by_fid = {1: Row(12, "reduced"), 2: Row(13, "not_comparable", "No source here.")}
+    session.rows_by_fid = {
+        1: WindowRecord(12, None, "reduced"), 2: WindowRecord(13, None, "not_comparable", "No source here.")
+    }
     session.select([1])
     settle()
     assert "Inspect again" in text_of(panel)

@@ -194,6 +194,15 @@ def test_windows_placed_by_the_algorithm_can_be_inspected(desk: Desk, provider: 
     assert placed.commitChanges(), placed.commitErrors()
 
 
+def test_a_window_without_outline_says_so(desk: Desk) -> None:
+    desk.use(layer("Polygon", [None, outline(BLURRED)]))
+    desk.session.inspect_pending()
+    desk.wait()
+    nowhere, blurred = desk.session.windows()
+    assert (nowhere.verdict, nowhere.reason) == ("not_comparable", "The window has no outline; draw it anew.")
+    assert blurred.verdict == "significant"
+
+
 @pytest.mark.parametrize("is_saved", [True, False])
 def test_windows_drawn_by_hand_can_be_inspected(desk: Desk, is_saved: bool) -> None:
     drawn = desk.use(layer("Polygon", []))

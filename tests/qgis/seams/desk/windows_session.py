@@ -6,7 +6,7 @@ from typing import Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.seams.measure.inspection import WindowResult
-from seam_inspector.plugin.seams.tables.window_layer import WindowRow
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 
 class WindowsSession(QObject):
@@ -16,7 +16,7 @@ class WindowsSession(QObject):
     selectionChanged = pyqtSignal()
     progressChanged = pyqtSignal(int, int)
 
-    def __init__(self, rows: list[WindowRow] | None = None) -> None:
+    def __init__(self, rows: list[WindowRecord] | None = None) -> None:
         super().__init__()
         self.rows = list(rows or [])
         self.chosen: list[int] = []
@@ -25,7 +25,7 @@ class WindowsSession(QObject):
         self.calls: list[tuple[Any, ...]] = []
         """What the widgets asked for, in order."""
 
-    def put(self, rows: list[WindowRow]) -> None:
+    def put(self, rows: list[WindowRecord]) -> None:
         """Other windows from now on."""
         self.rows = list(rows)
         self.windowsChanged.emit()
@@ -34,10 +34,10 @@ class WindowsSession(QObject):
         """Other values of one window."""
         self.put([replace(row, **values) if row.fid == fid else row for row in self.rows])
 
-    def windows(self) -> list[WindowRow]:
+    def windows(self) -> list[WindowRecord]:
         return list(self.rows)
 
-    def row(self, fid: int) -> WindowRow | None:
+    def row(self, fid: int) -> WindowRecord | None:
         return next((row for row in self.rows if row.fid == fid), None)
 
     def result(self, fid: int) -> WindowResult | None:
@@ -80,9 +80,9 @@ def window(
     stale: bool = False,
     composite_ratio: float | None = None,
     cause: str = "",
-) -> WindowRow:
+) -> WindowRecord:
     """A window whose number is its feature id."""
-    extent = (0.0, 0.0, 1.0, 1.0)
-    return WindowRow(
-        fid, fid, verdict, reason, sources, ratios, None, observer, extent, stale, composite_ratio, cause
-    )
+    return WindowRecord(
+        fid, (0.0, 0.0, 1.0, 1.0), verdict, reason, sources, ratios, observer=observer,
+        composite_ratios=(composite_ratio,), cause=cause, fid=fid, stale=stale,
+    )  # fmt: skip

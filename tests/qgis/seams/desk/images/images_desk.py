@@ -16,7 +16,7 @@ from qgis.PyQt.QtWidgets import (
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
 from seam_inspector.plugin.seams.desk.images.picture_view import PictureView
-from seam_inspector.plugin.seams.tables.window_layer import WindowRow
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.desk.clipped_label import ClippedLabel
 
 SIDE = 512
@@ -44,8 +44,8 @@ class Session(QObject):
         self.chosen = fids
         self.selectionChanged.emit()
 
-    def row(self, fid: int) -> WindowRow:
-        return WindowRow(fid, fid, "", "", None, (), None, "", (0.0, 0.0, 1.0, 1.0), False)
+    def row(self, fid: int) -> WindowRecord:
+        return WindowRecord(fid, (0.0, 0.0, 1.0, 1.0), fid=fid)
 
     def mosaic_layer(self) -> object | None:
         return self.mosaic
