@@ -61,6 +61,7 @@ class Session(QObject):
         self._background.failed.connect(self._tell)
         self._results = WindowResults(self._block, self._watch, self._background, self)
         self._results.arrived.connect(self.resultArrived)
+        self._results.progressChanged.connect(self.progressChanged)
         self._results.failed.connect(self._tell)
         self._new = NewWindows(self._project, self._block, self._watch, self._background, self)
         self._new.layerMade.connect(self._take_layer)
@@ -68,7 +69,6 @@ class Session(QObject):
         self._new.told.connect(self._tell)
         self._pictures = WindowPictures(self._block, self._watch, self._background, self)
         self._pictures.arrived.connect(self.picturesArrived)
-        self._background.progressChanged.connect(self.progressChanged)  # after the results, which write the last ones
         self._connections = self._project_signals()
         for signal, slot in self._connections:
             signal.connect(slot)

@@ -57,6 +57,13 @@ class WindowRecord(WindowOutline):
         return self.ratios[0] if self.ratios else None
 
     @property
+    def measured(self) -> tuple[object, ...]:
+        """What was found in it; a level that its layer has no field for is like one that is not known."""
+        ratios = enumerate((self.background_ratio, self.composite_ratio, *self.ratios))
+        known = tuple((place, ratio) for place, ratio in ratios if ratio is not None)
+        return self.verdict, self.reason, self.sources, self.cause, known
+
+    @property
     def composite_ratio(self) -> float | None:
         """At level 1."""
         return self.composite_ratios[0] if self.composite_ratios else None

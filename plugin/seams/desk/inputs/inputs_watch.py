@@ -16,7 +16,7 @@ class InputsWatch(QObject):
     """Tells what may have changed; whether it really has is for others to find out."""
 
     layersChanged = pyqtSignal()
-    """A layer has another data source or reference system."""
+    """A layer has another data source or reference system; of the windows only the system counts here."""
     indexEdited = pyqtSignal()
     """The features of the source index, or of the seam cells, are others."""
     seamlinesEdited = pyqtSignal()
@@ -25,14 +25,14 @@ class InputsWatch(QObject):
     def __init__(self, project: QgsProject, parent: QObject) -> None:
         super().__init__(parent)
         self._project = project
-        self._followed: tuple[dict[str, QgsMapLayer], str, str, str] = ({}, "", "", "")
+        self._followed: tuple[dict[str, QgsMapLayer], str, str, str, str] = ({}, "", "", "", "")
         self._index_timer, self._seamlines_timer = self._timer(self.indexEdited), self._timer(self.seamlinesEdited)
 
     def follow(self, inputs: Inputs) -> None:
         """Follow the layers of these inputs that are there, and no others."""
         ids = (inputs.mosaic, *inputs.sources, inputs.source_index, inputs.seamlines, inputs.windows, inputs.cells)
         layers = {layer_id: layer for layer_id in ids if (layer := self._project.mapLayer(layer_id)) is not None}
-        followed = layers, inputs.source_index, inputs.seamlines, inputs.cells
+        followed = layers, inputs.windows, inputs.source_index, inputs.seamlines, inputs.cells
         if followed != self._followed:
             self._let_go()
             self._followed = followed
@@ -53,13 +53,13 @@ class InputsWatch(QObject):
     def _let_go(self) -> None:
         for signal, slot in self._signals():
             signal.disconnect(slot)
-        self._followed = ({}, "", "", "")
+        self._followed = ({}, "", "", "", "")
 
     def _signals(self) -> list[tuple[Any, Any]]:
         """Made anew each time: a signal that is kept crashes once its layer is deleted."""
-        layers, index, seamlines, cells = self._followed
+        layers, windows, index, seamlines, cells = self._followed
         return [
-            *((layer.dataSourceChanged, self._changed) for layer in layers.values()),
+            *((layer.dataSourceChanged, self._changed) for name, layer in layers.items() if name != windows),
             *((layer.crsChanged, self._changed) for layer in layers.values()),
             *_edits(layers.get(index), self._index_edited),
             *_edits(layers.get(cells), self._index_edited),

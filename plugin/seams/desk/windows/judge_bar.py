@@ -113,9 +113,7 @@ class JudgeBar(QWidget):
 
     def select_next(self) -> None:
         """The next compared window without the observer's word; after the last one the first."""
-        fid = self._next_fid({row.fid: row for row in self._session.windows()})
-        if fid is not None:
-            self._session.select([fid])
+        self._go_to(self._next_fid({row.fid: row for row in self._session.windows()}))
 
     def step_back(self) -> None:
         """To the window before this one."""
@@ -144,9 +142,13 @@ class JudgeBar(QWidget):
         self.refresh()  # the buttons show what was written, also when nothing could be
 
     def _step(self, by: int) -> None:
-        fid = self._neighbour(by)
-        if fid is not None:
-            self._session.select([fid])
+        self._go_to(self._neighbour(by))
+
+    def _go_to(self, fid: int | None) -> None:
+        row = None if fid is None else self._session.row(fid)
+        if row is not None:
+            self._session.select([row.fid])
+            self._find_place([row])  # the next key may come before the selection is told
 
     # Where the selected window stands
 

@@ -14,7 +14,7 @@ from ... import jobs
 from ...measure.inspection import WindowResult
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
-from .window_watch import Place, WindowWatch
+from .window_watch import Version, WindowWatch
 
 _WRITE_MS = 1000  # results of a long run are written together, so that undo does not take them back one by one
 
@@ -26,6 +26,8 @@ class WindowResults(QObject):
     """Feature id of a window that has its result now."""
     failed = pyqtSignal(object)
     """The Message why results could not be written."""
+    progressChanged = pyqtSignal(int, int)
+    """Steps done and asked for; (0, 0) when all is done and written."""
 
     def __init__(self, block: BlockCache, watch: WindowWatch, background: BackgroundTasks, parent: QObject) -> None:
         super().__init__(parent)
@@ -33,8 +35,8 @@ class WindowResults(QObject):
         self._watch = watch
         self._background = background
         self._results: dict[int, WindowResult] = {}
-        self._unwritten: dict[int, tuple[WindowResult, Place]] = {}
-        self._waiting: dict[int, Place] = {}
+        self._unwritten: dict[int, tuple[WindowResult, Version]] = {}
+        self._waiting: dict[int, Version] = {}
         self._writer = QTimer(self)
         self._writer.setSingleShot(True)
         self._writer.setInterval(_WRITE_MS)
@@ -62,9 +64,9 @@ class WindowResults(QObject):
         state = self._block.state()
         fids = self._watch.prepare(fids, self._block.inputs.levels)
         rows = [row for row in map(self._watch.row, fids) if row is not None]
-        rows = [row for row in rows if self._waiting.get(row.window_id) != (row.extent, state)]
+        rows = [row for row in rows if self._waiting.get(row.window_id) != Version(row.extent, state)]
         if rows:
-            asked = {row.window_id: (row.extent, state) for row in rows}
+            asked = {row.window_id: Version(row.extent, state) for row in rows}
             self._waiting.update(asked)
             for number in asked:
                 self._results.pop(number, None)
@@ -90,7 +92,7 @@ class WindowResults(QObject):
             self._background.stop()
             self.failed.emit(error.message)
             return
-        self._watch.note_measured({number: place for number, (_, place) in unwritten.items()})
+        self._watch.note_measured({number: version for number, (_, version) in unwritten.items()})
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
@@ -107,7 +109,7 @@ class WindowResults(QObject):
         self._writer.stop()
         self.forget()
 
-    def _take(self, asked: dict[int, Place], result: Any) -> None:
+    def _take(self, asked: dict[int, Version], result: Any) -> None:
         number = result.window_id
         self._results[number] = result
         self._unwritten[number] = result, asked[number]
@@ -119,7 +121,8 @@ class WindowResults(QObject):
         if fid is not None:
             self.arrived.emit(fid)
 
-    def _progress(self, _done: int, asked: int) -> None:
+    def _progress(self, done: int, asked: int) -> None:
         if not asked:
             self._waiting.clear()
             self.write()
+        self.progressChanged.emit(done, asked)

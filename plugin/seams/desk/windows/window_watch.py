@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from qgis.core import QgsMapLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
@@ -16,18 +16,24 @@ from ...tables import window_layer
 from ...tables.window_layer import UNNUMBERED
 
 _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the windows to be inspected again
-_SHORTEST_TEXT = 100  # letters; some formats cut longer ones
 
-Place = tuple["Extent | None", "int | None"]
-"""Where a window lay and the number of the inputs' state; None is the state in which the layer was first seen."""
+
+class Version(NamedTuple):
+    """Of what a window's values are."""
+
+    extent: Extent | None
+    """Where it lay."""
+    state: int | None
+    """The number of the inputs' state; None is the one in which the layer was first seen."""
 
 
 class WindowWatch(QObject):
-    """Follows one layer at a time. A change marks rows as unread; they are read when somebody asks."""
+    """Follows one layer at a time. A change marks rows as unread; they are read once, when somebody asks."""
 
     windowsChanged = pyqtSignal()
     """Once for all changes that come together."""
     selectionChanged = pyqtSignal()
+    """Other windows are selected; never before the windows themselves are told."""
     replaced = pyqtSignal()
     """The layer has another data source."""
 
@@ -37,20 +43,21 @@ class WindowWatch(QObject):
         self._notifier = QTimer(self)
         self._notifier.setSingleShot(True)
         self._notifier.timeout.connect(self._notify)
+        self._told: set[int] | None = set()  # the selection
         self._forget()
 
     def _forget(self) -> None:
         self._rows: dict[int, WindowRecord] = {}
         self._fids: dict[int, int] = {}
         self._unread: set[int] | None = None  # None: all of them
-        self._measured: dict[int, set[tuple[object, Place]]] = {}  # what was found in a window, and for which place
+        self._versions: dict[int, dict[object, set[Version]]] = {}  # of the values that a window had
+        self._saved: dict[int, WindowRecord] = {}
         self._marks: set[int] = set()  # numbers of those that were stale when the project was saved
         self._state: int | None = None
         self._first_state: int | None = None
         self._unnumbered: set[int] = set()
         self._given: dict[int | Extent | None, int] = {}  # numbers of windows that have none, by feature id and place
         self._last_number = 0  # a number is not used again, or an old result would be taken for a new window's
-        self._told: set[int] = set()
 
     @property
     def layer(self) -> QgsVectorLayer | None:
@@ -63,15 +70,16 @@ class WindowWatch(QObject):
             with suppress(TypeError, RuntimeError):  # the layer is gone already
                 signal.disconnect(slot)
         self._layer = layer if window_layer.holds_windows(layer) else None
+        had_windows = bool(self._rows)
+        self._told = None if self._told else set()  # of equal ids others are meant now
         self._forget()
         if self._layer is not None:
             stale = self._layer.customProperty(_STALE, []) or []
             self._marks = {int(number) for number in stale if str(number).lstrip("-").isdigit()}
         for signal, slot in self._signals():
             signal.connect(slot)
-        self._told = set(self.selected())
-        self._notifier.start()
-        self.selectionChanged.emit()
+        if had_windows or self._told is None or self._windows():
+            self._notifier.start()
 
     def close(self) -> None:
         """Let go of the layer and tell nothing more."""
@@ -84,23 +92,21 @@ class WindowWatch(QObject):
 
     def rows(self) -> list[WindowRecord]:
         """All windows by their number."""
-        self._read()
-        return list(self._rows.values())
+        return list(self._windows().values())
 
     def row(self, fid: int) -> WindowRecord | None:
         """One window."""
-        self._read()
-        return self._rows.get(fid)
+        return self._windows().get(fid)
 
     def fid(self, window_id: int) -> int | None:
         """The feature id of a window."""
-        self._read()
+        self._windows()
         return self._fids.get(window_id)
 
     @property
     def next_number(self) -> int:
         """The first of the numbers for new windows."""
-        self._read()
+        self._windows()
         return self._last_number + 1
 
     def prepare(self, fids: Iterable[int], levels: int) -> list[int]:
@@ -114,19 +120,23 @@ class WindowWatch(QObject):
         renewed = window_layer.complete_fields(self._layer, levels)
         if renewed:
             self._layer.selectByIds([renewed.get(fid, fid) for fid in selected])
-        self._read()
-        now = [renewed.get(fid, fid) for fid in fids]
-        numbers = {fid: self._rows[fid].window_id for fid in now if fid in self._unnumbered and fid in self._rows}
+        rows, now = self._windows(), [renewed.get(fid, fid) for fid in fids]
+        numbers = {fid: rows[fid].window_id for fid in now if fid in self._unnumbered and fid in rows}
         if numbers:
             window_layer.write_numbers(self._layer, numbers)
         return now
 
-    def _read(self) -> None:
+    def _windows(self) -> dict[int, WindowRecord]:
+        """By feature id, in the order of their numbers, as they are now."""
+        if self._layer is not None and (self._unread is None or self._unread):
+            self._read(self._layer)
+        return self._rows
+
+    def _read(self, layer: QgsVectorLayer) -> None:
+        """Those that changed."""
         unread, self._unread = self._unread, set()
-        if self._layer is None or (unread is not None and not unread):
-            return
         rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
-        fresh = window_layer.read_layer(self._layer, unread)
+        fresh = window_layer.read_layer(layer, unread)
         fresh.sort(key=lambda row: (row.fid < 0, abs(row.fid)))  # of two with one number the older one keeps it
         taken = {row.window_id for row in rows.values()}
         self._last_number = max([self._last_number, *(row.window_id for row in fresh)])
@@ -136,9 +146,9 @@ class WindowWatch(QObject):
             if row.window_id == UNNUMBERED or is_copy:
                 row = self._numbered(row, taken)
             taken.add(row.window_id)
-            if row.window_id not in self._measured:
+            if row.window_id not in self._versions:
                 is_trusted = bool(row.verdict) and not is_copy and row.window_id not in self._marks
-                self._measured[row.window_id] = {(_finding(row), (row.extent, None))} if is_trusted else set()
+                self._versions[row.window_id] = {row.measured: {Version(row.extent, None)}} if is_trusted else {}
             rows[row.fid] = self._marked(row)
         self._rows = dict(sorted(rows.items(), key=lambda item: item[1].window_id))
         self._fids = {row.window_id: fid for fid, row in self._rows.items()}
@@ -153,7 +163,7 @@ class WindowWatch(QObject):
         self._unnumbered.add(row.fid)
         return replace(row, window_id=number)
 
-    # Stale windows: those whose values were not found at this place and with these inputs
+    # Stale windows: those whose values are not of this version, of place and inputs
 
     @property
     def state(self) -> int | None:
@@ -167,43 +177,45 @@ class WindowWatch(QObject):
         if self._state is None:
             self._first_state = state
         self._state = state
-        before, self._rows = self._rows, {fid: self._marked(row) for fid, row in self._rows.items()}
-        if self._rows != before:
-            self._notifier.start()
+        self._mark_all()
 
-    def note_measured(self, places: Mapping[int, Place]) -> None:
-        """The values of these windows, by number, were found there."""
-        self._read()
-        for number, place in places.items():
+    def note_measured(self, versions: Mapping[int, Version]) -> None:
+        """The values that these windows have now, by number, are of these versions."""
+        rows = self._windows()
+        for number, version in versions.items():
             if number in self._fids:
-                row = self._rows[self._fids[number]]
-                self._measured[number].add((_finding(row), place))
-                self._rows[row.fid] = self._marked(row)
-        self._notifier.start()
+                row = rows[self._fids[number]]
+                self._versions[number].setdefault(row.measured, set()).add(version)
+        self._mark_all()
 
     def save_stale(self) -> None:
         """The marks are kept with the layer in the project."""
         if self._layer is not None:
-            self._read()
-            unseen = self._marks.difference(self._measured)
-            stale = unseen.union(row.window_id for row in self._rows.values() if row.stale)
+            rows = self.rows()
+            unseen = self._marks.difference(self._versions)
+            stale = unseen.union(row.window_id for row in rows if row.stale)
             self._layer.setCustomProperty(_STALE, [str(number) for number in sorted(stale)])
+
+    def _mark_all(self) -> None:
+        before, self._rows = self._rows, {fid: self._marked(row) for fid, row in self._rows.items()}
+        if self._rows != before:
+            self._notifier.start()
 
     def _marked(self, row: WindowRecord) -> WindowRecord:
         stale = bool(row.verdict) and not self._is_up_to_date(row)
         return row if row.stale == stale else replace(row, stale=stale)
 
     def _is_up_to_date(self, row: WindowRecord) -> bool:
-        known, finding = self._measured[row.window_id], _finding(row)
-        is_first = self._state == self._first_state and (finding, (row.extent, None)) in known
-        return is_first or (finding, (row.extent, self._state)) in known
+        known = self._versions[row.window_id].get(row.measured, ())
+        is_first = self._state == self._first_state and Version(row.extent, None) in known
+        return is_first or Version(row.extent, self._state) in known
 
     # Selection
 
     def selected(self) -> list[int]:
         """Feature ids of the selected windows."""
-        self._read()
-        return sorted(fid for fid in self._layer.selectedFeatureIds() if fid in self._rows) if self._layer else []
+        rows = self._windows()
+        return sorted(fid for fid in self._layer.selectedFeatureIds() if fid in rows) if self._layer else []
 
     def select(self, fids: Iterable[int]) -> None:
         """Select these windows and no others."""
@@ -224,7 +236,8 @@ class WindowWatch(QObject):
             (layer.geometryChanged, self._feature_changed),
             (layer.updatedFields, self._all_changed),
             (layer.subsetStringChanged, self._all_changed),
-            (layer.afterCommitChanges, self._all_changed),
+            (layer.beforeCommitChanges, self._about_to_be_saved),
+            (layer.afterCommitChanges, self._was_saved),
             (layer.afterRollBack, self._all_changed),
             (layer.dataChanged, self._all_changed),
             (layer.dataSourceChanged, self.replaced),
@@ -248,19 +261,31 @@ class WindowWatch(QObject):
         self._unread = None
         self._notifier.start()
 
+    def _about_to_be_saved(self, *_: object) -> None:
+        self._saved = {row.window_id: row for row in self.rows()}
+
+    def _was_saved(self) -> None:
+        """A format may round numbers and cut texts, and the ids are others now; the windows are what they were."""
+        self._all_changed()
+        for row in self.rows():
+            before = self._saved.get(row.window_id, row)
+            versions = self._versions[row.window_id].get(before.measured, set())
+            self._versions[row.window_id][row.measured] = {
+                version._replace(extent=row.extent) if version.extent == before.extent else version
+                for version in versions
+            }
+        self._mark_all()
+
     def _selection_changed(self, *_: object) -> None:
-        self._told = set(self.selected())
-        self.selectionChanged.emit()
+        if not self._notifier.isActive():  # else the windows that changed are told first
+            self._tell_selection()
 
     def _notify(self) -> None:
-        selected = set(self.selected())
         self.windowsChanged.emit()
-        if selected != self._told:  # saving gives features other ids, and undo takes them away
+        self._tell_selection()  # saving gives features other ids, and undo takes them away
+
+    def _tell_selection(self) -> None:
+        selected = set(self.selected())
+        if selected != self._told:
             self._told = selected
             self.selectionChanged.emit()
-
-
-def _finding(row: WindowRecord) -> object:
-    """What was found in a window, as far as every format keeps it."""
-    ratios = [f"{ratio:.9g}" for ratio in (*row.ratios, row.background_ratio, row.composite_ratio) if ratio is not None]
-    return row.verdict, row.cause, row.reason[:_SHORTEST_TEXT], row.sources, tuple(ratios)

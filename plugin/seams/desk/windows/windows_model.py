@@ -153,10 +153,6 @@ class WindowsModel(QAbstractTableModel):
         """From top to bottom; not to be changed."""
         return self._rows
 
-    def has(self, fid: int) -> bool:
-        """Whether the window is known."""
-        return fid in self._places
-
     def set_short_titles(self, short: bool) -> None:
         """Whether headings have to be short."""
         if short != self._short_titles:

@@ -103,8 +103,7 @@ class WindowsPanel(QWidget):
         self.orderChanged.emit()
 
     def _take_selection(self) -> None:
-        if all(map(self._windows.has, self._session.selected())):  # else the rows are out of date, and new ones come
-            self._show_selection(self._selected_numbers())
+        self._show_selection(self._selected_numbers())
 
     def _selected_numbers(self) -> set[int]:
         numbers = self._shown.numbers()

@@ -267,6 +267,7 @@ def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None
     said = {}
     for fid in (1, 2):
         desk.session.select([fid])
+        settle(0.01)  # fields were added, and windows are told before what is selected of them
         said[fid] = (selected_results(desk.session)[1], bar.sentence())
     assert said == {1: ("Measuring ...", "Measuring ..."), 2: ("Not inspected yet", "Not inspected yet.")}
     desk.session.select([1])

@@ -298,8 +298,8 @@ def test_saving_gives_other_feature_ids_and_moves_nothing(panel: WindowsPanel, s
     QTest.qWait(1)
     panel.table.verticalScrollBar().setValue(200)
     session.chosen = [400]
-    session.selectionChanged.emit()
     session.put(many(500))
+    session.selectionChanged.emit()
     assert panel.table.selected_fids() == [400]
     assert panel.table.verticalScrollBar().value() == 200
 
