@@ -12,11 +12,13 @@ from scipy import ndimage, optimize
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.imagery.photos import Photo
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.photos.measure import interior_orientation
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, read_calibration
 from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
 from seam_inspector.plugin.photos.measure.mark_templates import chosen_shapes
 from seam_inspector.plugin.photos.measure.orientation import (
     GivenPosition,
+    MarkResult,
     MarkStatus,
     OrientationSettings,
     PhotoOrientation,
@@ -106,6 +108,24 @@ def laid(frame: Frame, orientation: ScanOrientation) -> tuple[np.ndarray, Mappin
         pixels = np.rot90(pixels, -1)
         places = {name: (side - y, x) for name, (x, y) in places.items()}
     return np.ascontiguousarray(pixels), places
+
+
+@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+def test_positions_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrientation) -> None:
+    pixels, places = laid(Frame(np.zeros((500, 500), np.uint8), make_frame(Look(), side=500).places), orientation)
+    given = {name: GivenPosition(place, measure=False) for name, place in places.items()}
+    made = measured(pixels, tmp_path, positions=given)
+    assert (made.scan_orientation, made.evidence) == (orientation, OrientationEvidence.POSITIONS)
+
+
+def test_two_marks_found_at_one_place_are_none_unless_one_was_given() -> None:
+    places = {"1": (100.0, 100.0), "2": (102.0, 101.0), "3": (500.0, 100.0), "4": (503.0, 101.0)}
+    for given, failed in (("", {"1", "2"}), ("1", {"2"})):  # 3 and 4 are farther apart
+        marks = [MarkResult(name, CAMERA[name], MarkStatus.GIVEN if name == given else MarkStatus.MEASURED, place)
+                 for name, place in places.items()]
+        made = interior_orientation._without_doubles(marks)
+        assert {mark.name for mark in made if mark.place is None} == failed
+        assert {mark.name for mark in made if mark.status is MarkStatus.FAILED} == failed
 
 
 def test_a_mark_under_a_blot_fails_and_the_others_are_measured(tmp_path: Path) -> None:

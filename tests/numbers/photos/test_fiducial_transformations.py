@@ -119,6 +119,34 @@ def test_an_outlier_among_eight_is_found_by_the_model() -> None:
     assert clean.redundancy == 10
 
 
+@pytest.mark.parametrize(("others", "moved", "found"), [
+    (1, 2, set()), (1, 12, {"7"}),  # px: five times what the others are off by
+    (0, 1, set()), (0, 1.5, {"7"}),  # 50 um, that film and scanner leave on good photos
+])
+def test_what_makes_an_outlier(others: float, moved: float, found: set[str]) -> None:
+    aside = zip(EIGHT, [(1, 0), (0, 1), (-1, 0), (0, -1), (0, 1), (1, 0), (0, 0), (-1, 0)])
+    places = {name: (others * x, others * y) for name, (x, y) in aside}
+    _, made, _ = fit_marks(marks(EIGHT, {**places, "7": (moved, 0)}), PlaneModel.AFFINE)
+    assert failed(made) == found
+
+
+def test_residuals_are_where_the_transformation_puts_a_mark_less_where_it_should_be() -> None:
+    fitted, made, _ = fit_marks(marks(CAMERA, {"2": (2, -1)}), PlaneModel.AFFINE)
+    assert fitted is not None
+    for mark in made:
+        assert mark.place is not None
+        put = fitted.to_mm(np.array([mark.place]))[0]
+        assert mark.residual == pytest.approx(1000 * (put - mark.calibrated), abs=1e-6)
+    squares = np.array([mark.residual for mark in made]) ** 2
+    assert (fitted.rms_x, fitted.rms_y) == pytest.approx(np.sqrt(squares.mean(axis=0)))
+
+
+def test_where_no_three_agree_none_is_blamed_alone() -> None:
+    made, _ = fail_misplaced_marks(marks(CAMERA, {"2": (30, -10), "4": (-20, 40)}), PlaneModel.AFFINE)
+    assert failed(made) == set("1234")
+    assert len({str(mark.reason) for mark in made}) == 1
+
+
 def test_of_four_marks_a_gross_error_is_named_and_a_small_one_is_not() -> None:
     made, _ = fail_misplaced_marks(marks(CAMERA, {"2": (30, -10)}), PlaneModel.AFFINE)
     assert failed(made) == {"2"}

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SensorModelError
-from seam_inspector.plugin.sensors.measure.adjustment import adjust
+from seam_inspector.plugin.sensors.measure.adjustment import accuracy, adjust
 from seam_inspector.plugin.sensors.measure.comparison import CHECK_POINTS, LEAVE_ONE_OUT, all_requests, compare
 from seam_inspector.plugin.sensors.measure.control_coverage import control_coverage, convex_hull, coverage_warnings
 from seam_inspector.plugin.sensors.measure.models import registry
@@ -95,6 +95,39 @@ def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
     done = adjust(registry.PUSHBROOM.request(size=(COLUMNS, ROWS)), points(image, ground), robust=True)
     assert done.blunder[3]
     assert done.blunder.sum() <= 3
+
+
+def test_most_blunders_are_found_in_the_mean_of_many_sets() -> None:
+    truth, found = made_rational(1, 7, 0.0), []
+    for seed in range(30):
+        random = np.random.default_rng(seed)
+        ground = places(40, seed)
+        image = truth.project(ground) + random.normal(0, SIGMA, (40, 2))
+        image[:12] += 5 * SIGMA * random.choice([-1, 1], (12, 2))
+        found.append(adjust(registry.POLYNOMIAL_3D.request(), points(image, ground), robust=True).blunder[:12].mean())
+    assert np.mean(found) >= 0.8
+
+
+# --- accuracies ------------------------------------------------------------------------------------------------
+
+
+def test_the_accuracy_of_residuals() -> None:
+    found = accuracy(np.array([[0.5, 1.0], [-0.5, 7.0]]), np.array([[3.0, 1.0], [-4.0, 0.0]]))
+    assert (found.count, found.max_x, found.max_y) == (2, 4, 1)
+    assert (found.rmse_x, found.rmse_y) == pytest.approx((np.sqrt(12.5), np.sqrt(0.5)))
+    assert (found.rmse_column, found.rmse_row) == pytest.approx((0.5, 5))
+    assert found.rmse == pytest.approx(np.sqrt(13))
+
+
+def test_sigma_is_that_of_the_measurements_whatever_the_redundancy() -> None:
+    for count, sets in ((400, 1), (10, 60)):  # 800 coordinates less 14 unknowns, and 20 less 14
+        squares = []
+        for seed in range(sets):
+            ground = places(count, seed)
+            image = made_rational(1, 2).project(ground)
+            image += np.random.default_rng(seed).normal(0, SIGMA, (count, 2))
+            squares.append(adjust(registry.RATIONAL.request(), points(image, ground)).sigma_px ** 2)
+        assert np.sqrt(np.mean(squares)) == pytest.approx(SIGMA, rel=0.15)
 
 
 # --- too few, on a line, in a corner ---------------------------------------------------------------------------

@@ -12,7 +12,9 @@ from seam_inspector.plugin.sensors.measure.models import registry
 from seam_inspector.plugin.sensors.measure.models.bias import BiasedRpc
 from seam_inspector.plugin.sensors.measure.models.earth import geocentric
 from seam_inspector.plugin.sensors.measure.models.least_squares import Scaling
+from seam_inspector.plugin.sensors.measure.models.locating import newton
 from seam_inspector.plugin.sensors.measure.models.polynomials import Polynomial2D, Polynomial3D
+from seam_inspector.plugin.sensors.measure.models.pushbroom_fit import fit_pushbroom
 from seam_inspector.plugin.sensors.measure.models.rational import Dlt
 from seam_inspector.plugin.sensors.measure.models.registry import ModelRequest
 
@@ -102,6 +104,22 @@ def test_pushbroom_recovers_itself(seed: int) -> None:
     done = judged(registry.PUSHBROOM.request(size=(COLUMNS, ROWS)), made_pushbroom(seed).project(ground), ground, 60)
     assert done.fitted.converged
     assert largest_px(done) < EXACT_PX
+
+
+@pytest.mark.parametrize("height_km", [500, 600, 800])
+def test_the_orbits_height_need_be_known_roughly_only(height_km: float) -> None:
+    truth, ground = made_pushbroom(0), places(30, 1)  # from 694 km
+    fitted = fit_pushbroom(ground, truth.project(ground), np.ones(30), 1000 * height_km, (COLUMNS, ROWS))
+    others = places(60, 2)
+    assert fitted.model.project(others) == pytest.approx(truth.project(others), abs=1e-5)
+
+
+def test_places_that_newtons_method_does_not_reach_are_none() -> None:
+    wanted = np.array([[0.5, 1.0], [2.0, 0.5], [-1.0, 0.0]])  # no angle of a slope is 2
+    found = newton(np.arctan, wanted, np.zeros((3, 2)))
+    assert found[[0, 2]] == pytest.approx(np.tan(wanted[[0, 2]]))
+    assert np.isnan(found[1]).all()
+
 
 
 @pytest.mark.parametrize(

@@ -88,6 +88,15 @@ def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path
     assert np.abs(found - seen[inside]).max() < 0.01
 
 
+@pytest.mark.parametrize(
+    ("heights", "fitted"), [((700, 702), (651, 751)), ((0, 900), (0, 900)), ((-20, 79), (-20.5, 79.5))]
+)
+def test_an_rpc_is_fitted_to_a_hundred_metres_of_height_at_least(
+    heights: tuple[float, float], fitted: tuple[float, float]
+) -> None:
+    assert rpc.rpc_heights(Domain((0, COLUMNS), (0, ROWS), heights, (0, 0))) == fitted
+
+
 def test_a_plane_model_has_none() -> None:
     ground = places(20, 1)
     model = adjust(registry.POLYNOMIAL_2D.request(), points(made_rational(1, 2).project(ground), ground)).fitted.model

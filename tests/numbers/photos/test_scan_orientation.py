@@ -1,0 +1,112 @@
+"""Which of the eight ways a photo lies in its scan: what each piece of evidence tells, and when it tells nothing."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.photos.measure.arrangements import Arrangement
+from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration
+from seam_inspector.plugin.photos.measure.scan_orientation import (
+    SCAN_ORIENTATIONS,
+    Labelling,
+    ScanOrientation,
+    count_numbering_dots,
+    labellings,
+    matching_data_strip,
+    matching_dots,
+    matching_residuals,
+    possible_frames,
+)
+from seam_inspector.plugin.photos.measure.transformations import PlaneModel
+
+from tests.numbers.photos.photos import CAMERA, Place
+
+SCALE = 20.0  # px/mm
+STRIP = CameraCalibration(CAMERA, data_strip=(0.0, 118.0))  # above the picture
+MARGIN = 10 * SCALE
+
+
+def in_scan(camera: Mapping[str, Place], orientation: ScanOrientation) -> dict[str, Place]:
+    """Columns and rows of the marks: turned and mirrored by hand, ten millimetres from the scan's edges."""
+    made = {}
+    for name, (x, y) in camera.items():
+        across, down = (-x if orientation.mirrored else x), -y
+        for _ in range(orientation.turned // 90):
+            across, down = -down, across  # a quarter to the right: what was above is at the right
+        made[name] = (MARGIN + SCALE * (across + 106), MARGIN + SCALE * (down + 106))
+    return made
+
+
+def candidates(calibration: CameraCalibration) -> tuple[list[Labelling], Arrangement]:
+    """Every way to name four marks that were found."""
+    frame, *_ = possible_frames(calibration, 5000, 5000)
+    matrix = np.array([[SCALE, 0, MARGIN + SCALE * 106], [0, SCALE, MARGIN + SCALE * 106]])
+    places = np.column_stack([frame.places, np.ones(len(frame.places))]) @ matrix.T
+    found = Arrangement(None, 1, dict(zip(frame.marks, map(tuple, places))), dict.fromkeys(frame.marks, 1.0), matrix)
+    return labellings(calibration, frame, found), found
+
+
+@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+def test_marks_are_named_as_they_lie(orientation: ScanOrientation) -> None:
+    named = {one.orientation: one for one in candidates(STRIP)[0]}
+    assert len(named) == 8
+    for name, place in in_scan(CAMERA, orientation).items():
+        assert named[orientation].places[name] == pytest.approx(place, abs=0.01 * SCALE)
+
+
+@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+def test_the_data_strip_lies_where_the_scan_goes_on(orientation: ScanOrientation) -> None:
+    every, found = candidates(STRIP)
+    strip = in_scan({"strip": (0.0, 118.0)}, orientation)["strip"]
+    size = 2 * MARGIN + SCALE * 212
+    beyond = np.array([max(-strip[0], 0), max(-strip[1], 0), max(strip[0] - size, 0), max(strip[1] - size, 0)])
+    more = np.where(beyond > 0, MARGIN, 0)  # on one side only, so that the strip is in the scan
+    moved = {name: (x + more[0], y + more[1]) for name, (x, y) in found.places.items()}
+    farther = Arrangement(None, 1, moved, found.values, found.matrix)
+    columns, rows = round(size + more[0] + more[2]), round(size + more[1] + more[3])
+    chosen = [one.orientation for one in matching_data_strip(every, STRIP, farther, columns, rows)]
+    assert orientation in chosen
+    assert len(chosen) == 2  # mirrored about the strip's middle it lies there too
+    assert matching_data_strip(every, STRIP, found, round(size), round(size)) == []  # it goes as far on all sides
+
+
+@pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
+def test_residuals_tell_where_marks_are_no_square_and_only_there(orientation: ScanOrientation) -> None:
+    uneven = CameraCalibration({**CAMERA, "4": (107.6, 105.3)})
+    every, _ = candidates(uneven)
+    site_of = next(one.sites for one in every if one.orientation == orientation)
+    measured = {site_of[name]: place for name, place in in_scan(uneven.marks, orientation).items()}
+    (chosen,) = matching_residuals(every, uneven, measured, PlaneModel.AFFINE)
+    assert chosen.orientation == orientation
+    name, (x, y) = next(iter(measured.items()))
+    off = {**measured, name: (x + 6 * SCALE, y)}  # measured badly: no way to lie fits much better than others
+    assert matching_residuals(every, uneven, off, PlaneModel.AFFINE) == []
+    square, _ = candidates(CameraCalibration(CAMERA))
+    sites = dict(zip(square[0].sites.values(), in_scan(CAMERA, orientation).values()))
+    assert matching_residuals(square, CameraCalibration(CAMERA), sites, PlaneModel.AFFINE) == []
+
+
+def test_dots_tell_when_all_but_one_of_their_counts_agree() -> None:
+    every, _ = candidates(STRIP)
+    truth = every[3]
+    counts = {site: int(name) for name, site in truth.sites.items()}
+    assert matching_dots(every, counts) == [truth]
+    assert matching_dots(every, {**counts, truth.sites["2"]: 7}) == [truth]
+    assert matching_dots(every, {**counts, truth.sites["2"]: 7, truth.sites["3"]: 7}) == []
+    assert matching_dots(every, {truth.sites["1"]: 1, truth.sites["2"]: 2}) == []  # two are too few of four
+    assert matching_dots(every, {truth.sites["1"]: 1}) == []
+
+
+def test_grain_is_no_dots_and_dots_are_counted() -> None:
+    radius, half = 15.0, 40
+    for seed in range(10):
+        grain = np.random.default_rng(seed).normal(40, 6, (2 * half + 1, 2 * half + 1))
+        assert count_numbering_dots(grain, radius, 0.0) is None
+    rows, columns = np.mgrid[-half : half + 1, -half : half + 1]
+    for count in (1, 2, 3, 4):
+        drawn = np.random.default_rng(count).normal(40, 2, rows.shape)
+        for place in 6.0 * (np.arange(count) - (count - 1) / 2):
+            drawn[np.hypot(columns - 1.7 * radius, rows - place) <= 2] += 60
+        for turn in range(4):
+            assert count_numbering_dots(np.rot90(drawn, turn), radius, 0.0) == count
