@@ -12,9 +12,8 @@ from ..imagery.errors import SensorModelError
 from ..imagery.message import Message
 from ..toolkit.attribute_values import Attributes, attributes
 from ..toolkit.layers import features, system_wkt
-from ..toolkit.table_fields import feature
+from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
-from ..toolkit.version_differences import field
 from .measure import messages
 from .measure.adjustment import Adjustment
 from .measure.comparison import Comparison
@@ -96,7 +95,7 @@ def _numbers(row: Attributes) -> list[float]:
 
 def residual_fields() -> QgsFields:
     """OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
-    return _fields(
+    return table_fields(
         ("id", "text"), ("role", "text"), ("column", "real"), ("row", "real"), ("z", "real"),
         ("residual_column", "real"), ("residual_row", "real"), ("residual_x", "real"), ("residual_y", "real"),
         ("blunder", "integer"),
@@ -122,7 +121,7 @@ def residual_features(done: Adjustment) -> Iterator[QgsFeature]:
 
 def comparison_fields() -> QgsFields:
     """OUTPUT of ``comparesensormodels``: one row per model."""
-    return _fields(
+    return table_fields(
         ("model", "text"), ("order", "integer"), ("variant", "text"), ("mean_x", "real"), ("mean_y", "real"),
         ("max_x", "real"), ("max_y", "real"), ("control_count", "integer"), ("check_count", "integer"),
         ("method", "text"), ("control_mean_x", "real"), ("control_mean_y", "real"), ("condition", "real"),
@@ -153,10 +152,3 @@ def comparison_features(result: Comparison) -> Iterator[QgsFeature]:
                 sentence(row.reason) if row.reason else None,
             ],
         )
-
-
-def _fields(*columns: tuple[str, str]) -> QgsFields:
-    fields = QgsFields()
-    for name, kind in columns:
-        fields.append(field(name, kind))
-    return fields

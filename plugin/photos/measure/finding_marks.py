@@ -12,7 +12,7 @@ from ...imagery.errors import PhotoError
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
 from ...imagery.photos import Photo
-from . import limits, messages
+from . import limits, messages, scan_orientation
 from .arrangements import placing_tolerance
 from .camera_calibration import CameraCalibration
 from .mark_candidates import Candidate, candidates
@@ -21,18 +21,7 @@ from .measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, me
 from .orientation import GivenPosition, OrientationSettings
 from .photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
 from .refining_shapes import turned_with_frame
-from .scan_orientation import (
-    Labelling,
-    OrientationEvidence,
-    ScanOrientation,
-    count_numbering_dots,
-    labellings,
-    matching_data_strip,
-    matching_dots,
-    matching_positions,
-    matching_residuals,
-    possible_frames,
-)
+from .scan_orientation import Labelling, OrientationEvidence, ScanOrientation
 from .transformations import PlaneModel, fit_transformation
 
 SEARCH_SIDE_PX = 3000  # the longer side of the photo for the first search: 80 um on a 23 cm photo
@@ -134,7 +123,7 @@ class _Finder:
     def in_whole_photo(self) -> FoundMarks:
         """Search the whole photo; what the positions say chooses between ways to lie."""
         photo = self._photo
-        made = possible_frames(self._calibration, photo.columns, photo.rows)
+        made = scan_orientation.possible_frames(self._calibration, photo.columns, photo.rows)
         scale = max(frame.scales[1] for frame in made)
         self._check_template(scale)
         factor = max(1, math.ceil(max(photo.columns, photo.rows) / SEARCH_SIDE_PX))
@@ -189,10 +178,11 @@ class _Finder:
     def _named(self, candidate: Candidate) -> FoundMarks:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
         frame, found = candidate.frame, candidate.arrangement
-        candidates = labellings(self._calibration, frame, found)
+        candidates = scan_orientation.labellings(self._calibration, frame, found)
         evidence = OrientationEvidence.MARKS
         if self._near:
-            candidates = matching_positions(candidates, self._near, found.scale * self._settings.search_mm)
+            reach = found.scale * self._settings.search_mm
+            candidates = scan_orientation.matching_positions(candidates, self._near, reach)
             evidence = OrientationEvidence.POSITIONS
             if not candidates:
                 return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
@@ -207,16 +197,19 @@ class _Finder:
         """The way to name the marks that the photo itself tells, what told it, and what is to be said of it."""
         marks = {name: one for name, one in measured.results.items() if isinstance(one, MeasuredMark)}
         places = {name: (one.column, one.row) for name, one in marks.items()}
-        photo, found = self._photo, candidate.arrangement
+        size, found = (self._photo.columns, self._photo.rows), candidate.arrangement
         tests: tuple[tuple[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]], ...] = (
-            (OrientationEvidence.DOTS, lambda some: matching_dots(some, self._dot_counts(places, candidate))),
+            (
+                OrientationEvidence.DOTS,
+                lambda some: scan_orientation.matching_dots(some, self._dot_counts(places, candidate)),
+            ),
             (
                 OrientationEvidence.DATA_STRIP,
-                lambda some: matching_data_strip(some, self._calibration, found, photo.columns, photo.rows),
+                lambda some: scan_orientation.matching_data_strip(some, self._calibration, found, *size),
             ),
             (
                 OrientationEvidence.RESIDUALS,
-                lambda some: matching_residuals(some, self._calibration, places, self._settings.model),
+                lambda some: scan_orientation.matching_residuals(some, self._calibration, places, self._settings.model),
             ),
         )
         for kind, test in tests:
@@ -236,7 +229,7 @@ class _Finder:
         counts = {}
         for name, place in places.items():
             window = window_around(self._photo, place, math.ceil(2.6 * radius))
-            count = count_numbering_dots(found.sign * window.pixels, radius, found.angle)
+            count = scan_orientation.count_numbering_dots(found.sign * window.pixels, radius, found.angle)
             if count:
                 counts[name] = count
         return counts

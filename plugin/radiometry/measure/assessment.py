@@ -14,18 +14,9 @@ from ...imagery.message import Message
 from ...imagery.pixels import PixelImage, Pixels
 from ...imagery.value_ranges import ValueRange, is_range_known, value_range
 from . import limits, messages
+from . import rules as checks
 from .image_statistics import Histogram, ImageStatistics, can_count, stream_statistics
-from .rules import (
-    AT_SEAMS,
-    CLIPPED_LOW,
-    COLOUR_BALANCE,
-    CONTRAST,
-    PEAK,
-    SEAM_STEP,
-    SIGNAL_TO_NOISE,
-    Rule,
-    RuleSet,
-)
+from .rules import Rule, RuleSet
 from .seam_steps import SeamStep, seam_steps
 from .uniform_areas import colour_balance, signal_to_noise
 
@@ -82,7 +73,7 @@ def assess(
 
     Raises RasterError when the pixels can't be read.
     """
-    applied = [rule for rule in rules.rules if rule.check not in AT_SEAMS or seams is not None]
+    applied = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or seams is not None]
     if not can_count(image, rules.value_range):
         why = messages.NO_VALUE_RANGE(data_type=image.data_type)
         return Assessment(image, window_id, tuple(_not_measurable(image, applied, why)), None, {}, (), ())
@@ -116,7 +107,7 @@ def clipped_share(histogram: Histogram, rule: Rule, available: ValueRange) -> fl
     """
     low, high = available
     width = rule.values - 1 if histogram.has_steps else rule.values * (high - low) / 256
-    if rule.check == CLIPPED_LOW:
+    if rule.check == checks.CLIPPED_LOW:
         return histogram.share(most=low + width)
     return histogram.share(least=high - width)
 
@@ -147,13 +138,13 @@ def _checked_figures(
     steps: Sequence[SeamStep],
     largest: float,
 ) -> Iterator[CheckedFigure]:
-    if rule.check == COLOUR_BALANCE:
+    if rule.check == checks.COLOUR_BALANCE:
         yield _checked_figure(ALL_BANDS, rule, _colour_figure(image, statistics, available))
         return
     for index, (name, histogram) in enumerate(statistics.histograms.items()):
-        if rule.check in AT_SEAMS:
+        if rule.check in checks.AT_SEAMS:
             figure = _seam_figure(rule, index, available, steps, largest)
-        elif rule.check == SIGNAL_TO_NOISE:
+        elif rule.check == checks.SIGNAL_TO_NOISE:
             figure = _noise_figure(statistics, index, available)
         else:
             figure = _histogram_figure(rule, histogram, available)
@@ -161,9 +152,9 @@ def _checked_figures(
 
 
 def _histogram_figure(rule: Rule, histogram: Histogram, available: ValueRange) -> float | Message:
-    if rule.check == PEAK:
+    if rule.check == checks.PEAK:
         return peak_deviation(histogram, available)
-    if rule.check == CONTRAST:
+    if rule.check == checks.CONTRAST:
         return contrast(histogram, available)
     return clipped_share(histogram, rule, available)
 
@@ -189,7 +180,7 @@ def _seam_figure(
 ) -> float | Message:
     if not steps or largest <= 0:
         return messages.NO_SEAM_HERE(pixels=limits.MIN_SEAM_STATIONS * limits.SEAM_STATION_PX)
-    if rule.check == SEAM_STEP:
+    if rule.check == checks.SEAM_STEP:
         return max(abs(step.steps[band]) for step in steps) / largest
     return seam_contrast(steps, band, available)
 
@@ -205,7 +196,7 @@ def _checked_figure(band: str, rule: Rule, figure: float | Message) -> CheckedFi
 
 def _not_measurable(image: PixelImage, rules: Sequence[Rule], why: Message) -> Iterator[CheckedFigure]:
     for rule in rules:
-        for band in (ALL_BANDS,) if rule.check == COLOUR_BALANCE else image.band_names:
+        for band in (ALL_BANDS,) if rule.check == checks.COLOUR_BALANCE else image.band_names:
             yield _checked_figure(band, rule, why)
 
 

@@ -52,15 +52,43 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def addFittingParameters(self) -> None:
         """What a fit to points takes beside them and the model."""
+        number = QgsProcessingParameterNumber
         self.addDescribed(*image())
-        self.addDescribed(*image_rpc())
+        self.addDescribed(
+            QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
+            tr(
+                "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or "
+                ".geom."
+            ),
+        )
         self.addDescribed(*dem(tr("Gives heights to points that have none.")))
         self.addDescribed(*heights(HEIGHTS, tr("Heights of the points")))
         self.addDescribed(*heights(DEM_HEIGHTS, tr("Heights of the terrain model")))
-        self.addDescribed(*check_share())
-        self.addDescribed(*robust())
-        self.addDescribed(*gcps_crs(), advanced=True)
-        self.addDescribed(*orbit_height(), advanced=True)
+        share = tr("Share of check points")
+        self.addDescribed(
+            number(CHECK_SHARE, share, number.Type.Double, DEFAULT_CHECK_SHARE, minValue=0, maxValue=0.9),
+            tr(
+                "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in "
+                "it. The same points give the same choice."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False),
+            tr("Flags points that contradict the others and fits the model without them."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True),
+            tr("For files from before QGIS 3.26, which do not name the reference system of their map coordinates."),
+            advanced=True,
+        )
+        self.addDescribed(
+            number(ORBIT_HEIGHT, tr("Height of the orbit (km)"), number.Type.Double, None, True, 0, 40000),
+            tr(
+                "Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 "
+                "km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617."
+            ),
+            advanced=True,
+        )
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         # A georeferencer's file is no layer that QGIS can load, so that its own check gets one in its place.
@@ -178,26 +206,10 @@ def gcps() -> Described:
     )
 
 
-def gcps_crs() -> Described:
-    return (
-        QgsProcessingParameterCrs(GCPS_CRS, tr("Reference system of a .points file"), optional=True),
-        tr("For files from before QGIS 3.26, which do not name the reference system of their map coordinates."),
-    )
-
-
 def image(optional: bool = True) -> Described:
     return (
         QgsProcessingParameterRasterLayer(IMAGE, tr("Image"), optional=optional),
         tr("The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it."),
-    )
-
-
-def image_rpc() -> Described:
-    return (
-        QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
-        tr(
-            "The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom."
-        ),
     )
 
 
@@ -212,43 +224,5 @@ def heights(name: str, label: str) -> Described:
             "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning "
             "where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid. "
             "SRTM tiles are egm96."
-        ),
-    )
-
-
-def check_share() -> Described:
-    share = QgsProcessingParameterNumber(
-        CHECK_SHARE,
-        tr("Share of check points"),
-        QgsProcessingParameterNumber.Type.Double,
-        DEFAULT_CHECK_SHARE,
-        minValue=0,
-        maxValue=0.9,
-    )
-    return (
-        share,
-        tr(
-            "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. "
-            "The same points give the same choice."
-        ),
-    )
-
-
-def robust() -> Described:
-    return (
-        QgsProcessingParameterBoolean(ROBUST, tr("Look for blunders"), defaultValue=False),
-        tr("Flags points that contradict the others and fits the model without them."),
-    )
-
-
-def orbit_height() -> Described:
-    height = QgsProcessingParameterNumber(
-        ORBIT_HEIGHT, tr("Height of the orbit (km)"), QgsProcessingParameterNumber.Type.Double, None, True, 0, 40000
-    )
-    return (
-        height,
-        tr(
-            "Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 km. "
-            "IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617."
         ),
     )

@@ -92,9 +92,6 @@ def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjus
     needed = points.ground if request.needs_heights else points.ground[:, :2]
     if not np.isfinite(needed).all():
         raise SensorModelError(messages.NO_HEIGHTS(model=request.name))
-    fewest = request.variant.fewest
-    if len(control) < fewest:
-        raise SensorModelError(messages.TOO_FEW_POINTS(model=request.name, count=len(control), fewest=fewest))
     kept = _without_blunders(request, control) if robust else np.ones(len(control), bool)
     fitted = fit_model(request, control, control.weights * kept)
     blunder = np.zeros(len(points), bool)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
 from pathlib import Path
 from typing import ClassVar
 
@@ -11,9 +11,7 @@ import pytest
 from qgis.core import QgsApplication
 from seam_inspector.plugin.sensors.measure.models import registry
 from seam_inspector.plugin.sensors.measure.models.model_file import load_model
-from seam_inspector.plugin.sensors.measure.models.rational import Rational
-from seam_inspector.plugin.sensors.measure.models.sensor_model import FittedModel
-from seam_inspector.plugin.sensors.measure.points import Points
+from seam_inspector.plugin.sensors.measure.models.sensor_model import FittedModel, SensorModel
 from seam_inspector.plugin.sensors.model_titles import MODEL_TITLES
 
 from tests.numbers.sensors.sensor_scenes import made_rational, places
@@ -24,24 +22,20 @@ pytestmark = pytest.mark.usefixtures("provider", "project")
 
 
 @dataclass(frozen=True)
-class Tilted:
+class Tilted(SensorModel):
     """A plane through each coordinate of the image."""
 
     GEOGRAPHIC: ClassVar[bool] = True
-    SPATIAL: ClassVar[bool] = True
 
     coefficients: np.ndarray
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         return np.column_stack([np.ones(len(ground)), ground]) @ self.coefficients
 
-    def as_rational(self) -> Rational | None:
-        return None
 
-
-def fit_tilted(request: registry.ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
-    terms = np.column_stack([np.ones(len(points)), points.ground])
-    coefficients, *_ = np.linalg.lstsq(terms * weights[:, None], points.image * weights[:, None], rcond=None)
+def fit_tilted(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
+    terms = np.column_stack([np.ones(len(ground)), ground])
+    coefficients, *_ = np.linalg.lstsq(terms * weights[:, None], image * weights[:, None], rcond=None)
     return FittedModel(Tilted(coefficients), 1.0, 1, True, 8)
 
 
@@ -50,17 +44,21 @@ def made_up(monkeypatch: pytest.MonkeyPatch) -> str:
     kind = registry.ModelKind(
         "tilted",
         (registry.Variant("", unknowns=8, fewest=4, rank=-1),),
-        lambda: registry.Implementation(Tilted, fit_tilted),
+        (__name__, "Tilted", "fit_tilted"),
         registry.DLT.recommendation,
+        lambda request, points: (),
     )
     monkeypatch.setitem(registry.KINDS, kind.name, kind)
     monkeypatch.setitem(MODEL_TITLES, kind.name, "made up for a test")
     return kind.name
 
 
-def test_every_model_has_a_title_and_every_title_a_model() -> None:
+def test_every_model_has_a_title_and_code_and_every_title_a_model() -> None:
     assert set(MODEL_TITLES) == set(registry.KINDS)
-    assert all(name == kind.name for name, kind in registry.KINDS.items())
+    for name, kind in registry.KINDS.items():
+        assert name == kind.name
+        assert is_dataclass(kind.model_class())
+        assert kind.model_class().project is not SensorModel.project
 
 
 def test_a_model_that_is_registered_is_offered_fitted_compared_and_kept_in_files(made_up: str, tmp_path: Path) -> None:

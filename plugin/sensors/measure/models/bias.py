@@ -10,7 +10,7 @@ from ....imagery.errors import SettingsError
 from .. import messages
 from .least_squares import Scaling, least_squares
 from .rational import Rational
-from .sensor_model import FittedModel
+from .sensor_model import FittedModel, SensorModel
 
 _Used = tuple[int, ...]
 _TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
@@ -22,7 +22,7 @@ _TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
 
 
 @dataclass(frozen=True)
-class BiasedRpc:
+class BiasedRpc(SensorModel):
     """An RPC plus a correction in the image, linear in its column and row.
 
     Source: J. Grodecki and G. Dial, Block adjustment of high-resolution satellite images described by rational
@@ -30,7 +30,6 @@ class BiasedRpc:
     """
 
     GEOGRAPHIC: ClassVar[bool] = True
-    SPATIAL: ClassVar[bool] = True
 
     rpc: Rational
     correction: np.ndarray
@@ -48,7 +47,7 @@ class BiasedRpc:
 
 
 def fit_bias(
-    rpc: Rational | None, ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str
+    ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str, rpc: Rational | None
 ) -> FittedModel:
     """Fit the correction: ``ground`` (n, 3) longitude, latitude, ellipsoidal height; ``image`` (n, 2) px.
 

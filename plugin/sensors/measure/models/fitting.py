@@ -25,10 +25,9 @@ def fit_model(request: ModelRequest, points: Points, weights: np.ndarray) -> Fit
     if len(points) < fewest:
         raise SensorModelError(messages.TOO_FEW_POINTS(model=request.name, count=len(points), fewest=fewest))
     _check_spread(request, points)
-    code = request.kind.load()
-    if code.model.GEOGRAPHIC:
+    if request.kind.model_class().GEOGRAPHIC:
         points = replace(points, ground=GroundSystem(points.wkt).to_geographic(points.ground), wkt=WGS84)
-    return code.fit(request, points, weights)
+    return request.kind.fit(request, points, weights)
 
 
 def _check_spread(request: ModelRequest, points: Points) -> None:

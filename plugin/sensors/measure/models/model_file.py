@@ -36,7 +36,7 @@ class ModelFile:
 
 def save_model(file: ModelFile, path: Path) -> None:
     """Write a model file. Raises SettingsError where none can be."""
-    kind = next(name for name, kind in registry.KINDS.items() if type(file.model) is kind.load().model)
+    kind = next(name for name, kind in registry.KINDS.items() if type(file.model) is kind.model_class())
     document = {
         "format": FORMAT,
         "version": VERSION,
@@ -69,7 +69,7 @@ def load_model(path: Path) -> ModelFile:
     if document.get("version") != VERSION:
         raise SensorModelError(messages.MODEL_FILE_VERSION(name=path.name, version=document.get("version")))
     try:
-        model = _built(registry.KINDS[document["model"]].load().model, document["parameters"])
+        model = _built(registry.KINDS[document["model"]].model_class(), document["parameters"])
         plain = document["domain"]
         parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in dataclasses.fields(Domain)]
         domain = Domain(*parts)

@@ -9,16 +9,13 @@ import numpy as np
 from .least_squares import Scaling, least_squares
 from .locating import newton
 from .rational import Rational
-from .sensor_model import FittedModel
+from .sensor_model import FittedModel, SensorModel
 from .terms import terms_2d, terms_3d
 
 
 @dataclass(frozen=True)
-class Polynomial3D:
+class Polynomial3D(SensorModel):
     """Image coordinates as polynomials of x, y and z. Source: Kurczynski and Wolniewicz, equation 2."""
-
-    GEOGRAPHIC: ClassVar[bool] = False
-    SPATIAL: ClassVar[bool] = True
 
     order: int
     ground: Scaling
@@ -36,10 +33,9 @@ class Polynomial3D:
 
 
 @dataclass(frozen=True)
-class Polynomial2D:
+class Polynomial2D(SensorModel):
     """Image coordinates as polynomials of x and y. Source: Kurczynski and Wolniewicz, equation 1."""
 
-    GEOGRAPHIC: ClassVar[bool] = False
     SPATIAL: ClassVar[bool] = False
 
     order: int
@@ -56,9 +52,6 @@ class Polynomial2D:
         if not self.to_ground:
             return self.image.back(terms_2d(scaled, self.order) @ self.coefficients)
         return self.image.back(newton(self._scaled_ground, scaled, self._start(scaled)))
-
-    def as_rational(self) -> None:
-        return None
 
     def _scaled_ground(self, scaled_image: np.ndarray) -> np.ndarray:
         return terms_2d(scaled_image, self.order) @ self.coefficients

@@ -9,6 +9,7 @@ import numpy as np
 from ....imagery.errors import SensorModelError
 from .. import messages
 from .earth import geocentric, rotations
+from .sensor_model import SensorModel
 
 PUSHBROOM_POSITION_SIGMAS_M = (5e3, 5e3, 5e4)  # along, across, away: the affine camera's view, the orbit's height
 PUSHBROOM_MOTION_SIGMAS_M = (1e3, 1e3, 300.0)  # over half the lines: the orbit is near circular
@@ -59,14 +60,13 @@ class Orbit:
 
 
 @dataclass(frozen=True)
-class Pushbroom:
+class Pushbroom(SensorModel):
     """Collinearity in every line; position linear and attitude cubic in time, on top of a nominal orbit.
 
     Source: Kurczynski and Wolniewicz, "model parametryczny"; collinearity of one line at a time.
     """
 
     GEOGRAPHIC: ClassVar[bool] = True
-    SPATIAL: ClassVar[bool] = True
 
     orbit: Orbit
     unknowns: np.ndarray
@@ -90,9 +90,6 @@ class Pushbroom:
             if np.abs(step).max(initial=0) < MAX_LINE_STEP_PX:
                 return np.column_stack([columns, rows])
         raise SensorModelError(messages.LINE_NOT_FOUND())
-
-    def as_rational(self) -> None:
-        return None
 
     def in_line(self, places: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where geocentric points (n, 3) are seen from given lines (n,): column, and distance from the line, px."""

@@ -4,9 +4,11 @@ Read when QGIS starts, so nothing heavy is imported before a model is fitted.
 """
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from math import comb
-from typing import TYPE_CHECKING, Callable, NamedTuple
+from typing import TYPE_CHECKING, Callable
 
 from ....imagery.message import Message
 from .. import limits, messages
@@ -36,16 +38,6 @@ class Variant:
     """All unknowns, where priors hold some of them."""
 
 
-class Implementation(NamedTuple):
-    """The code of a model."""
-
-    model: type[SensorModel]
-    """Its class: what a model file holds."""
-    fit: Callable[[ModelRequest, Points, np.ndarray], FittedModel]
-    """Fits it to control points with weights (n,), 1 / standard deviation in px. The points' ground is longitude and
-    latitude where the class says so."""
-
-
 @dataclass(frozen=True)
 class ModelKind:
     """A sensor model that can be chosen."""
@@ -53,12 +45,26 @@ class ModelKind:
     name: str
     """As parameters, tables and model files call it."""
     variants: tuple[Variant, ...]
-    load: Callable[[], Implementation]
-    """Imports the code."""
+    code: tuple[str, str, str]
+    """Module, class (what a model file holds), and the fit: it takes ground (n, 3), image (n, 2) and weights (n,) of
+    points, and the options."""
     recommendation: Message
     """Why it is the one to take; with ``model``, ``rmse`` and ``best``."""
+    options: Callable[[ModelRequest, Points], Sequence[object]] = lambda request, points: (int(request.variant.name),)
+    """What the fit takes beside points: the order, unless said otherwise."""
     corrects_rpc: bool = False
     """Whether it starts from the vendor's RPC and its unknowns are a correction in the image."""
+
+    def model_class(self) -> type[SensorModel]:
+        """Imported when it is asked for, as is the fit."""
+        loaded: type[SensorModel] = getattr(import_module(self.code[0], __package__), self.code[1])
+        return loaded
+
+    def fit(self, request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
+        """Fit to points whose ground is longitude and latitude where the class says so."""
+        function = getattr(import_module(self.code[0], __package__), self.code[2])
+        fitted: FittedModel = function(points.ground, points.image, weights, *self.options(request, points))
+        return fitted
 
     def request(
         self,
@@ -93,58 +99,7 @@ class ModelRequest:
     @property
     def needs_heights(self) -> bool:
         """Whether heights play a part."""
-        return self.kind.load().model.SPATIAL
-
-
-def _polynomial_2d() -> Implementation:
-    from .polynomials import Polynomial2D, fit_polynomial_2d
-
-    return Implementation(Polynomial2D, lambda request, points, weights: fit_polynomial_2d(
-        points.ground, points.image, weights, int(request.variant.name)
-    ))
-
-
-def _polynomial_3d() -> Implementation:
-    from .polynomials import Polynomial3D, fit_polynomial_3d
-
-    return Implementation(Polynomial3D, lambda request, points, weights: fit_polynomial_3d(
-        points.ground, points.image, weights, int(request.variant.name)
-    ))
-
-
-def _rational() -> Implementation:
-    from .rational import Rational
-    from .rational_fit import fit_rational
-
-    return Implementation(Rational, lambda request, points, weights: fit_rational(
-        points.ground, points.image, weights, int(request.variant.name)
-    ))
-
-
-def _dlt() -> Implementation:
-    from .rational import Dlt
-    from .rational_fit import fit_dlt
-
-    return Implementation(Dlt, lambda request, points, weights: fit_dlt(
-        points.ground, points.image, weights, request.variant.name == "xy"
-    ))
-
-
-def _pushbroom() -> Implementation:
-    from .pushbroom import Pushbroom
-    from .pushbroom_fit import fit_pushbroom
-
-    return Implementation(Pushbroom, lambda request, points, weights: fit_pushbroom(
-        points.ground, points.image, weights, request.orbit_height_m, request.size, not points.sigma_known
-    ))
-
-
-def _rpc_bias() -> Implementation:
-    from .bias import BiasedRpc, fit_bias
-
-    return Implementation(BiasedRpc, lambda request, points, weights: fit_bias(
-        request.rpc, points.ground, points.image, weights, request.variant.name
-    ))
+        return self.kind.model_class().SPATIAL
 
 
 _TERMS_2D = {order: comb(order + 2, 2) for order in (1, 2, 3)}
@@ -153,30 +108,41 @@ _TERMS_3D = {order: comb(order + 3, 3) for order in (1, 2, 3)}
 POLYNOMIAL_2D = ModelKind(
     "polynomial_2d",
     tuple(Variant(str(order), 2 * terms, terms, 9 + order) for order, terms in _TERMS_2D.items()),
-    _polynomial_2d,
+    (".polynomials", "Polynomial2D", "fit_polynomial_2d"),
     messages.RECOMMEND_POLYNOMIAL_2D,
 )
 POLYNOMIAL_3D = ModelKind(
     "polynomial_3d",
     tuple(Variant(str(order), 2 * terms, terms, 5 + order) for order, terms in _TERMS_3D.items()),
-    _polynomial_3d,
+    (".polynomials", "Polynomial3D", "fit_polynomial_3d"),
     messages.RECOMMEND_POLYNOMIAL_3D,
 )
 RATIONAL = ModelKind(
     "rational",
     tuple(Variant(str(order), 4 * terms - 2, 2 * terms - 1, 1 + order) for order, terms in _TERMS_3D.items()),
-    _rational,
+    (".rational", "Rational", "fit_rational"),
     messages.RECOMMEND_RATIONAL,
 )
-DLT = ModelKind("dlt", (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)), _dlt, messages.RECOMMEND_DLT)
+DLT = ModelKind(
+    "dlt",
+    (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)),
+    (".rational", "Dlt", "fit_dlt"),
+    messages.RECOMMEND_DLT,
+    lambda request, points: (request.variant.name == "xy",),
+)
 PUSHBROOM = ModelKind(
-    "pushbroom", (Variant("", 8, 4, 0, with_priors=20),), _pushbroom, messages.RECOMMEND_PUSHBROOM
+    "pushbroom",
+    (Variant("", 8, 4, 0, with_priors=20),),
+    (".pushbroom_fit", "Pushbroom", "fit_pushbroom"),
+    messages.RECOMMEND_PUSHBROOM,
+    lambda request, points: (request.orbit_height_m, request.size, not points.sigma_known),
 )
 RPC_BIAS = ModelKind(
     "rpc_bias",
     (Variant("shift", 2, 1, 1), Variant("shift_drift", 3, 2, 1), Variant("affine", 6, 3, 1)),
-    _rpc_bias,
+    (".bias", "BiasedRpc", "fit_bias"),
     messages.RECOMMEND_RPC_BIAS,
+    lambda request, points: (request.variant.name, request.rpc),
     corrects_rpc=True,
 )
 

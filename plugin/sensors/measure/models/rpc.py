@@ -9,8 +9,7 @@ from ....imagery.errors import SensorModelError
 from .. import messages
 from ..ground_system import GEOGRAPHIC, GroundSystem
 from .locating import locate
-from .rational import Rational
-from .rational_fit import fit_rational
+from .rational import Rational, fit_rational
 from .sensor_model import SensorModel
 
 RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
@@ -55,6 +54,7 @@ def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
         raise SensorModelError(messages.PLANE_MODEL_HAS_NO_RPC())
     exact = model.as_rational() if frame.is_wgs84 else None
     if exact is not None:
+        assert isinstance(exact, Rational)
         return RpcOfModel(exact.padded(), 0.0, 0.0)
     columns, rows, heights = RPC_GRID
     fitted_to, judged_on = _grid(domain, RPC_GRID, 0.0), _grid(domain, (columns - 1, rows - 1, heights - 1), 0.5)

@@ -2,26 +2,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Protocol
+from typing import ClassVar
 
 import numpy as np
 
-from .rational import Rational
 
+class SensorModel:
+    """From the ground to the image. A model file holds the fields of the class, which is a dataclass."""
 
-class SensorModel(Protocol):
-    """From the ground to the image."""
-
-    GEOGRAPHIC: ClassVar[bool]
+    GEOGRAPHIC: ClassVar[bool] = False
     """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
-    SPATIAL: ClassVar[bool]
+    SPATIAL: ClassVar[bool] = True
     """Whether heights play a part; without them there is no RPC."""
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         """(n, 3) x, y, ellipsoidal height -> (n, 2) column, row in px."""
+        raise NotImplementedError
 
-    def as_rational(self) -> Rational | None:
-        """The very same function as quotients, which is an RPC's form; None where it has not that form."""
+    def as_rational(self) -> SensorModel | None:
+        """The very same function as ``Rational``, which is an RPC's form; None where it has not that form."""
+        return None
 
 
 @dataclass(frozen=True)
