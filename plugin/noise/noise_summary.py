@@ -43,7 +43,7 @@ def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
     if judged.sigma is None:
         return note
     words = tr("{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).").format(
-        finding=_finding(judged), sigma=_number(judged.sigma, 2), kurtosis=_number(judged.kurtosis[0], 1)
+        finding=_curve_clause(judged), sigma=_number(judged.sigma, 2), kurtosis=_number(judged.kurtosis[0], 1)
     )
     return f"{words} {note}".strip()
 
@@ -52,17 +52,17 @@ def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
     """The verdict and the numbers of every band, a line each."""
     lines = []
     for name, noise in bands.items():
-        said = f"{band_title(name)}: {tr(VERDICT_WORDS[noise.verdict])}"
+        line = f"{band_title(name)}: {tr(VERDICT_WORDS[noise.verdict])}"
         if noise.sigma is not None:
             numbers = tr("sigma {sigma} DN, kurtosis by level {kurtosis}").format(
                 sigma=_number(noise.sigma, 2), kurtosis=" / ".join(_number(value, 1) for value in noise.kurtosis)
             )
-            said = f"{said}, {numbers}"
-        lines.append(said)
+            line = f"{line}, {numbers}"
+        lines.append(line)
     return lines
 
 
-def _finding(noise: BandNoise) -> str:
+def _curve_clause(noise: BandNoise) -> str:
     if noise.verdict is NoiseVerdict.LOW:
         return tr("Low noise: the curve rises at every level")
     if noise.verdict is NoiseVerdict.STRONG:

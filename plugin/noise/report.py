@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..imagery.message import Message
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.pages.templates import said_once, save_page
+from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .charts import noise_figure
 from .measure.group_noise import ClipNoise
@@ -24,7 +24,7 @@ def save_noise_report(
         path,
         "random_noise",
         counts=", ".join(f"{tr(word)}: {counts[one]}" for one, word in VERDICT_WORDS.items() if counts[one]),
-        notices=said_once(notices),
+        notices=sentences_once(notices),
         chart=None if figure is None else svg_text(figure),
         verdicts=[tr(words) for words in VERDICT_WORDS.values()],
         rasters=_rasters(results),

@@ -9,7 +9,7 @@ from scipy import ndimage
 
 from ..imagery.photos import Photo
 from ..toolkit.pages.picture_files import encoded
-from ..toolkit.pages.templates import said_once, save_page
+from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .measure import messages
 from .measure.measuring_marks import MarkWindow
@@ -32,7 +32,7 @@ def save_orientation_report(path: Path, photo: Photo, made: PhotoOrientation) ->
         measured=made.count(MarkStatus.MEASURED),
         given=made.count(MarkStatus.GIVEN),
         failed=made.count(MarkStatus.FAILED),
-        notices=said_once(made.notices),
+        notices=sentences_once(made.notices),
         marks=[_row(mark) for mark in made.marks],
         pictures=[_picture(mark, made.views[mark.name]) for mark in made.marks if mark.name in made.views],
         magnification=PICTURE_MAGNIFICATION,

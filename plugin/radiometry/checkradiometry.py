@@ -127,8 +127,8 @@ class CheckRadiometry(RasterListAlgorithm):
             results.append(result)
         if not results and not feedback.isCanceled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(notices[-1:])))
-        findings = [checked for result in results for checked in result.checked_figures]
-        states = [checked.passed for checked in findings]
+        figures = [checked for result in results for checked in result.checked_figures]
+        states = [checked.passed for checked in figures]
         return {
             OUTPUT: output_id,
             **self.save(
@@ -137,7 +137,7 @@ class CheckRadiometry(RasterListAlgorithm):
             ),
             PASSED_COUNT: states.count(True),
             FAILED_COUNT: states.count(False),
-            NOT_MEASURABLE_COUNT: sum(checked.value is None for checked in findings),
+            NOT_MEASURABLE_COUNT: sum(checked.value is None for checked in figures),
         }
 
     def _rules(self, parameters: dict[str, Any], context: QgsProcessingContext) -> RuleSet:

@@ -10,7 +10,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ..imagery.message import Message
 from ..imagery.value_ranges import ValueRange
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.pages.templates import said_once, save_page
+from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
 from .measure import limits
@@ -70,7 +70,7 @@ def save_radiometry_report(
         "radiometry",
         rules=rules.name,
         overview=[_overview(result) for result in results],
-        notices=said_once(notices),
+        notices=sentences_once(notices),
         balance=[[_title(result), f"{100 * step:.2f} %", f"{100 * contrast:.2f} %"]
                  for result, (step, contrast) in pairs],
         balance_chart=None if figure is None else svg_text(figure),

@@ -6,7 +6,7 @@ from pathlib import Path
 from ..imagery.rasters import Mosaic
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.pages.templates import said_once, save_page
+from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .charts import direction_title, group_chart, target_picture, verdict_of, verdict_word
 from .measure.bar_groups import GroupResult, TargetResolution
@@ -25,7 +25,7 @@ def save_resolution_report(path: Path, raster: Mosaic, resolution: TargetResolut
         "resolution",
         name=raster.ref.name,
         summary=_summary(resolution),
-        notices=said_once(resolution.notices),
+        notices=sentences_once(resolution.notices),
         distances=[
             (direction_title(direction), band_title(band), tr("none") if grd is None else f"{grd:.2f}")
             for (direction, band), grd in sorted(resolution.grd_cm.items())

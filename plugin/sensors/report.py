@@ -9,7 +9,7 @@ import numpy as np
 
 from ..imagery.message import WARNING, Message
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.pages.templates import said_once, save_page
+from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .charts import comparison_chart, residual_chart
 from .measure.adjustment import Accuracy, Adjustment
@@ -28,8 +28,8 @@ def save_fit_report(
         path,
         "sensor_model",
         name=done.request.name,
-        notices=said_once(one for one in notices if one.level is WARNING),
-        notes=said_once(one for one in notices if one.level is not WARNING),
+        notices=sentences_once(one for one in notices if one.level is WARNING),
+        notes=sentences_once(one for one in notices if one.level is not WARNING),
         unknowns=_unknowns(done.request.variant),
         control_count=done.control.count,
         iterations=done.fitted.iterations,
@@ -58,7 +58,7 @@ def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Mes
         path,
         "sensor_comparison",
         recommendation=sentence(result.reason),
-        notices=said_once(notices),
+        notices=sentences_once(notices),
         chart=svg_text(comparison_chart(result)),
         models=[
             (_unbroken(row.request.name), *_errors(row.errors)[1:5], row.control_count, row.errors.count)

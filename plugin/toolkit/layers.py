@@ -1,4 +1,4 @@
-"""QGIS layers and Processing values -> the core's plain data."""
+"""QGIS layers and Processing values -> the plain data that is measured."""
 from __future__ import annotations
 
 from collections.abc import Iterator

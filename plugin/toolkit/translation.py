@@ -1,4 +1,4 @@
-"""Words for the user: translations of our own texts and of the core's messages."""
+"""Texts and messages in the user's language."""
 from __future__ import annotations
 
 import os
@@ -22,7 +22,7 @@ def language() -> str:
 
 
 def sentence(message: Message) -> str:
-    """A message of the core in the user's language."""
+    """A message in the user's language."""
     return message.worded(tr)
 
 

@@ -1,4 +1,4 @@
-"""What the core's tests are made of: textures, rasters of them as files, and what PyWavelets says about them."""
+"""What the tests of numbers are made of: textures, rasters of them as files, and what PyWavelets says about them."""
 from __future__ import annotations
 
 import warnings

@@ -17,7 +17,7 @@ from tools import template_texts
 TEXT_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1}
 """Which argument of a call is a text to translate."""
 CONTEXT = "@default"
-"""Where the adapters look for all translations."""
+"""Where the plugin looks for all translations."""
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +60,7 @@ def texts(package: Path) -> Iterator[str]:
                     yield argument.value
 
 
-def test_all_is_in_the_context_where_the_adapters_look(contexts: dict[str, list[ElementTree.Element]]) -> None:
+def test_all_is_in_the_context_where_the_plugin_looks(contexts: dict[str, list[ElementTree.Element]]) -> None:
     assert list(contexts) == [CONTEXT]
 
 

@@ -292,6 +292,6 @@ def _verdict(resolution: TargetResolution) -> str:
     words = "" if grd is None else f"{grd:.2f} cm"
     if results and all(result.resolved for result in results):
         words += ", " + tr("resolved")
-    said = ": ".join(part for part in (words, " ".join(reasons)) if part)
+    verdict = ": ".join(part for part in (words, " ".join(reasons)) if part)
     notice = sentence(resolution.scale_notice) if resolution.scale_notice is not None else ""
-    return "\n".join(part for part in (said, notice) if part)
+    return "\n".join(part for part in (verdict, notice) if part)

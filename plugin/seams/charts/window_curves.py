@@ -72,7 +72,7 @@ def _mean(clips: Sequence[ClipResult], band: str, label: str) -> ChartCurve:
 
 
 def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tuple[str, str]:
-    """A curve's name, and what is to be said of one of its points."""
+    """A curve's name, and the text about one of its points."""
     curve = curves[index]
     value = curve.values[component]
     is_background = component == len(curve.detail)

@@ -20,7 +20,7 @@ from ...imagery.message import Message
 from ...imagery.rasters import read_overview
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.pages.picture_files import encoded
-from ...toolkit.pages.templates import said_once, save_page
+from ...toolkit.pages.templates import save_page, sentences_once
 from ...toolkit.translation import tr
 from ..clip_pictures import bytes_picture
 from ..measure import messages
@@ -91,7 +91,7 @@ def write_report(
             made_on=request.made_on.isoformat(),
             count=len(request.findings),
             flagged=len(flagged),
-            notices=said_once(notices),
+            notices=sentences_once(notices),
             **_summary(request),
             **_map(request, linked),
             levels=levels,

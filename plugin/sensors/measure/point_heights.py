@@ -31,8 +31,8 @@ def with_heights(
     given = np.isfinite(heights)
     geographic = GroundSystem(points.wkt).to_geographic(np.nan_to_num(points.ground))
     if given.any():
-        vertical, said = vertical_system(points.wkt, datum, name)
-        notices += said
+        vertical, assumed = vertical_system(points.wkt, datum, name)
+        notices += assumed
         if vertical:
             moved = heights_above_ellipsoid(geographic[given], vertical)
             added = moved - heights[given]

@@ -43,11 +43,11 @@ REPORT = "REPORT"
 
 
 def choice(
-    name: str, title: str, words: Sequence[str], default: str = "", optional: bool = False
+    name: str, title: str, choices: Sequence[str], default: str = "", optional: bool = False
 ) -> QgsProcessingParameterDefinition:
     """A choice that models and scripts name by its word; the first one where there is no default."""
     return QgsProcessingParameterEnum(
-        name, title, list(words), defaultValue=default or words[0], optional=optional, usesStaticStrings=True
+        name, title, list(choices), defaultValue=default or choices[0], optional=optional, usesStaticStrings=True
     )
 
 

@@ -43,10 +43,10 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         self.left_out = [why for _, left_out in given.values() for why in left_out]
         """About rasters that can't be used at all."""
 
-    def addRasters(self, name: str, words: str, description: str, optional: bool = False) -> None:
+    def addRasters(self, name: str, title: str, description: str, optional: bool = False) -> None:
         """Add a parameter of several rasters."""
         rasters = QgsProcessingParameterMultipleLayers(
-            name, words, QgsProcessing.SourceType.TypeRaster, optional=optional
+            name, title, QgsProcessing.SourceType.TypeRaster, optional=optional
         )
         self.addDescribed(rasters, description)
 

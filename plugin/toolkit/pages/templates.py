@@ -28,7 +28,7 @@ def save_page(path: Path, template: str, **view: object) -> None:
         file.writelines(pieces)
 
 
-def said_once(notices: Iterable[Message]) -> list[str]:
+def sentences_once(notices: Iterable[Message]) -> list[str]:
     """Messages in the user's language, each once."""
     return list(dict.fromkeys(map(sentence, notices)))
 

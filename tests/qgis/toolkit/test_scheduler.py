@@ -71,7 +71,7 @@ def inspect(scene: Scene, **parameters: Any) -> Run:
 @needs_dask
 def test_a_cluster_gives_the_rows_that_threads_give(cluster: str, scene: Scene) -> None:
     threads = inspect(scene)
-    for _ in range(2):  # the second run meets workers that have the core already
+    for _ in range(2):  # the second run meets workers that have the archive already
         dask = inspect(scene, SCHEDULER=cluster)
         assert dask.complaint is None
         for table in ("OUTPUT", "CURVES", "PAIRS"):
@@ -109,7 +109,7 @@ def test_workers_take_the_core_of_an_updated_plugin(
     archive = executors._measuring_archive
 
     def updated(folder: Path) -> str:
-        """The core with red and blue changed over."""
+        """The archive with red and blue changed over."""
         current = Path(archive(folder))
         current.rename(folder / "current")
         with zipfile.ZipFile(folder / "current") as old, zipfile.ZipFile(current, "w") as new:
