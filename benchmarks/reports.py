@@ -26,15 +26,15 @@ def report_cost(ground: Ground, tile_format: str, count: int) -> tuple[float, fl
 
     requests = ground.requests(tile_format)
     block = Block(requests[0].mosaic, requests[0].sources)
-    findings, curves = [], {}
+    records, curves = [], {}
     measured = [inspect_window(request) for request in requests]
     for number, result in enumerate(islice(cycle(measured), count), 1):
         assert result.window is not None
         extent = block.mosaic.grid.window_extent(result.window)
-        findings.append(WindowRecord(number, extent, "significant", ratios=result.judgement.ratios.detail))
+        records.append(WindowRecord(number, extent, "significant", ratios=result.judgement.ratios.detail))
         shares = [(clip.raster, clip.role, clip.curves["luminance"]) for clip in result.clips]
         curves[number] = [CurveRecord(name, role, curve.detail, curve.background) for name, role, curve in shares]
-    request = ReportRequest(tuple(findings), curves, block=block, wkt=block.mosaic.wkt)
+    request = ReportRequest(tuple(records), curves, block=block, wkt=block.mosaic.wkt)
     before = peak_memory()
     with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
         path = Path(folder) / "report.html"

@@ -27,7 +27,7 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> st
     if not row.verdict:
         return verdict_sentence("")
     if row.is_compared:
-        found = _finding(row, explanation_of(row, result))
+        found = _verdict_and_cause(row, explanation_of(row, result))
     else:
         found = row.reason or verdict_sentence(row.verdict)
     return tr("{finding} Changed since: inspect it again.").format(finding=found) if row.stale else found
@@ -83,7 +83,7 @@ def percent(ratio: float) -> str:
     return QLocale().toString(share, "f", decimals)
 
 
-def _finding(row: WindowRecord, found: Explanation | None) -> str:
+def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
     """The verdict, the ratios, and the cause."""
     verdict, ratio, because = verdict_sentence(row.verdict), row.ratio, _because(row, found)
     if ratio is None:

@@ -49,7 +49,7 @@ class InspectionDock(ToolDock):
         self._tabs = tuple(tabs)
         self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
         self.reports = ReportWriter(self.session, self)
-        self.reports.said.connect(self._show_message)
+        self.reports.told.connect(self._show_message)
         self._make_actions()
         self._lay_out()
         self.session.progressChanged.connect(self._show_progress)

@@ -25,7 +25,7 @@ _KEY = "report"
 class ReportWriter(QObject):
     """One report at a time."""
 
-    said = pyqtSignal(str, int)
+    told = pyqtSignal(str, int)
     """A sentence, which may hold a link, and its Qgis.MessageLevel as int."""
 
     def __init__(self, session: Session, parent: QWidget) -> None:
@@ -72,7 +72,7 @@ class ReportWriter(QObject):
         except SeamInspectorError as error:
             self._failed(error.message)
             return
-        take = partial(self._take, path, len(request.findings), len(request.curves))
+        take = partial(self._take, path, len(request.records), len(request.curves))
         self._background.start(tr("Write the report"), report_job(path, request), take, _KEY)
 
     def close(self) -> None:
@@ -89,7 +89,7 @@ class ReportWriter(QObject):
             )
         words += [escape(sentence(notice), quote=False) for notice in notices]
         level = Qgis.MessageLevel.Warning if len(words) > 1 else Qgis.MessageLevel.Success
-        self.said.emit(" ".join(words), int(level))
+        self.told.emit(" ".join(words), int(level))
 
     def _failed(self, message: Message) -> None:
-        self.said.emit(escape(sentence(message), quote=False), bar_level(message))
+        self.told.emit(escape(sentence(message), quote=False), bar_level(message))

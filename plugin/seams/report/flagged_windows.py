@@ -62,42 +62,42 @@ class WindowSections:
         self._drawer = CurveDrawer(max_ratio)
         self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
-    def sections(self, findings: Sequence[WindowRecord]) -> Iterator[WindowSection]:
+    def sections(self, records: Sequence[WindowRecord]) -> Iterator[WindowSection]:
         """One for each."""
-        for finding, clips in zip(findings, self._clips(findings)):
-            yield self._section(finding, clips)
+        for record, clips in zip(records, self._clips(records)):
+            yield self._section(record, clips)
 
-    def _clips(self, findings: Sequence[WindowRecord]) -> Iterator[WindowParts]:
+    def _clips(self, records: Sequence[WindowRecord]) -> Iterator[WindowParts]:
         if self._block is None:
-            return repeat(WindowParts(), len(findings))
-        return window_parts(self._block, map(self._job, findings), self._bytes_each)
+            return repeat(WindowParts(), len(records))
+        return window_parts(self._block, map(self._job, records), self._bytes_each)
 
-    def _job(self, finding: WindowRecord) -> ClipJob:
+    def _job(self, record: WindowRecord) -> ClipJob:
         """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""
-        pairs = self._pairs.get(finding.window_id, ())
+        pairs = self._pairs.get(record.window_id, ())
         if pairs:
             band = judged_band(pair.band for pair in pairs)
             own = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
             own.sort(key=lambda pair: -(pair.ratio or 0))
-            return ClipJob(finding.extent, tuple(pair.source for pair in own))
-        curves = self._curves.get(finding.window_id, ())
-        return ClipJob(finding.extent, tuple(curve.raster for curve in curves if curve.role == "source"))
+            return ClipJob(record.extent, tuple(pair.source for pair in own))
+        curves = self._curves.get(record.window_id, ())
+        return ClipJob(record.extent, tuple(curve.raster for curve in curves if curve.role == "source"))
 
-    def _section(self, finding: WindowRecord, clips: WindowParts) -> WindowSection:
+    def _section(self, record: WindowRecord, clips: WindowParts) -> WindowSection:
         problem = ""
         if clips.problem is not None:
-            notice = messages.CLIP_NOT_SHOWN(window=finding.window_id, why=clips.problem)
+            notice = messages.CLIP_NOT_SHOWN(window=record.window_id, why=clips.problem)
             self.notices.append(notice)
             problem = sentence(notice)
-        curves = self._curves.get(finding.window_id, ())
+        curves = self._curves.get(record.window_id, ())
         has_curve = any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic")
         same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)] if has_curve else []
         title = tr("Window {number}: {verdict}")
         return WindowSection(
-            anchor(finding.window_id),
-            title.format(number=finding.window_id, verdict=verdict_word(finding.verdict)),
-            list(self._facts(finding)),
-            *_ratios(finding),
+            anchor(record.window_id),
+            title.format(number=record.window_id, verdict=verdict_word(record.verdict)),
+            list(self._facts(record)),
+            *_ratios(record),
             problem,
             self._drawer.draw(same) if same else "",
             curve_legend(same) if same else (),
@@ -105,34 +105,34 @@ class WindowSections:
             "" if clips.extent is None else _place_words(clips),
         )
 
-    def _facts(self, finding: WindowRecord) -> Iterator[str]:
+    def _facts(self, record: WindowRecord) -> Iterator[str]:
         """Verdict, cause and observer in words."""
-        ratio = finding.ratios[0] if finding.ratios else None
+        ratio = record.ratios[0] if record.ratios else None
         if ratio is not None:
             yield tr("Detail at level 1 is {percent:.0f} % of the least sharp source's.").format(percent=100 * ratio)
-        elif finding.reason:
-            yield finding.reason
-        said = []
-        if finding.cause:
-            said.append(tr("Cause: {cause}.").format(cause=cause_word(finding.cause)))
-            said.append(cause_sentence(finding.cause))
-        seen = observer_word(finding.observer) or tr("not judged")
-        said.append(tr("Observer: {word}.").format(word=seen))
-        contrast = contrast_of(self._pairs.get(finding.window_id, ()))
+        elif record.reason:
+            yield record.reason
+        facts = []
+        if record.cause:
+            facts.append(tr("Cause: {cause}.").format(cause=cause_word(record.cause)))
+            facts.append(cause_sentence(record.cause))
+        seen = observer_word(record.observer) or tr("not judged")
+        facts.append(tr("Observer: {word}.").format(word=seen))
+        contrast = contrast_of(self._pairs.get(record.window_id, ()))
         if contrast is not None:
-            said.append(tr("Absolute contrast at level 1: {percent:.0f} %.").format(percent=100 * contrast))
-        if finding.unclear_share is not None:
+            facts.append(tr("Absolute contrast at level 1: {percent:.0f} %.").format(percent=100 * contrast))
+        if record.unclear_share is not None:
             words = tr("Pixels where no source wins clearly: {percent:.0f} %.")
-            said.append(words.format(percent=100 * finding.unclear_share))
-        yield " ".join(filter(None, said))
+            facts.append(words.format(percent=100 * record.unclear_share))
+        yield " ".join(filter(None, facts))
 
 
-def _ratios(finding: WindowRecord) -> tuple[list[int], list[list[str]]]:
+def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
     """The levels, and a row for each ratio that is known."""
     rows = [
-        (tr("against the sources"), finding.ratios, finding.background_ratio),
-        (tr("against the hard-cut composite"), finding.composite_ratios, None),
-        (tr("expected of a 50:50 feather"), finding.expected_ratios, None),
+        (tr("against the sources"), record.ratios, record.background_ratio),
+        (tr("against the hard-cut composite"), record.composite_ratios, None),
+        (tr("expected of a 50:50 feather"), record.expected_ratios, None),
     ]
     known = [row for row in rows if any(value is not None for value in row[1])]
     levels = max((len(row[1]) for row in known), default=0)

@@ -41,7 +41,7 @@ Progress = Callable[[float], None]
 class ReportRequest:
     """What a report tells, in plain data that can cross threads."""
 
-    findings: tuple[WindowRecord, ...]
+    records: tuple[WindowRecord, ...]
     """The windows; their extents in the mosaic's reference system where there is a block."""
     curves: Mapping[int, Sequence[CurveRecord]] = field(default_factory=dict)
     """By window, in the judged band."""
@@ -68,9 +68,9 @@ def write_report(
     ``progress`` is told the share that is done, 0 to 1. Raises SettingsError where no file can be written.
     """
     notices: list[Message] = []
-    flagged = flagged_windows(request.findings)
+    flagged = flagged_windows(request.records)
     detailed = _detailed(flagged)
-    linked = {finding.window_id for finding in detailed}
+    linked = {record.window_id for record in detailed}
     if len(detailed) < len(flagged):
         notices.append(messages.DETAILS_LIMITED(count=len(flagged), most=len(detailed)))
     sections = WindowSections(request.block, request.curves, request.pairs, request.max_ratio, len(detailed))
@@ -89,15 +89,15 @@ def write_report(
             "inspection",
             title=request.title or _mosaics_title(request),
             made_on=request.made_on.isoformat(),
-            count=len(request.findings),
+            count=len(request.records),
             flagged=len(flagged),
             notices=sentences_once(notices),
             **_summary(request),
             **_map(request, linked),
             levels=levels,
-            ratio_levels=max((len(one.ratios) for one in request.findings), default=0),
+            ratio_levels=max((len(one.ratios) for one in request.records), default=0),
             windows=(
-                window_rows(one, request.curves.get(one.window_id, ()), levels, linked) for one in request.findings
+                window_rows(one, request.curves.get(one.window_id, ()), levels, linked) for one in request.records
             ),
             sections=shown(),
             magnification=MAGNIFICATION,
@@ -112,9 +112,9 @@ class _CancelledError(Exception):
     """The report is not wanted any more."""
 
 
-def flagged_windows(findings: Iterable[WindowRecord]) -> list[WindowRecord]:
+def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
     """Those with a significant loss, and those where the observer saw one."""
-    return [one for one in findings if one.verdict == "significant" or one.observer == "visible"]
+    return [one for one in records if one.verdict == "significant" or one.observer == "visible"]
 
 
 def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
@@ -123,24 +123,24 @@ def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
     return sorted(worst[: MAX_REPORT_DETAILS], key=lambda one: one.window_id)
 
 
-def _ratio(finding: WindowRecord) -> float | None:
-    return finding.ratios[0] if finding.ratios else None
+def _ratio(record: WindowRecord) -> float | None:
+    return record.ratios[0] if record.ratios else None
 
 
 # The page's head
 
 
-def _mosaic_of(request: ReportRequest, finding: WindowRecord) -> str:
+def _mosaic_of(request: ReportRequest, record: WindowRecord) -> str:
     """The mosaic that a window belongs to."""
-    names = (curve.raster for curve in request.curves.get(finding.window_id, ()) if curve.role == "mosaic")
+    names = (curve.raster for curve in request.curves.get(record.window_id, ()) if curve.role == "mosaic")
     own = next(names, "")
     return own or (request.block.mosaic.ref.name if request.block else request.name)
 
 
 def _by_mosaic(request: ReportRequest) -> dict[str, list[WindowRecord]]:
     found: dict[str, list[WindowRecord]] = {}
-    for finding in request.findings:
-        found.setdefault(_mosaic_of(request, finding), []).append(finding)
+    for record in request.records:
+        found.setdefault(_mosaic_of(request, record), []).append(record)
     return found
 
 
@@ -151,26 +151,26 @@ def _mosaics_title(request: ReportRequest) -> str:
 
 def _summary(request: ReportRequest) -> dict[str, object]:
     """Verdicts, observer's words and ratios of each mosaic, and its causes."""
-    verdicts = [verdict for verdict in VERDICTS if verdict or any(not one.verdict for one in request.findings)]
-    causes = Counter((_mosaic_of(request, one), one.cause) for one in request.findings if one.cause)
-    flagged = Counter((_mosaic_of(request, one), one.cause) for one in flagged_windows(request.findings))
+    verdicts = [verdict for verdict in VERDICTS if verdict or any(not one.verdict for one in request.records)]
+    causes = Counter((_mosaic_of(request, one), one.cause) for one in request.records if one.cause)
+    flagged = Counter((_mosaic_of(request, one), one.cause) for one in flagged_windows(request.records))
     ordered = sorted(causes.items(), key=lambda item: (item[0][0], -item[1], item[0][1]))
     return {
         "verdicts": [verdict_word(verdict) for verdict in verdicts],
-        "mosaics": [(mosaic, _counts(findings, verdicts)) for mosaic, findings in _by_mosaic(request).items()],
+        "mosaics": [(mosaic, _counts(records, verdicts)) for mosaic, records in _by_mosaic(request).items()],
         "causes": [
             (mosaic, cause_word(cause), (count, flagged[mosaic, cause])) for (mosaic, cause), count in ordered
         ],
     }
 
 
-def _counts(findings: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[object]:
+def _counts(records: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[object]:
     """Windows, those of each verdict and of each of the observer's words, and their median ratio."""
-    counts = Counter(one.verdict for one in findings)
-    words = Counter(one.observer for one in findings)
-    ratios = [ratio for one in findings if (ratio := _ratio(one)) is not None]
+    counts = Counter(one.verdict for one in records)
+    words = Counter(one.observer for one in records)
+    ratios = [ratio for one in records if (ratio := _ratio(one)) is not None]
     median = f"{statistics.median(ratios):.2f}" if ratios else ""
-    return [len(findings), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], median]
+    return [len(records), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], median]
 
 
 # The map
@@ -179,7 +179,7 @@ def _counts(findings: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[o
 def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     """The sketch and its legend."""
     order = list(VERDICTS)[::-1]
-    known = [one for one in request.findings if one.extent is not None]
+    known = [one for one in request.records if one.extent is not None]
     known.sort(key=lambda one: (order.index(one.verdict) if one.verdict in order else 0, one.window_id in detailed))
     if not known:
         return {"sketch": None}
@@ -197,13 +197,13 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     }
 
 
-def _shape(finding: WindowRecord, detailed: bool) -> SketchShape:
-    assert finding.extent is not None
-    ratio = _ratio(finding)
-    tip = tr("window {number}: {verdict}").format(number=finding.window_id, verdict=verdict_word(finding.verdict))
+def _shape(record: WindowRecord, detailed: bool) -> SketchShape:
+    assert record.extent is not None
+    ratio = _ratio(record)
+    tip = tr("window {number}: {verdict}").format(number=record.window_id, verdict=verdict_word(record.verdict))
     tip += "" if ratio is None else tr(", ratio 1: {ratio:.2f}").format(ratio=ratio)
-    link = anchor(finding.window_id) if detailed else ""
-    return SketchShape(finding.extent, verdict_colour(finding.verdict), str(finding.window_id), tip, link)
+    link = anchor(record.window_id) if detailed else ""
+    return SketchShape(record.extent, verdict_colour(record.verdict), str(record.window_id), tip, link)
 
 
 def _background(

@@ -36,14 +36,14 @@ class WindowRows:
     rasters: Sequence[RasterRow]
 
 
-def window_rows(finding: WindowRecord, curves: Sequence[CurveRecord], levels: int, linked: Set[int]) -> WindowRows:
+def window_rows(record: WindowRecord, curves: Sequence[CurveRecord], levels: int, linked: Set[int]) -> WindowRows:
     """The rows of one window; ``linked`` windows lead to theirs. Shallower curves leave their last levels empty."""
     return WindowRows(
-        finding.window_id,
-        anchor(finding.window_id) if finding.window_id in linked else "",
-        verdict_colour(finding.verdict),
-        list(_found(finding)),
-        [*map(two_digits, finding.ratios), two_digits(finding.background_ratio)],
+        record.window_id,
+        anchor(record.window_id) if record.window_id in linked else "",
+        verdict_colour(record.verdict),
+        list(_found(record)),
+        [*map(two_digits, record.ratios), two_digits(record.background_ratio)],
         [_raster_row(curve, levels) for role in _ROLES for curve in curves if curve.role == role],
     )
 
@@ -58,23 +58,23 @@ def two_digits(value: float | None) -> str:
     return "" if value is None else f"{value:.2f}"
 
 
-def _found(finding: WindowRecord) -> Iterator[str]:
+def _found(record: WindowRecord) -> Iterator[str]:
     ratios = [
         template.format(ratio=ratios[0])
         for template, ratios in (
-            (tr("ratio 1: {ratio:.2f}"), finding.ratios),
-            (tr("composite: {ratio:.2f}"), finding.composite_ratios),
+            (tr("ratio 1: {ratio:.2f}"), record.ratios),
+            (tr("composite: {ratio:.2f}"), record.composite_ratios),
         )
         if ratios and ratios[0] is not None
     ]
-    yield ", ".join([verdict_word(finding.verdict), *ratios])
-    if finding.reason:
-        yield finding.reason
+    yield ", ".join([verdict_word(record.verdict), *ratios])
+    if record.reason:
+        yield record.reason
     known = []
-    if finding.cause:
-        known.append(tr("cause: {cause}").format(cause=cause_word(finding.cause)))
-    if finding.observer:
-        known.append(tr("observer: {word}").format(word=observer_word(finding.observer)))
+    if record.cause:
+        known.append(tr("cause: {cause}").format(cause=cause_word(record.cause)))
+    if record.observer:
+        known.append(tr("observer: {word}").format(word=observer_word(record.observer)))
     if known:
         yield "; ".join(known)
 

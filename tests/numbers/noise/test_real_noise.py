@@ -63,7 +63,8 @@ def test_feathering_halves_brightons_steps_and_takes_a_tenth_of_the_contrast_bes
         assert result is not None
         found.append(result)
     figures = [
-        {(one.rule.check, one.band): one.value for one in result.findings if one.value is not None} for result in found
+        {(one.rule.check, one.band): one.value for one in result.checked_figures if one.value is not None}
+        for result in found
     ]
     hard, feathered = figures
     for band in ("red", "green", "blue"):

@@ -242,11 +242,11 @@ def noisy_block(folder: Path, side: int) -> Block:
 def many(block: Block, count: int) -> ReportRequest:
     """Flagged windows, 256 px a side, all over the mosaic."""
     random = np.random.default_rng(4)
-    findings, curves, pairs = [], {}, {}
+    records, curves, pairs = [], {}, {}
     for number in range(1, count + 1):
         column, row = random.integers(0, block.mosaic.grid.columns - 256, 2).tolist()
         extent = block.mosaic.grid.window_extent(PixelWindow(column, row, 256, 256))
-        findings.append(WindowRecord(number, extent, "significant", ratios=(0.3 + number / 1000, 0.5, 0.7)))
+        records.append(WindowRecord(number, extent, "significant", ratios=(0.3 + number / 1000, 0.5, 0.7)))
         shares = random.uniform(0.01, 0.2, (3, 3))
         roles = (("mosaic.tif", "mosaic"), ("a.tif", "source"), ("b.tif", "source"))
         curves[number] = [
@@ -254,7 +254,7 @@ def many(block: Block, count: int) -> ReportRequest:
             for (name, role), detail in zip(roles, shares)
         ]
         pairs[number] = [PairRecord(name, "luminance", 0.3, 0.5) for name in ("a.tif", "b.tif")]
-    return ReportRequest(tuple(findings), curves, pairs, block, block.mosaic.wkt, "300")
+    return ReportRequest(tuple(records), curves, pairs, block, block.mosaic.wkt, "300")
 
 
 def test_300_windows_stay_below_30_megabytes(qgis_app: Any, tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ _Slot = Callable[..., None]
 class CurvesExport(QToolButton):
     """Offers pictures of the chart and tables of its windows."""
 
-    said = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
+    told = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -115,4 +115,4 @@ class CurvesExport(QToolButton):
         return f"{self._title} ({band_title(self._band)})"
 
     def _say(self, text: str, level: Any) -> None:
-        self.said.emit(text, int(level))
+        self.told.emit(text, int(level))

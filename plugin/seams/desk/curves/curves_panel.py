@@ -66,7 +66,7 @@ class CurvesPanel(ChartPanel):
         self._logarithmic.setAutoRaise(True)
         self._logarithmic.toggled.connect(self._refresh_now)
         self._export = CurvesExport()
-        self._export.said.connect(self._session.messageRaised)
+        self._export.told.connect(self._session.messageRaised)
         self._splitter = QSplitter(Qt.Orientation.Horizontal)
         self._splitter.setChildrenCollapsible(False)
         self._splitter.splitterMoved.connect(self._on_border_moved)

@@ -16,17 +16,17 @@ class Writer:
     def __init__(self, desk: Desk) -> None:
         self.window = QWidget()
         self.writer = ReportWriter(desk.session, self.window)
-        self.said: list[str] = []
-        self.writer.said.connect(self._hear)
+        self.told: list[str] = []
+        self.writer.told.connect(self._hear)
 
     def _hear(self, text: str, _level: int) -> None:
-        self.said.append(text)
+        self.told.append(text)
 
     def write(self, path: Path) -> str:
         self.writer.write(path)
         wait_for_tasks()
-        (said,) = self.said
-        self.said.clear()
+        (said,) = self.told
+        self.told.clear()
         return said
 
 
