@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -59,6 +60,12 @@ def test_what_the_provider_offers(provider: QgsProcessingProvider) -> None:
     assert provider.name() == "Seam Inspector"
     assert not provider.icon().isNull()
     assert os.path.isfile(provider.svgIconPath())
+
+
+def test_the_readme_names_what_the_provider_offers(repository: Path, provider: QgsProcessingProvider) -> None:
+    page = (repository / "README.md").read_text(encoding="utf-8")
+    named = re.findall(r"^\| `(seaminspector:\w+)` \|", page, re.MULTILINE)
+    assert sorted(named) == sorted(one.id() for one in provider.algorithms())
 
 
 def test_every_algorithm_says_what_it_does(provider: QgsProcessingProvider) -> None:

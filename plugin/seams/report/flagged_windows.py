@@ -9,10 +9,11 @@ from itertools import repeat
 from ...imagery.band_names import judged_band
 from ...imagery.message import Message
 from ...toolkit.translation import sentence, tr
+from ..cause_words import cause_sentence, cause_word
 from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, WindowRecord, contrast_of
-from ..verdict_words import cause_sentence, cause_word, observer_word, verdict_word
+from ..verdict_words import observer_word, verdict_word
 from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
 from .curve_pictures import CurveDrawer, curve_legend
 from .variance_table import anchor, two_digits

@@ -22,11 +22,12 @@ from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
 from ...toolkit.translation import tr
+from ..cause_words import cause_word
 from ..clip_pictures import bytes_picture
 from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
-from ..verdict_words import VERDICTS, cause_word, verdict_colour, verdict_word
+from ..verdict_words import VERDICTS, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
 from .variance_table import anchor, window_rows

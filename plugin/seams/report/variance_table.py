@@ -5,8 +5,9 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
 from ...toolkit.translation import tr
+from ..cause_words import cause_word
 from ..measure.window_records import COMPOSITE, CurveRecord, WindowRecord
-from ..verdict_words import cause_word, observer_word, verdict_colour, verdict_word
+from ..verdict_words import observer_word, verdict_colour, verdict_word
 
 _ROLES = ("mosaic", "source", COMPOSITE)
 

@@ -1,6 +1,7 @@
 """Why contrast was lost: each rule at its limit, and real clips that were spoilt in known ways (Brighton)."""
 from __future__ import annotations
 
+import re
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -57,6 +58,12 @@ LITTLE = 1e-6
 def test_nothing_wrong_is_no_cause() -> None:
     assert find_cause(SOUND) is Cause.NONE
     assert find_cause(replace(SOUND, colour_shift=None, sharpness=None)) is Cause.NONE
+
+
+def test_the_documentation_lists_the_causes_in_their_order(repository: Path) -> None:
+    page = (repository / "docs" / "causes.md").read_text(encoding="utf-8")
+    table = page.partition("| Cause | Limit |")[2].partition("\n\n")[0]
+    assert re.findall(r"^\| `([a-z ]+)` \|", table, re.MULTILINE) == [cause.value for cause in Cause]
 
 
 @pytest.mark.parametrize(

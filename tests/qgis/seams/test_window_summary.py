@@ -7,14 +7,14 @@ import pytest
 from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams import verdict_words
+from seam_inspector.plugin.seams import cause_words
+from seam_inspector.plugin.seams.cause_words import CAUSES, cause_sentence, cause_word
 from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.explanation import Change, Explanation
 from seam_inspector.plugin.seams.measure.inspection import WindowResult
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.verdict_words import cause_sentence, cause_word
 from seam_inspector.plugin.seams.window_summary import cause_numbers, explanation_of, window_sentence
 
 from tests.qgis.seams.desk.windows_session import window
@@ -66,11 +66,15 @@ def test_every_cause_has_its_words(qgis_app: QgsApplication, cause: str, words: 
     assert window_sentence(row(cause)) == f"{start}{alone or words}."
 
 
+def test_every_cause_has_its_entry() -> None:
+    assert set(CAUSES) == {cause.value for cause in Cause}
+
+
 @pytest.mark.parametrize("cause", list(Cause))
 def test_all_causes_are_told(qgis_app: QgsApplication, monkeypatch: pytest.MonkeyPatch, cause: Cause) -> None:
     assert ";" in window_sentence(row(cause.value))
     assert cause_sentence(cause.value)
-    monkeypatch.setattr(verdict_words, "tr", str.upper)  # an unknown word is not translated but told as it is
+    monkeypatch.setattr(cause_words, "tr", str.upper)  # an unknown word is not translated but told as it is
     assert cause_word(cause.value) == cause.value.upper()
 
 

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
 
-from ...verdict_words import cause_word, observer_word, verdict_word
+from ...cause_words import cause_word
+from ...verdict_words import observer_word, verdict_word
 from .windows_model import WindowsModel
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from qgis.PyQt.QtGui import QFont, QIcon
 
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.translation import tr
-from ...verdict_words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_word
+from ...cause_words import cause_sentence, cause_word
+from ...verdict_words import VERDICTS, observer_word, verdict_word
 from ...window_summary import cause_numbers, explanation_of
 from .verdict_chips import verdict_chip, window_tip
 

@@ -9,8 +9,9 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOp
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
 from ....toolkit.translation import tr
+from ...cause_words import cause_word
 from ...measure.causes import Cause
-from ...verdict_words import VERDICTS, cause_word, observer_word, verdict_word
+from ...verdict_words import VERDICTS, observer_word, verdict_word
 from .windows_filter import WindowsFilter
 from .windows_model import Column, ColumnKind, WindowsModel
 

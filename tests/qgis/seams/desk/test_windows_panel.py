@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 from seam_inspector.plugin.seams.desk.windows.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.windows.windows_model import Column, ColumnKind
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
-from seam_inspector.plugin.seams.window_summary import percent
+from seam_inspector.plugin.toolkit.translation import percent
 
 from tests.qgis.seams.desk.windows_session import WindowsSession, window
 
