@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inspection import Block, InspectionSettings, Source, WindowRequest
 
 from demo.block import EXPOSURES, write_image

@@ -9,12 +9,12 @@ import cv2
 import numpy as np
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.imagery.photos import Photo
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration
 from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
 from seam_inspector.plugin.photos.measure.mark_templates import MarkKind, MarkShape, draw
 from seam_inspector.plugin.photos.measure.orientation import MarkStatus, OrientationSettings
+from seam_inspector.plugin.photos.measure.photo import Photo
 
 from .ground import Ground
 from .timing import Goal, interleaved, print_table

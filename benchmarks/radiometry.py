@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure.assessment import assess
 from seam_inspector.plugin.radiometry.measure.image_statistics import stream_statistics
@@ -42,16 +42,14 @@ def bare_read(path: Path) -> None:
 
 def histograms(path: Path) -> object:
     """Histograms and areas only."""
-    pixels = Pixels(RasterRef(str(path)))
-    image = pixels.image()
-    return stream_statistics(pixels, image, image.whole)
+    source = OpenRaster(RasterRef(str(path)))
+    return stream_statistics(source, source.raster.whole)
 
 
 def whole(path: Path) -> object:
     """All figures of the default rules."""
-    pixels = Pixels(RasterRef(str(path)))
-    image = pixels.image()
-    return assess(pixels, image, image.whole, default_rules())
+    source = OpenRaster(RasterRef(str(path)))
+    return assess(source, source.raster.whole, default_rules())
 
 
 def run(ground: Ground, quick: bool) -> list[Goal]:

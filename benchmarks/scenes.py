@@ -14,10 +14,12 @@ import numpy as np
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.band_curves import measure_bands
+from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
-from seam_inspector.plugin.imagery.rasters import Clip, Mosaic, RasterRef, describe, describe_mosaic, read_clip
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
@@ -37,7 +39,7 @@ class Scene:
     labels: np.ndarray
     """(rows, columns) uint8: index of each pixel's source in ``sources``."""
     sources: tuple[Clip, ...]
-    mosaic: Mosaic
+    mosaic: Raster
 
     @property
     def main(self) -> tuple[int, int]:
@@ -109,10 +111,9 @@ def scenes_of(mosaic: Path, sources: Sequence[Path], labels: np.ndarray, side: i
     return [_scene(block, places[number], labels, names) for number in _spread(len(places))[:count]]
 
 
-def _valid(path: Path, mosaic: Mosaic) -> np.ndarray:
+def _valid(path: Path, mosaic: Raster) -> np.ndarray:
     """Where a source has pixels, (rows, columns) bool of the mosaic, to the nearest pixel."""
     grid, own = mosaic.grid, describe(RasterRef(str(path))).grid
-    assert own is not None
     row, column = round((grid.top - own.top) / grid.pixel_height), round((own.left - grid.left) / grid.pixel_width)
     found = (gdal.Open(str(path)).ReadAsArray() > 0).any(axis=0)
     found = found[max(-row, 0) : grid.rows - row, max(-column, 0) : grid.columns - column]

@@ -16,8 +16,10 @@ from statistics import median
 import numpy as np
 from osgeo import gdal
 from seam_inspector.plugin.imagery.band_curves import measure_clip
-from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.imagery.rasters import Clip, RasterRef, describe, read_clip
+from seam_inspector.plugin.imagery.clips import Clip, read_clip
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.explanation import explain
 from seam_inspector.plugin.seams.measure.inspection import (
@@ -236,9 +238,8 @@ def run_selection(ground: Ground, quick: bool) -> list[Goal]:
     repetitions = 3 if quick else 7
     mosaic = ground.requests("DEFLATE")[0].mosaic
     step, side = 1000, 3000  # px: nine images lie over every place, some four cover a whole window there
-    grid = Grid(mosaic.grid.left, mosaic.grid.top, mosaic.grid.pixel_width, mosaic.grid.pixel_height,
-                (columns + 2) * step, (rows + 2) * step)
-    mosaic = replace(mosaic, grid=grid, extent=grid.extent)
+    mosaic = replace(mosaic, columns=(columns + 2) * step, rows=(rows + 2) * step)
+    grid = mosaic.grid
     indexed = [
         Source(RasterRef(f"/nowhere/{row}_{column}.tif"),
                grid.window_extent(PixelWindow(column * step, row * step, side, side)))

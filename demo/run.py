@@ -19,9 +19,12 @@ import numpy as np
 from matplotlib.figure import Figure
 from osgeo import gdal
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsVectorLayer
-from seam_inspector.plugin.imagery import grids, rasters
+from seam_inspector.plugin.imagery import grids
 from seam_inspector.plugin.imagery import limits as imagery_limits
+from seam_inspector.plugin.imagery.clips import read_clip, read_overview
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.provider import SeamInspectorProvider
 from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
 from seam_inspector.plugin.seams.charts.curve_chart import draw_curves
@@ -122,13 +125,13 @@ def find_inputs(folder: Path) -> list[Inputs]:
 def is_orthoimage(path: Path, mosaic: Path) -> bool:
     """Whether a raster can be a source of a mosaic: on the map, with its colours, and no few values as labels have."""
     try:
-        raster = rasters.describe_mosaic(rasters.RasterRef(str(path)))
-        if rasters.describe(rasters.RasterRef(str(mosaic))).has_luminance and not raster.has_luminance:
+        raster = describe_mosaic(RasterRef(str(path)))
+        if describe(RasterRef(str(mosaic))).has_luminance and not raster.has_luminance:
             return False
-        overview = rasters.read_overview(raster, raster.extent, LOOK_PX)
+        overview = read_overview(raster, raster.extent, LOOK_PX)
     except SeamInspectorError:
         return False
-    return overview is None or len(np.unique(overview[0])) >= FEWEST_VALUES  # none: too large for a look
+    return overview is None or len(np.unique(overview[0].bands)) >= FEWEST_VALUES  # none: too large for a look
 
 
 def inspect(job: Inputs, output: Path, side: float | None, spacing: float | None) -> None:
@@ -180,7 +183,7 @@ def place(job: Inputs, package: Path, side: float, spacing: float) -> int:
 
 def fitting_sides(mosaic: Path) -> Iterator[float]:
     """100 m, or a quarter of a smaller mosaic; then half as much again and again, for one that is a narrow strip."""
-    raster = rasters.describe_mosaic(rasters.RasterRef(str(mosaic)))
+    raster = describe_mosaic(RasterRef(str(mosaic)))
     grid = raster.grid
     shorter = min(grid.columns * grid.metres_x * grid.pixel_width, grid.rows * grid.metres_y * grid.pixel_height)
     side = min(imagery_limits.STANDARD_SIDE_M, shorter / 4)
@@ -248,7 +251,7 @@ def draw(chosen: Iterable[Inspected], curves: dict[int, list[ChartCurve]], job: 
     chosen = list(chosen)
     figure = Figure(figsize=(4.6 * len(chosen), 9.4), layout="constrained")
     grid = figure.subplots(2, len(chosen), squeeze=False, gridspec_kw={"height_ratios": [0.72, 1.0]})
-    mosaic = rasters.describe_mosaic(rasters.RasterRef(str(job.mosaic)))
+    mosaic = describe_mosaic(RasterRef(str(job.mosaic)))
     shares = [curve.detail[0] for window in chosen for curve in curves[window.window_id]]
     limits = min(shares) * imagery_limits.MAX_SIGNIFICANT_RATIO, 1.2
     for column, window in enumerate(chosen):
@@ -261,7 +264,7 @@ def draw(chosen: Iterable[Inspected], curves: dict[int, list[ChartCurve]], job: 
     figure.savefig(path, dpi=100)
 
 
-def draw_pictures(axes: Any, window: Inspected, curves: list[ChartCurve], mosaic: rasters.Mosaic, job: Inputs) -> None:
+def draw_pictures(axes: Any, window: Inspected, curves: list[ChartCurve], mosaic: Raster, job: Inputs) -> None:
     """The middle of a window in the mosaic and in the least sharp source, one above the other."""
     files = {path.name: path for path in job.sources}  # the composite is no file
     source = min((curve for curve in curves if curve.label in files), key=lambda curve: curve.detail[0]).label
@@ -270,7 +273,7 @@ def draw_pictures(axes: Any, window: Inspected, curves: list[ChartCurve], mosaic
     middle = grids.PixelWindow(
         whole.column + (whole.width - width) // 2, whole.row + (whole.height - height) // 2, width, height
     )
-    clips = [rasters.read_clip(rasters.RasterRef(str(file)), mosaic, middle) for file in (job.mosaic, files[source])]
+    clips = [read_clip(RasterRef(str(file)), mosaic, middle) for file in (job.mosaic, files[source])]
     images = [np.moveaxis(clip.bands[[0, 1, 2] if clip.raster.has_luminance else [0, 0, 0]], 0, -1) for clip in clips]
     gap = np.full((4, width, 3), 255, dtype=np.uint8)
     axes.imshow(np.concatenate([stretched(images[0]), gap, stretched(images[1])]), interpolation="nearest")

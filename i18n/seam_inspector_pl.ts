@@ -4070,8 +4070,8 @@
     </message>
     <message>
         <location filename="../plugin/core/messages.py" line="640" />
-        <source>The orthorectification was cancelled; nothing is left of it.</source>
-        <translation>Ortorektyfikację anulowano; nic po niej nie pozostało.</translation>
+        <source>The work was cancelled; nothing was written.</source>
+        <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
         <location filename="../plugin/core/messages.py" line="642" />

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import limits
 from .band_names import has_colours, measured_bands
-from .rasters import Clip
+from .clips import Clip
 from .wavelets import Curve, clip_curves
 
 

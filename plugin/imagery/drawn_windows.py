@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from . import messages
 from .errors import RasterError, WindowError
 from .grids import Extent, Grid, PixelWindow, WindowOutline, snap_window
-from .pixels import PixelImage
+from .rasters import Raster
 from .reference_systems import extent_on
 
 
@@ -20,13 +20,13 @@ class DrawnWindow(WindowOutline):
     """Reference system; empty when unknown, and then the images' own is assumed."""
 
 
-def pixels_under(drawn: DrawnWindow, image: PixelImage, levels: int = 0) -> PixelWindow | None:
+def pixels_under(drawn: DrawnWindow, image: Raster, levels: int = 0) -> PixelWindow | None:
     """The pixels of an image under a window, cut to the image and to multiples of ``2 ** levels``; None where the
     image does not show it.
 
     Raises WindowError when the image is rotated, or too few or too many pixels are under it.
     """
-    if image.grid is None:
+    if not image.is_north_up:
         raise WindowError(messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
     extent = extent_on_image(drawn.extent, drawn.wkt, image)
     if extent is None or not shown_share(image.grid, extent):
@@ -34,9 +34,9 @@ def pixels_under(drawn: DrawnWindow, image: PixelImage, levels: int = 0) -> Pixe
     return snap_window(image.grid, extent, levels)
 
 
-def extent_on_image(extent: Extent, wkt: str, image: PixelImage) -> Extent | None:
+def extent_on_image(extent: Extent, wkt: str, image: Raster) -> Extent | None:
     """An extent in the image's reference system; None where it can't be transformed there."""
-    if not wkt or not image.wkt:
+    if not wkt or not image.wkt or not image.has_place:
         return extent
     try:
         return extent_on(extent, wkt, image.wkt)

@@ -33,6 +33,17 @@ class PixelWindow:
     height: int
     """Number of rows."""
 
+    def cut_to(self, columns: int, rows: int) -> PixelWindow:
+        """The part of it inside a raster of that size; without columns or rows where there is none."""
+        left, top = max(self.column, 0), max(self.row, 0)
+        right, bottom = min(self.column + self.width, columns), min(self.row + self.height, rows)
+        return PixelWindow(left, top, max(right - left, 0), max(bottom - top, 0))
+
+    def margins_of(self, part: PixelWindow) -> tuple[tuple[int, int], tuple[int, int]]:
+        """What lies around a part of it, as numpy pads: rows above and below, columns to the left and to the right."""
+        above, left = part.row - self.row, part.column - self.column
+        return (above, self.height - part.height - above), (left, self.width - part.width - left)
+
     def shared_pixels(self, other: PixelWindow) -> int:
         """How many pixels two windows on the same grid have in common."""
         width = min(self.column + self.width, other.column + other.width) - max(self.column, other.column)

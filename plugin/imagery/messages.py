@@ -80,5 +80,6 @@ SEAMLINES_NOT_FINITE = Message(
     "The seamline layer holds coordinates that are no numbers; repair it with 'Fix geometries'."
 )
 # files that are written
+CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
 RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")

@@ -9,7 +9,7 @@ from osgeo import osr
 
 from . import messages
 from .errors import RasterError
-from .gdal_messages import gdal_silenced
+from .gdal_calls import gdal_silenced
 from .grids import Extent
 
 

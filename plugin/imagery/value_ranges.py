@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .pixels import PixelImage
+from .rasters import Raster
 
 BIT_DEPTHS = (8, 10, 11, 12, 14, 16)  # of cameras and scanners; the smallest that holds an image's largest value
 
@@ -11,12 +11,12 @@ ValueRange = tuple[float, float]
 """The lowest and the highest value that a pixel can hold."""
 
 
-def is_range_known(image: PixelImage) -> bool:
+def is_range_known(image: Raster) -> bool:
     """Whether the data type or the file says the range, so that no pixel has to be asked."""
     return image.bits is not None or image.data_type in ("uint8", "int8")
 
 
-def value_range(image: PixelImage, largest: float) -> ValueRange | None:
+def value_range(image: Raster, largest: float) -> ValueRange | None:
     """The range of an image whose largest value is given; None for values without a range of their own.
 
     8 bit: all of it. 16 bit: from the bits a pixel where the file says them, else the smallest usual depth of

@@ -8,7 +8,7 @@ from ..imagery.drawn_windows import DrawnWindow, pixels_under
 from ..imagery.errors import SeamInspectorError
 from ..imagery.limits import DEFAULT_LEVELS
 from ..imagery.message import Message
-from ..imagery.pixels import Pixels
+from ..imagery.open_raster import describe
 from ..imagery.rasters import RasterRef
 from ..toolkit.background_task import Cancelled, Job
 from .measure.group_noise import ClipNoise, measure_window
@@ -20,7 +20,7 @@ def noise_job(ref: RasterRef, drawn: DrawnWindow) -> Job:
 
     def measured() -> ClipNoise | Message:
         try:
-            window = pixels_under(drawn, Pixels(ref).image(), DEFAULT_LEVELS)
+            window = pixels_under(drawn, describe(ref), DEFAULT_LEVELS)
             return imagery_messages.NOT_COVERED(name=ref.name) if window is None else measure_window(ref, window)
         except SeamInspectorError as error:
             return error.message

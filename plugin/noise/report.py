@@ -44,7 +44,7 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
     for member, own in by_image.items():
         counts = verdict_counts(own)
         sigmas = [judged.sigma for result in own if (judged := judged_noise(result)) and judged.sigma is not None]
-        size = member.image.ground_sample_distance
+        size = member.ground_sample_distance
         rows.append([
             member.image.ref.name,
             member.group,

@@ -35,9 +35,9 @@ def noise_fields(levels: int) -> QgsFields:
 def noise_features(result: ClipNoise, levels: int) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image in a window; one without a band where nothing could be measured."""
     fields = noise_fields(levels)
-    image, window = result.part.member.image, result.part.window
-    head: list[object] = [image.ref.name, result.part.member.group, result.window_id]
-    tail = [window.column, window.row, window.width, window.height, image.ground_sample_distance]
+    member, window = result.part.member, result.part.window
+    head: list[object] = [member.image.ref.name, member.group, result.window_id]
+    tail = [window.column, window.row, window.width, window.height, member.ground_sample_distance]
     nothing: list[object] = [None] * levels
     if not result.bands:
         reason = sentence(result.reason) if result.reason else None

@@ -7,7 +7,6 @@ from typing import Any
 from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsWkbTypes
 
 from ..imagery.errors import PhotoError
-from ..imagery.photos import Photo
 from ..imagery.rasters import GeoTransform
 from ..toolkit.attribute_values import attributes, is_known, is_true
 from ..toolkit.table_fields import feature, table_fields
@@ -15,6 +14,7 @@ from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.mark_comparison import ComparedMark, DifferenceStatistics
 from .measure.orientation import GivenPosition, MarkResult
+from .measure.photo import Photo
 
 MARK, PHOTO, MEASURE = "mark", "photo", "measure"
 
@@ -39,7 +39,7 @@ def mark_feature(mark: MarkResult, photo: Photo) -> QgsFeature:
     """The row of a mark; one that failed has no place."""
     column, row = mark.place or (None, None)
     residual_x, residual_y = mark.residual or (None, None)
-    geometry = None if mark.place is None else QgsGeometry.fromPointXY(map_point(photo.geotransform, *mark.place))
+    geometry = None if mark.place is None else QgsGeometry.fromPointXY(map_point(photo.raster.placement, *mark.place))
     reason = sentence(mark.reason) if mark.reason is not None else None
     values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status.value]
     return feature(mark_fields(), [*values, reason], geometry)
@@ -77,7 +77,7 @@ def given_positions(
         if name in made:
             raise PhotoError(messages.POSITION_TWICE(mark=name))
         measured = is_true(asked) if is_known(asked) else measure
-        made[name] = GivenPosition(photo_place(photo.geotransform, point), measured)
+        made[name] = GivenPosition(photo_place(photo.raster.placement, point), measured)
     if not made:
         raise PhotoError(messages.POSITIONS_EMPTY())
     return made

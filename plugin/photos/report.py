@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 from scipy import ndimage
 
-from ..imagery.photos import Photo
 from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .measure import messages
 from .measure.measuring_marks import MarkWindow
 from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, PhotoOrientation
+from .measure.photo import Photo
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first

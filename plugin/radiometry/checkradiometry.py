@@ -30,8 +30,7 @@ if TYPE_CHECKING:
     from ..imagery.grids import PixelWindow
     from ..imagery.lines.seamlines import Seam
     from ..imagery.message import Message
-    from ..imagery.pixels import PixelImage
-    from ..imagery.rasters import RasterRef
+    from ..imagery.rasters import Raster, RasterRef
     from .measure.assessment import Assessment
     from .measure.rules import RuleSet
 
@@ -146,19 +145,19 @@ class CheckRadiometry(RasterListAlgorithm):
         path = self.parameterAsString(parameters, RULES, context) if parameters.get(RULES) else ""
         return load_rules(Path(path)) if path else default_rules()
 
-    def _image(self, ref: RasterRef) -> PixelImage | None:
-        from ..imagery.pixels import Pixels
+    def _image(self, ref: RasterRef) -> Raster | None:
+        from ..imagery.open_raster import describe
 
         try:
-            return Pixels(ref).image()
+            return describe(ref)
         except RasterError as error:
             self.left_out.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
             return None
 
     @staticmethod
     def _jobs(
-        images: Sequence[PixelImage], drawn: Sequence[DrawnWindow] | None, notices: list[Message]
-    ) -> Iterator[tuple[PixelImage, PixelWindow, int | None]]:
+        images: Sequence[Raster], drawn: Sequence[DrawnWindow] | None, notices: list[Message]
+    ) -> Iterator[tuple[Raster, PixelWindow, int | None]]:
         """What is checked: whole images, or the windows on them; ``notices`` is added to."""
         from ..imagery.drawn_windows import pixels_under
 
@@ -183,13 +182,13 @@ class CheckRadiometry(RasterListAlgorithm):
 
     @staticmethod
     def _seams(
-        seamlines: QgsProcessingFeatureSource, image: PixelImage, context: QgsProcessingContext
+        seamlines: QgsProcessingFeatureSource, image: Raster, context: QgsProcessingContext
     ) -> list[Seam]:
         """The seams in the image's reference system; none for an image without a place on the map."""
         from ..imagery.lines.seamlines import find_seams
         from ..toolkit import layers
 
-        if image.grid is None or not image.wkt:
+        if not (image.is_north_up and image.has_place and image.wkt):
             return []
         crs = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
         transform = common.transform(seamlines, crs, context)
@@ -198,7 +197,7 @@ class CheckRadiometry(RasterListAlgorithm):
 
     @staticmethod
     def _assess(
-        image: PixelImage,
+        image: Raster,
         window: PixelWindow,
         number: int | None,
         rules: RuleSet,
@@ -206,7 +205,7 @@ class CheckRadiometry(RasterListAlgorithm):
         place: tuple[int, int],
         feedback: QgsProcessingFeedback,
     ) -> Assessment | None:
-        from ..imagery.pixels import Pixels
+        from ..imagery.open_raster import OpenRaster
         from .measure.assessment import assess
 
         done, count = place
@@ -215,7 +214,7 @@ class CheckRadiometry(RasterListAlgorithm):
             feedback.setProgress(100 * (done + share) / count)
             return not feedback.isCanceled()
 
-        return assess(Pixels(image.ref), image, window, rules, seams, number, progress)
+        return assess(OpenRaster(image.ref), window, rules, seams, number, progress)
 
 
 def _save_report(path: Path, results: Sequence[Assessment], notices: Iterable[Message], rules: RuleSet) -> None:

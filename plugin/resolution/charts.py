@@ -8,7 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..imagery.grids import PixelWindow
-from ..imagery.rasters import Mosaic, read_bands
+from ..imagery.open_raster import OpenRaster
+from ..imagery.rasters import Raster
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
@@ -146,7 +147,7 @@ def _draw_panel(panel: Axes, results: Sequence[GroupResult], criterion: float) -
         panel.set_axis_off()
 
 
-def target_picture(raster: Mosaic, results: Sequence[GroupResult]) -> Figure | None:
+def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:
     """The image around all lines, each line in the colour of its verdict; None when no line lies on the image."""
     lines = [line for line in _by_line(results) if line[0].measured.segment is not None]
     if not lines:
@@ -159,7 +160,7 @@ def target_picture(raster: Mosaic, results: Sequence[GroupResult]) -> Figure | N
     height = min(raster.grid.rows, int(bottom + margin)) - row
     if max(width, height) > 2 * _LARGEST_PICTURE:
         return None
-    bands, _ = read_bands(raster.ref, PixelWindow(column, row, width, height))
+    bands = OpenRaster(raster.ref).read(PixelWindow(column, row, width, height)).bands
     shown = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
     low, high = np.percentile(shown, (0.5, 99.5))
     toned = np.clip((shown - low) / max(high - low, 1e-9), 0, 1)

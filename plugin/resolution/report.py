@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..imagery.rasters import Mosaic
+from ..imagery.rasters import Raster
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import save_page, sentences_once
@@ -13,7 +13,7 @@ from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import DIRECTIONS, Target
 
 
-def save_resolution_report(path: Path, raster: Mosaic, resolution: TargetResolution, target: Target) -> None:
+def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolution, target: Target) -> None:
     """Write distances, the target with its lines, every group's profiles, and a table of all that was measured.
 
     Raises SettingsError where no file can be.

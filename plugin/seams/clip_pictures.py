@@ -11,8 +11,9 @@ from typing import Callable
 
 import numpy as np
 
+from ..imagery.clips import Clip, read_clip
 from ..imagery.errors import RasterError
-from ..imagery.rasters import Clip, RasterRef, read_clip
+from ..imagery.rasters import RasterRef
 from .measure.inspection import WindowRequest
 
 DARKEST, BRIGHTEST = 2.0, 98.0  # percentiles that become black and white: QGIS's own cumulative cut

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 
 from ..imagery.lines.seamlines import find_seams
-from ..imagery.pixels import validity_check
-from ..imagery.rasters import Mosaic
+from ..imagery.open_raster import OpenRaster
+from ..imagery.rasters import Raster
 from ..toolkit.background_task import Cancelled, Job
 from .clip_pictures import make_pictures
 from .measure.inspection import InspectionSettings, WindowRequest
@@ -40,15 +40,16 @@ def seams_job(lines: Iterable[bytes | None], pixel_size: float) -> Job:
 
 
 def placing_job(
-    lines: Iterable[bytes | None], mosaic: Mosaic, side_m: float, spacing_m: float, settings: InspectionSettings
+    lines: Iterable[bytes | None], mosaic: Raster, side_m: float, spacing_m: float, settings: InspectionSettings
 ) -> Job:
     """Places windows along the seams of a layer; yields the Placement."""
 
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        valid = validity_check(mosaic)
+        source = OpenRaster(mosaic.ref)
         seams = find_seams(lines, mosaic.grid.pixel_width)
         placement = place_windows(
-            seams, mosaic.grid, side_m, spacing_m, settings.levels, lambda window: not cancelled() and valid(window)
+            seams, mosaic.grid, side_m, spacing_m, settings.levels,
+            lambda window: not cancelled() and source.is_valid(window),
         )
         if not cancelled():
             yield 1.0, placement

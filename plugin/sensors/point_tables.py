@@ -10,6 +10,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsProcess
 
 from ..imagery.errors import SensorModelError
 from ..imagery.message import Message
+from ..imagery.open_raster import OpenRaster
 from ..toolkit.attribute_values import Attributes, attributes
 from ..toolkit.layers import features, system_wkt
 from ..toolkit.table_fields import feature, table_fields
@@ -17,7 +18,6 @@ from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.adjustment import Adjustment
 from .measure.comparison import Comparison
-from .measure.image_description import SensorImage
 from .measure.point_files import image_coordinates, read_point_file
 from .measure.points import CHECK, CONTROL, Points
 
@@ -60,7 +60,7 @@ def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list
     return points, any(roles), notices
 
 
-def file_points(path: str, wkt: str, image: SensorImage | None) -> tuple[Points, list[Message]]:
+def file_points(path: str, wkt: str, image: OpenRaster | None) -> tuple[Points, list[Message]]:
     """The points of a georeferencer's file; ``wkt`` is the system of files that name none. Raises SensorModelError."""
     file = read_point_file(Path(path))
     if not file.source:
@@ -68,7 +68,7 @@ def file_points(path: str, wkt: str, image: SensorImage | None) -> tuple[Points,
     if not file.wkt and not wkt:
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=Path(path).name))
     count = len(file.source)
-    places = image_coordinates(file.source, image.geotransform if image is not None else None)
+    places = image_coordinates(file.source, image.raster.geotransform if image is not None else None)
     points = Points(
         tuple(map(str, file.numbers)),
         np.array(places, float),

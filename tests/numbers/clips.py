@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 from osgeo import gdal, osr
+from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import Clip, Mosaic, RasterRef, read_clip
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.synthetic import ORIGIN, UTM33
 
@@ -20,7 +21,7 @@ GRAY, ALPHA, UNDEFINED = gdal.GCI_GrayIndex, gdal.GCI_AlphaBand, gdal.GCI_Undefi
 YELLOW, CYAN = gdal.GCI_YellowBand, gdal.GCI_CyanBand
 
 
-def clip_of(path: str, mosaic: Mosaic, window: PixelWindow = WINDOW, system: str = "") -> Clip:
+def clip_of(path: str, mosaic: Raster, window: PixelWindow = WINDOW, system: str = "") -> Clip:
     return read_clip(RasterRef(path, system), mosaic, window)
 
 

@@ -12,7 +12,8 @@ import pytest
 for name in ("qgis", "PyQt5", "PyQt6"):
     sys.modules.setdefault(name, None)  # type: ignore[arg-type]
 
-from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe_mosaic  # noqa: E402
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic  # noqa: E402
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef  # noqa: E402
 
 from tests.numbers.clips import SIZE  # noqa: E402
 from tests.numbers.synthetic import orthoimage, write_raster  # noqa: E402
@@ -31,7 +32,7 @@ def make_raster(tmp_path: Path) -> MakeRaster:
 
 
 @pytest.fixture(scope="session")
-def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Mosaic:
+def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
     """256 x 256 px of 10 cm, red, green and blue in 8 bit."""
     folder = tmp_path_factory.mktemp("mosaic")
     return describe_mosaic(RasterRef(write_raster(folder / "mosaic.tif", orthoimage(SIZE))))

@@ -15,7 +15,7 @@ from ...imagery.drawn_windows import extent_on_image
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
-from ...imagery.pixels import Pixels
+from ...imagery.open_raster import OpenRaster, describe
 from ...imagery.rasters import RasterRef
 from . import messages
 from .band_noise import BandNoise, measure_noise
@@ -52,7 +52,7 @@ def measure_window(
 
     Raises RasterError when the raster can't be opened; what can't be measured has its reason.
     """
-    part = Part(GroupedImage(Pixels(ref).image(), 1), window)
+    part = Part(GroupedImage(describe(ref), 1), window)
     return measure_request(NoiseRequest(1, (part,)), wavelet, levels)[0]
 
 
@@ -75,12 +75,12 @@ def measure_requests(
     JPEG file is decoded from its top again for each new opening.
     """
     waiting = iter(requests)
-    opened: dict[RasterRef, Pixels] = {}
+    opened: dict[RasterRef, OpenRaster] = {}
     while (batch := list(islice(waiting, ahead))) and not cancelled():
         futures = []
         for request in batch:
             refs = {part.member.image.ref for part in request.parts}
-            opened = {ref: pixels for ref, pixels in opened.items() if ref in refs}
+            opened = {ref: source for ref, source in opened.items() if ref in refs}
             futures.append(executor.submit(_measured, request, _read(request, opened), wavelet, levels))
         for future in futures:
             if cancelled():
@@ -89,16 +89,16 @@ def measure_requests(
                 yield future.result()
 
 
-def _read(request: NoiseRequest, opened: dict[RasterRef, Pixels]) -> list[_Clip | Message]:
+def _read(request: NoiseRequest, opened: dict[RasterRef, OpenRaster]) -> list[_Clip | Message]:
     """The pixels of every part and where they are invalid, or why they can't be used. ``opened`` is added to."""
     clips: list[_Clip | Message] = []
     for part in request.parts:
         ref = part.member.image.ref
         try:
             if ref not in opened:
-                opened[ref] = Pixels(ref)
-            bands, invalid = opened[ref].read(part.window)
-            clips.append((bands, np.zeros(bands.shape[1:], bool) if invalid is None else invalid))
+                opened[ref] = OpenRaster(ref)
+            block = opened[ref].read(part.window)
+            clips.append((block.bands, ~block.valid))
         except RasterError as error:
             clips.append(error.message)
     return clips

@@ -8,17 +8,22 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
-from ...imagery.pixels import PixelImage, Pixels
-from ...imagery.rasters import RasterRef
+from ...imagery.open_raster import describe
+from ...imagery.rasters import Raster, RasterRef
 
 
 @dataclass(frozen=True)
 class GroupedImage:
     """An image and the group that it belongs to."""
 
-    image: PixelImage
+    image: Raster
     group: int
     """1 or 2."""
+
+    @property
+    def ground_sample_distance(self) -> float | None:
+        """Metres on the ground per pixel, the shorter side; None when the image has no place on the map."""
+        return self.image.ground_sample_distance if self.image.has_place else None
 
 
 @dataclass(frozen=True)
@@ -55,7 +60,7 @@ def describe_images(refs: Iterable[RasterRef], group: int) -> tuple[list[Grouped
     images, notices = [], []
     for ref in dict.fromkeys(refs):
         try:
-            images.append(GroupedImage(Pixels(ref).image(), group))
+            images.append(GroupedImage(describe(ref), group))
         except RasterError as error:
             notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
     return images, notices

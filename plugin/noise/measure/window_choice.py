@@ -10,7 +10,8 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery.grids import PixelWindow
-from ...imagery.pixels import PixelImage, Pixels
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import Raster
 from ...imagery.value_ranges import value_range
 from . import limits
 
@@ -37,13 +38,12 @@ class _Place:
 
 
 def choose_windows(
-    pixels: Pixels,
-    image: PixelImage,
+    source: OpenRaster,
     levels: int,
     region: PixelWindow | None = None,
     allowed: Allowed = lambda window: True,
 ) -> list[PixelWindow]:
-    """Up to 25 square windows of 1024 px that do not overlap, those with the least saturation first.
+    """Up to 25 square windows of an image, 1024 px, that do not overlap, those with the least saturation first.
 
     ``region``: the part of the image in which they lie; all of it when left out. Looks at up to 10 x 10 places by
     every 8th pixel, so the time does not grow with the raster. Places with an invalid pixel among those are
@@ -56,16 +56,16 @@ def choose_windows(
 
     Raises RasterError when the raster can't be read.
     """
-    region = region or image.whole
+    region = region or source.raster.whole
     side = min(limits.NOISE_WINDOW_PX, 2 ** int(math.log2(min(region.width, region.height))))
     while side >= max(imagery_limits.MIN_SIDE_PX, 2**levels):
         places = [
             place
             for window, apart in _lattice(region, side)
-            if allowed(window) and (place := _look(pixels, window, apart)) is not None
+            if allowed(window) and (place := _look(source, window, apart)) is not None
         ]
         if places:
-            return _spread(places, _saturated_shares(image, places), _centre(region))
+            return _spread(places, _saturated_shares(source.raster, places), _centre(region))
         side //= 2
     return []
 
@@ -86,9 +86,9 @@ def _starts(length: int, side: int) -> list[int]:
     return [round(start) for start in np.linspace(gap, length - side - gap, count)]
 
 
-def _look(pixels: Pixels, window: PixelWindow, apart: bool) -> _Place | None:
+def _look(source: OpenRaster, window: PixelWindow, apart: bool) -> _Place | None:
     """What a place is like, by few of its pixels; None when any of them is invalid."""
-    bands, invalid = pixels.read(window, min(limits.NOISE_SHRINK, window.width // 16))
+    bands, invalid = source.thinned(window, min(limits.NOISE_SHRINK, window.width // 16))
     if invalid is not None and invalid.any():
         return None
     lowest, highest = bands.min(), bands.max()
@@ -96,7 +96,7 @@ def _look(pixels: Pixels, window: PixelWindow, apart: bool) -> _Place | None:
     return _Place(window, apart, float(lowest), float(at_lowest), float(highest), float(at_highest))
 
 
-def _saturated_shares(image: PixelImage, places: list[_Place]) -> list[float]:
+def _saturated_shares(image: Raster, places: list[_Place]) -> list[float]:
     available = value_range(image, max(place.highest for place in places))
     if available is None:
         return [0.0] * len(places)

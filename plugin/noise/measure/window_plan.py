@@ -10,7 +10,8 @@ from ...imagery.drawn_windows import DrawnWindow, extent_on_image, shared_extent
 from ...imagery.errors import RasterError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
-from ...imagery.pixels import PixelImage, Pixels
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import Raster
 from . import limits, messages
 from .noise_requests import GroupedImage, NoiseRequest, Part, Plan
 from .window_choice import choose_windows
@@ -28,13 +29,13 @@ def plan_drawn(images: Sequence[GroupedImage], windows: Iterable[DrawnWindow], l
     notices = [
         imagery_messages.WINDOW_IMAGE_ROTATED(name=one.image.ref.name).as_warning()
         for one in images
-        if one.image.grid is None
+        if not one.image.is_north_up
     ]
     for drawn in windows:
         shown = [
             (one, extent, share)
             for one in images
-            if one.image.grid is not None
+            if one.image.is_north_up
             for extent in (extent_on_image(drawn.extent, drawn.wkt, one.image),)
             if extent is not None and (share := shown_share(one.image.grid, extent)) > 0
         ]
@@ -84,7 +85,7 @@ def pixel_size_notice(plan: Plan) -> Message | None:
     """That pixel sizes differ between the groups of a paired window, or None."""
     for request in plan.requests:
         sizes = {
-            part.member.group: part.member.image.ground_sample_distance
+            part.member.group: part.member.ground_sample_distance
             for part in reversed(request.parts)
         }
         if request.paired and sizes[1] and sizes[2]:
@@ -99,27 +100,27 @@ def _chosen(
 ) -> list[tuple[Part, ...]]:
     """The windows of an image, each with the partners that show it."""
     name = one.image.ref.name
-    opened: list[tuple[GroupedImage, Pixels]] = []
+    opened: list[tuple[GroupedImage, OpenRaster]] = []
     for partner in partners:
-        opened.append((partner, Pixels(partner.image.ref)))
+        opened.append((partner, OpenRaster(partner.image.ref)))
 
     def shown(window: PixelWindow) -> tuple[Part, ...]:
         parts = []
-        for partner, pixels in opened:
+        for partner, source in opened:
             there = _window_on(one.image, window, partner.image, levels)
-            if there is not None and _is_valid(pixels, there):
+            if there is not None and _is_valid(source, there):
                 parts.append(Part(partner, there))
         return tuple(parts)
 
     try:
-        pixels = Pixels(one.image.ref)
+        source = OpenRaster(one.image.ref)
         found: list[tuple[Part, ...]] = []
         if opened:
             region = _shared_region(one.image, [partner.image for partner in partners])
-            windows = choose_windows(pixels, one.image, levels, region, lambda window: bool(shown(window)))
+            windows = choose_windows(source, levels, region, lambda window: bool(shown(window)))
             found = [(Part(one, window), *shown(window)) for window in windows]
         if not found:
-            found = [(Part(one, window),) for window in choose_windows(pixels, one.image, levels)]
+            found = [(Part(one, window),) for window in choose_windows(source, levels)]
         found.sort(key=lambda parts: (parts[0].window.row, parts[0].window.column))  # as a file is read best
     except RasterError as error:
         notices.append(imagery_messages.SOURCE_LEFT_OUT(name=name, why=error.message))
@@ -139,7 +140,6 @@ def _requests(
     """One request for the images, or none where the window can't be laid on their pixels."""
     parts = []
     for one, extent in taken:
-        assert one.image.grid is not None
         try:
             parts.append(Part(one, snap_window(one.image.grid, extent, levels)))
         except WindowError as error:
@@ -152,7 +152,6 @@ def _common(taken: list[tuple[GroupedImage, Extent]], drawn: DrawnWindow) -> lis
     """What all images show of a window, in the reference system of each."""
     left, bottom, right, top = 0.0, 0.0, 1.0, 1.0  # as shares of the window: its sides are parallel on all images
     for one, extent in taken:
-        assert one.image.grid is not None
         shared = shared_extent(one.image.grid.extent, extent)
         assert shared is not None
         width, height = extent[2] - extent[0], extent[3] - extent[1]
@@ -164,20 +163,18 @@ def _common(taken: list[tuple[GroupedImage, Extent]], drawn: DrawnWindow) -> lis
     ]
 
 
-def _overlap(a: PixelImage, b: PixelImage) -> bool:
+def _overlap(a: Raster, b: Raster) -> bool:
     """Whether two images share ground, as far as their footprints tell."""
-    if a.grid is None or b.grid is None or not a.wkt or not b.wkt:
+    if not all(image.is_north_up and image.has_place and image.wkt for image in (a, b)):
         return False
     extent = extent_on_image(b.grid.extent, b.wkt, a)
     return extent is not None and shared_extent(a.grid.extent, extent) is not None
 
 
-def _shared_region(image: PixelImage, others: Sequence[PixelImage]) -> PixelWindow:
+def _shared_region(image: Raster, others: Sequence[Raster]) -> PixelWindow:
     """The pixels of an image around all that other images share with it, as far as their footprints tell."""
-    assert image.grid is not None
     shared = []
     for other in others:
-        assert other.grid is not None
         extent = extent_on_image(other.grid.extent, other.wkt, image)
         box = None if extent is None else shared_extent(image.grid.extent, extent)
         shared += [] if box is None else [box]
@@ -188,10 +185,8 @@ def _shared_region(image: PixelImage, others: Sequence[PixelImage]) -> PixelWind
     return PixelWindow(left, top, max(right - left, 1), max(bottom - top, 1))
 
 
-def _window_on(image: PixelImage, window: PixelWindow, other: PixelImage, levels: int) -> PixelWindow | None:
+def _window_on(image: Raster, window: PixelWindow, other: Raster, levels: int) -> PixelWindow | None:
     """The pixels of another image that show a window; None when it does not show all of it."""
-    assert image.grid is not None
-    assert other.grid is not None
     extent = extent_on_image(image.grid.window_extent(window), image.wkt, other)
     if extent is None or shown_share(other.grid, extent) < 1 - imagery_limits.MAX_INVALID_SHARE:
         return None
@@ -201,6 +196,6 @@ def _window_on(image: PixelImage, window: PixelWindow, other: PixelImage, levels
         return None
 
 
-def _is_valid(pixels: Pixels, window: PixelWindow) -> bool:
-    invalid = pixels.read(window, min(limits.NOISE_SHRINK, min(window.width, window.height) // 16))[1]
+def _is_valid(source: OpenRaster, window: PixelWindow) -> bool:
+    invalid = source.thinned(window, min(limits.NOISE_SHRINK, min(window.width, window.height) // 16))[1]
     return invalid is None or not invalid.any()

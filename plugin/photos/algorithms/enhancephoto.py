@@ -57,7 +57,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ...imagery.photos import Photo
+        from ..measure.photo import Photo
 
         Photo(common.required_raster(parameters, PHOTO, context))
 

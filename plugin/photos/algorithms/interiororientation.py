@@ -24,11 +24,11 @@ from ..measure import messages
 from . import photo_parameters
 
 if TYPE_CHECKING:
-    from ...imagery.photos import Photo
     from ...imagery.rasters import RasterRef
     from ..measure.camera_calibration import CameraCalibration
     from ..measure.mark_templates import CutOut, MarkShape
     from ..measure.orientation import GivenPosition, OrientationSettings, PhotoOrientation
+    from ..measure.photo import Photo
 
 RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
 
@@ -88,7 +88,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         feedback.setProgress(5)
         made = orient_photo(photo, calibration, positions, settings, feedback.isCanceled)
         feedback.setProgress(80)
-        crs = QgsCoordinateReferenceSystem.fromWkt(photo.wkt) if photo.wkt else QgsCoordinateReferenceSystem()
+        wkt = photo.raster.wkt
+        crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
         sink, destination = self.sink(
             parameters, photo_parameters.OUTPUT, context, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs
         )
@@ -148,7 +149,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     @staticmethod
     def _open(ref: RasterRef) -> Photo:
-        from ...imagery.photos import Photo
+        from ..measure.photo import Photo
 
         return Photo(ref)
 

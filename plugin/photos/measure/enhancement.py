@@ -7,11 +7,12 @@ from typing import Callable
 import numpy as np
 from scipy import ndimage
 
-from ...imagery.errors import SettingsError
-from ...imagery.photos import Photo
-from ...imagery.raster_writing import RasterWriter
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import CancelledError, SettingsError
+from ...imagery.raster_writer import raster_writer
 from ...imagery.rasters import RasterRef
 from . import messages
+from .photo import Photo
 
 MAX_FILTER_PX = 101  # a wider one wants another tool
 
@@ -41,17 +42,18 @@ def enhance(
     data type; the negative too, its values taken from the largest the type (or its number of bits) can hold; Laplace
     and Sobel, which have signs or grow, are float32. Grey is 8 bit. Edges are mirrored. Invalid pixels stay invalid.
 
-    Raises SettingsError for a size out of range, RasterError for a raster that can't be read or written.
+    Raises SettingsError for a size out of range, RasterError for a raster that can't be read or written, CancelledError
+    when cancelled; no half-written file is left then, and an older one as it was.
     """
     margin = _margin(operation, size)
     photo = Photo(ref)
     grey = operation is Operation.GREY
-    kind = _data_type(operation, photo.dtype)
+    kind = _data_type(operation, np.dtype(photo.raster.data_type))
     largest = photo.largest
-    with RasterWriter(path, photo, kind, 1 if grey else photo.bands) as writer:
+    with raster_writer(path, photo.raster, 1 if grey else len(photo.raster.band_names), kind) as writer:
         for strip in photo.strips(margin, grey):
             if cancelled():
-                return
+                raise CancelledError(imagery_messages.CANCELLED())
             made = _applied(operation, strip.pixels, size, largest)
             writer.write(strip.row, _as_type(made[:, strip.above : strip.above + strip.rows], kind), strip.invalid)
             progress((strip.row + strip.rows) / photo.rows)

@@ -11,7 +11,6 @@ import numpy as np
 from ...imagery.errors import PhotoError
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
-from ...imagery.photos import Photo
 from . import limits, messages, scan_orientation
 from .arrangements import placing_tolerance
 from .camera_calibration import CameraCalibration
@@ -19,6 +18,7 @@ from .mark_candidates import Candidate, candidates
 from .mark_templates import CutOut, MarkKind, MarkShape
 from .measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, measure_mark, window_around
 from .orientation import GivenPosition, OrientationSettings
+from .photo import Photo
 from .photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
 from .refining_shapes import turned_with_frame
 from .scan_orientation import Labelling, OrientationEvidence, ScanOrientation

@@ -9,7 +9,6 @@ from typing import Callable
 import numpy as np
 
 from ...imagery.errors import PhotoError
-from ...imagery.photos import Photo
 from . import limits, messages, scan_orientation
 from .camera_calibration import CameraCalibration, check_calibration
 from .finding_marks import FoundMarks, find_marks
@@ -24,6 +23,7 @@ from .orientation import (
     OrientationSettings,
     PhotoOrientation,
 )
+from .photo import Photo
 from .photo_views import Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
 

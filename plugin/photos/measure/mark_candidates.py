@@ -8,12 +8,12 @@ from typing import Callable
 
 import numpy as np
 
-from ...imagery.photos import Photo
 from .arrangements import Arrangement, find_arrangements
 from .mark_patterns import cut_out_patterns, drawn_patterns
 from .mark_templates import CutOut, MarkShape, all_shapes
 from .measuring_marks import window_around
 from .orientation import OrientationSettings
+from .photo import Photo
 from .photo_views import MarkFrame, Scene
 from .refining_shapes import refine_shape, without_plane
 

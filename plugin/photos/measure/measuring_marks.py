@@ -11,12 +11,12 @@ from scipy import ndimage
 from ...imagery.errors import PhotoError
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
-from ...imagery.photos import Photo
 from ...imagery.shifts import shifted
 from . import messages
 from .correlation import correlate, peak_pixel
 from .correlation_surface import SurfaceError, fit_surface, subpixel_maximum, surface_extremum
 from .mark_templates import CutOut, MarkKind, MarkShape, draw
+from .photo import Photo
 from .photo_views import Place
 
 BRIGHTNESS_REACH_PX = 2  # 5 x 5 grey values: they hold the grain itself

@@ -7,10 +7,10 @@ import math
 import numpy as np
 
 from ...imagery.errors import PhotoError
-from ...imagery.photos import Photo
 from . import messages
 from .camera_calibration import CameraCalibration
 from .orientation import FittedTransformation, PhotoOrientation
+from .photo import Photo
 
 
 def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, object]:

@@ -6,12 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Callable
 
-from ...imagery import messages as imagery_messages
-from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
 from ...imagery.lines.seamlines import Seam
 from ...imagery.message import Message
-from ...imagery.pixels import PixelImage, Pixels
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import Raster
 from ...imagery.value_ranges import ValueRange, is_range_known, value_range
 from . import limits, messages
 from . import rules as checks
@@ -45,7 +44,7 @@ class CheckedFigure:
 class Assessment:
     """An image, or a window of it, and what was found."""
 
-    image: PixelImage
+    image: Raster
     window_id: int | None
     """None for the whole image."""
     checked_figures: tuple[CheckedFigure, ...]
@@ -58,8 +57,7 @@ class Assessment:
 
 
 def assess(
-    pixels: Pixels,
-    image: PixelImage,
+    source: OpenRaster,
     window: PixelWindow,
     rules: RuleSet,
     seams: Sequence[Seam] | None = None,
@@ -73,11 +71,12 @@ def assess(
 
     Raises RasterError when the pixels can't be read.
     """
+    image = source.raster
     applied = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or seams is not None]
     if not can_count(image, rules.value_range):
         why = messages.NO_VALUE_RANGE(data_type=image.data_type)
         return Assessment(image, window_id, tuple(_not_measurable(image, applied, why)), None, {}, (), ())
-    statistics = stream_statistics(pixels, image, window, rules.value_range, progress)
+    statistics = stream_statistics(source, window, rules.value_range, progress)
     if not statistics.complete:
         return None
     count = min(histogram.pixels for histogram in statistics.histograms.values())
@@ -93,7 +92,7 @@ def assess(
         notices.append(
             messages.RANGE_ASSUMED(name=image.ref.name, largest=f"{largest:g}", low=available[0], high=available[1])
         )
-    steps = _steps(pixels, image, window, seams)
+    steps = seam_steps(source, window, seams) if seams else []
     figures = tuple(
         checked for rule in applied for checked in _checked_figures(rule, image, statistics, available, steps, largest)
     )
@@ -132,7 +131,7 @@ def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -
 
 def _checked_figures(
     rule: Rule,
-    image: PixelImage,
+    image: Raster,
     statistics: ImageStatistics,
     available: ValueRange,
     steps: Sequence[SeamStep],
@@ -166,7 +165,7 @@ def _noise_figure(statistics: ImageStatistics, band: int, available: ValueRange)
     return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else ratio
 
 
-def _colour_figure(image: PixelImage, statistics: ImageStatistics, available: ValueRange) -> float | Message:
+def _colour_figure(image: Raster, statistics: ImageStatistics, available: ValueRange) -> float | Message:
     if not image.has_luminance:
         return messages.NO_COLOURS()
     balance = colour_balance(statistics.areas, range(3), available)
@@ -194,17 +193,9 @@ def _checked_figure(band: str, rule: Rule, figure: float | Message) -> CheckedFi
     return CheckedFigure(band, rule, figure, rule.passes(figure))
 
 
-def _not_measurable(image: PixelImage, rules: Sequence[Rule], why: Message) -> Iterator[CheckedFigure]:
+def _not_measurable(image: Raster, rules: Sequence[Rule], why: Message) -> Iterator[CheckedFigure]:
     for rule in rules:
         for band in (ALL_BANDS,) if rule.check == checks.COLOUR_BALANCE else image.band_names:
             yield _checked_figure(band, rule, why)
 
 
-def _steps(
-    pixels: Pixels, image: PixelImage, window: PixelWindow, seams: Sequence[Seam] | None
-) -> list[SeamStep]:
-    if not seams:
-        return []
-    if image.grid is None:
-        raise RasterError(imagery_messages.NOT_NORTH_UP(name=image.ref.name))
-    return seam_steps(pixels, image, window, seams)

@@ -5,12 +5,13 @@ import math
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Callable, Optional
+from typing import Callable
 
 import numpy as np
 
 from ...imagery.grids import PixelWindow
-from ...imagery.pixels import PixelImage, Pixels
+from ...imagery.open_raster import Block, OpenRaster
+from ...imagery.rasters import Raster
 from ...imagery.value_ranges import ValueRange
 from . import limits
 from .uniform_areas import Areas, joined, sample_areas
@@ -20,8 +21,6 @@ MAX_AREAS = 8192  # looked at, spread over the raster: memory is flat and the ti
 
 _BINS = 65536  # of 16 bit values one each; of values without steps of their own, over the range that was given
 _SHOWN_BINS = 256
-_Block = tuple[np.ndarray, Optional[np.ndarray]]
-"""(bands, rows, columns) and where they are invalid."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,15 +84,14 @@ class ImageStatistics:
     """False when it was cancelled before the end."""
 
 
-def can_count(image: PixelImage, given: ValueRange | None) -> bool:
+def can_count(image: Raster, given: ValueRange | None) -> bool:
     """Whether the values can be counted: those of 8 and 16 bit always, others over a given range."""
     dtype = np.dtype(image.data_type)
     return given is not None or (dtype.itemsize <= 2 and dtype.kind in "iu")
 
 
 def stream_statistics(
-    pixels: Pixels,
-    image: PixelImage,
+    source: OpenRaster,
     window: PixelWindow,
     given: ValueRange | None = None,
     progress: Callable[[float], bool] = lambda share: True,
@@ -110,7 +108,7 @@ def stream_statistics(
     areas: list[Areas] = []
     done = 0
     step = area_step(window)
-    for block, (bands, invalid) in _read_ahead(pixels, pixels.blocks(window, MAX_BLOCK_PIXELS)):
+    for block, (bands, invalid) in _read_ahead(source, source.blocks(window, MAX_BLOCK_PIXELS)):
         own = np.stack([_counted(band, invalid, given) for band in bands])
         counts = own if counts is None else counts + own
         areas.append(sample_areas(bands, invalid, step))
@@ -118,17 +116,17 @@ def stream_statistics(
         if not progress(done / (window.width * window.height)):
             break
     assert counts is not None
-    values = _values(np.dtype(image.data_type), given)
-    histograms = {name: Histogram(values, own) for name, own in zip(image.band_names, counts)}
+    values = _values(np.dtype(source.raster.data_type), given)
+    histograms = {name: Histogram(values, own) for name, own in zip(source.raster.band_names, counts)}
     return ImageStatistics(histograms, joined(areas), done == window.width * window.height)
 
 
-def _read_ahead(pixels: Pixels, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, _Block]]:
+def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, Block]]:
     """Every block with its pixels; the next one is read in a thread of its own meanwhile."""
     with ThreadPoolExecutor(1) as reader:
-        coming: tuple[PixelWindow, Future[_Block]] | None = None
+        coming: tuple[PixelWindow, Future[Block]] | None = None
         for block in blocks:
-            ready, coming = coming, (block, reader.submit(pixels.read, block))
+            ready, coming = coming, (block, reader.submit(source.read, block))
             if ready is not None:
                 yield ready[0], ready[1].result()
         if coming is not None:

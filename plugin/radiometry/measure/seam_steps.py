@@ -8,7 +8,7 @@ import numpy as np
 
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.lines.seamlines import Seam
-from ...imagery.pixels import PixelImage, Pixels
+from ...imagery.open_raster import OpenRaster
 from . import limits
 
 _RUN = 512  # px of seam read at a time
@@ -28,7 +28,7 @@ class SeamStep:
     """Of each band, DN: the standard deviation on either side of a station, root mean square over the stations."""
 
 
-def seam_steps(pixels: Pixels, image: PixelImage, window: PixelWindow, seams: Sequence[Seam]) -> list[SeamStep]:
+def seam_steps(source: OpenRaster, window: PixelWindow, seams: Sequence[Seam]) -> list[SeamStep]:
     """The steps at all seams with at least four stations on valid pixels of a window of a north-up raster.
 
     Left and right are what lies 2 to 10 px from the seam: nearer, a straightened pixel staircase and a feather would
@@ -40,7 +40,7 @@ def seam_steps(pixels: Pixels, image: PixelImage, window: PixelWindow, seams: Se
     """
     found = []
     for seam in seams:
-        stations = [part for run in _runs(seam, image) for part in _stations(pixels, window, *run)]
+        stations = [part for run in _runs(seam, source.raster.grid) for part in _stations(source, window, *run)]
         if len(stations) >= limits.MIN_SEAM_STATIONS:
             differences, variances = (np.array(figures) for figures in zip(*stations))
             steps, contrasts = np.median(differences, axis=0), np.sqrt(variances.mean(axis=0))
@@ -48,10 +48,8 @@ def seam_steps(pixels: Pixels, image: PixelImage, window: PixelWindow, seams: Se
     return found
 
 
-def _runs(seam: Seam, image: PixelImage) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Points one pixel apart along a seam, (n, 2) column and row, and the unit normals to the left, run by run."""
-    grid = image.grid
-    assert grid is not None
     vertices = _on_grid(seam.vertices, grid)
     lengths = np.hypot(*np.diff(vertices, axis=0).T)
     ends = np.concatenate([[0.0], lengths.cumsum()])
@@ -65,7 +63,7 @@ def _runs(seam: Seam, image: PixelImage) -> Iterator[tuple[np.ndarray, np.ndarra
 
 
 def _stations(
-    pixels: Pixels, window: PixelWindow, points: np.ndarray, normals: np.ndarray
+    source: OpenRaster, window: PixelWindow, points: np.ndarray, normals: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """For every station of a run that has valid pixels on both sides, each (bands,): the left mean less the right one,
     and the mean of the variances of both sides."""
@@ -75,7 +73,7 @@ def _stations(
     right, bottom = np.minimum(np.ceil(points.max(axis=0)) + reach, last).astype(int)
     if left >= right or top >= bottom:
         return
-    bands, invalid = pixels.read(PixelWindow(int(left), int(top), int(right - left), int(bottom - top)))
+    bands, invalid = source.read(PixelWindow(int(left), int(top), int(right - left), int(bottom - top)))
     offsets = np.arange(limits.SEAM_NEAR_PX, limits.SEAM_FAR_PX) + 0.5
     sides = []
     for sign in (1, -1):

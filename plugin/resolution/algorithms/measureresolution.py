@@ -27,7 +27,7 @@ from ...toolkit.translation import tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
-    from ...imagery.rasters import Mosaic
+    from ...imagery.rasters import Raster
     from ..measure.bar_groups import TargetResolution
     from ..measure.bar_lines import MeasuredLine
     from ..measure.target import Target
@@ -127,10 +127,10 @@ class MeasureResolution(SeamInspectorAlgorithm):
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         self._target(parameters, context).check()
         self._width(parameters, context)
-        self._band(parameters, context, self.describe_picture(parameters, RASTER, context))
+        self._band(parameters, context, self.describe_north_up(parameters, RASTER, context))
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._raster = self.describe_picture(parameters, RASTER, context)
+        self._raster = self.describe_north_up(parameters, RASTER, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -200,15 +200,15 @@ class MeasureResolution(SeamInspectorAlgorithm):
             raise SettingsError(messages.BAR_WIDTH_OUT_OF_RANGE(width=width, most=limits.MAX_BAR_LINE_PX))
         return float(width)
 
-    def _band(self, parameters: dict[str, Any], context: QgsProcessingContext, raster: Mosaic) -> int | None:
+    def _band(self, parameters: dict[str, Any], context: QgsProcessingContext, raster: Raster) -> int | None:
         """Where the band stands among those that are measured; None for all."""
-        from ...imagery.rasters import band_index
+        from ...imagery.open_raster import OpenRaster
 
         number = self.parameterAsInt(parameters, BAND, context)
         if number < 0:
             count = len(raster.band_names)
             raise RasterError(imagery_messages.BAND_NOT_THERE(name=raster.ref.name, band=number, count=count))
-        return None if number == 0 else band_index(raster.ref, number)
+        return None if number == 0 else OpenRaster(raster.ref).band_index(number)
 
 
 def _save_chart(path: Path, resolution: TargetResolution, target: Target) -> None:
@@ -218,7 +218,7 @@ def _save_chart(path: Path, resolution: TargetResolution, target: Target) -> Non
     save_figure(group_chart(resolution.results, target.criterion), path)
 
 
-def _save_report(path: Path, raster: Mosaic, resolution: TargetResolution, target: Target) -> None:
+def _save_report(path: Path, raster: Raster, resolution: TargetResolution, target: Target) -> None:
     from ..report import save_resolution_report
 
     save_resolution_report(path, raster, resolution, target)

@@ -58,10 +58,10 @@ class SimulateBayer(SeamInspectorAlgorithm):
         from ..measure.bayer import check_demosaic
 
         check_demosaic(*self._ways(parameters, context))
-        self.describe_picture(parameters, RASTER, context)
+        self.describe_north_up(parameters, RASTER, context)
 
     def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._raster = self.describe_picture(parameters, RASTER, context)
+        self._raster = self.describe_north_up(parameters, RASTER, context)
 
     def execute(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback

@@ -32,7 +32,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ...imagery.errors import SeamInspectorError
 from ...imagery.message import Message
-from ...imagery.rasters import Mosaic
+from ...imagery.rasters import Raster
 from ...toolkit.background_task import End, Outcome
 from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.desk.clipped_label import ClippedLabel
@@ -63,7 +63,7 @@ class BarDock(ToolDock):
     def __init__(self, iface: QgisInterface) -> None:
         super().__init__(iface, tr("Bar groups"), "SeamInspectorBarDock")
         self._background = BackgroundTasks(self)
-        self._raster: Mosaic | None = None  # the image, once it is open
+        self._raster: Raster | None = None  # the image, once it is open
         self._waiting: BarLine | None = None  # the newest line, while an older one is measured
         self.results: tuple[GroupResult, ...] = ()
         tool = BarTool(self._canvas)
@@ -139,7 +139,7 @@ class BarDock(ToolDock):
         self.profile.show_results([], self.target().criterion)
         self.verdict.setText(self.draw.toolTip())
 
-    def _new_layer(self, raster: Mosaic) -> QgsVectorLayer:
+    def _new_layer(self, raster: Raster) -> QgsVectorLayer:
         folder = Path(QgsProject.instance().homePath() or QgsApplication.qgisSettingsDirPath())
         layer = line_layer.create_bar_layer(mosaic_crs(raster), folder)
         QgsProject.instance().addMapLayer(layer)
@@ -210,7 +210,7 @@ class BarDock(ToolDock):
         self._background.start(tr("Read pictures"), job, self._take_image, _IMAGE_KEY)
 
     def _take_image(self, found: object) -> None:
-        if isinstance(found, Mosaic):
+        if isinstance(found, Raster):
             self._raster = found
             self.draw.setEnabled(True)
             self.verdict.setText(self.draw.toolTip())

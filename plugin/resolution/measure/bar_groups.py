@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...imagery.message import Message
-from ...imagery.rasters import Mosaic
+from ...imagery.rasters import Raster
 from . import limits, messages
 from .bar_lines import MeasuredLine
 from .bars import BarReading
@@ -72,7 +72,7 @@ class TargetResolution:
         return None if along is None or across is None else math.sqrt(along * across)
 
 
-def judge_lines(raster: Mosaic, measured: Sequence[MeasuredLine], target: Target) -> TargetResolution:
+def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target) -> TargetResolution:
     """The verdicts on all lines of a target, and its ground resolved distance by direction and band."""
     measured = _without_repeated_groups(measured)
     scale, off_scale = _pixels_per_cm(raster, measured, target)
@@ -149,7 +149,7 @@ def _why_aliased(reading: BarReading, cycle: float | None) -> Message | None:
 
 
 def _pixels_per_cm(
-    raster: Mosaic, measured: Sequence[MeasuredLine], target: Target
+    raster: Raster, measured: Sequence[MeasuredLine], target: Target
 ) -> tuple[float | None, Message | None]:
     """How many pixels a centimetre of the target covers, from the pixel size and from the bars themselves.
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...imagery.errors import BarLineError
 from ...imagery.message import Message
-from ...imagery.rasters import Mosaic
+from ...imagery.rasters import Raster
 from ...imagery.value_ranges import BIT_DEPTHS
 from .bars import BarReading, read_bars
 from .profiles import Patch, Segment, bar_profile, perpendicular_line, read_patch
@@ -49,7 +49,7 @@ class MeasuredLine:
 
 
 def measure_line(
-    raster: Mosaic, line: BarLine, bars: int, width: float, band: int | None = None
+    raster: Raster, line: BarLine, bars: int, width: float, band: int | None = None
 ) -> MeasuredLine:
     """Profiles across the bars of one group and what they show; never raises for a line that can't be measured.
 

@@ -7,10 +7,12 @@ from typing import Callable
 
 import numpy as np
 
-from ...imagery.errors import RasterError, SettingsError
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.grids import PixelWindow
-from ...imagery.raster_writing import write_colours
-from ...imagery.rasters import Mosaic, nodata_value, read_bands
+from ...imagery.open_raster import OpenRaster
+from ...imagery.raster_writer import format_of, raster_writer
+from ...imagery.rasters import Raster
 from . import limits, messages
 
 BILINEAR, EDGE_AWARE = limits.DEMOSAICS
@@ -32,38 +34,41 @@ def check_demosaic(pattern: str, demosaic: str) -> None:
 
 
 def simulate_file(
-    raster: Mosaic, path: str, pattern: str, demosaic: str, progress: Callable[[float], bool] = lambda share: True
+    raster: Raster, path: str, pattern: str, demosaic: str, progress: Callable[[float], bool] = lambda share: True
 ) -> None:
     """Write what a single-chip camera would have seen of a raster, strip by strip.
 
     A raster of one band is a grey scene. Pixels without data stay so. ``progress`` gets the share that is done and
     says whether to go on. Raises SettingsError for unknown ways, RasterError for a raster that has no colours, or
-    can't be read or written.
+    can't be read or written, CancelledError when cancelled; no half-written file is left then, and an older one as it
+    was.
     """
     check_demosaic(pattern, demosaic)
     names = raster.band_names
     if not raster.has_luminance and len(names) > 1:
         raise RasterError(messages.BANDS_NOT_COLOURS(name=raster.ref.name, count=len(names)))
-    kind = read_bands(raster.ref, PixelWindow(0, 0, 1, 1))[0].dtype
+    source = OpenRaster(raster.ref)
+    kind = source.read(PixelWindow(0, 0, 1, 1)).bands.dtype
     if demosaic == EDGE_AWARE:
         _check_kind(kind)
-    strips = _strips(raster, pattern, demosaic, progress)
-    write_colours(path, raster, kind, strips, nodata_value(raster.ref))
+    with raster_writer(path, raster, 3, kind, format_of(path), colours=True, nodata=source.nodata) as writer:
+        for row, seen in _strips(source, pattern, demosaic):
+            writer.write(row, seen)
+            if not progress((row + seen.shape[1]) / raster.rows):
+                raise CancelledError(imagery_messages.CANCELLED())
 
 
-def _strips(
-    raster: Mosaic, pattern: str, demosaic: str, progress: Callable[[float], bool]
-) -> Iterator[tuple[int, np.ndarray]]:
-    columns, rows = raster.grid.columns, raster.grid.rows
+def _strips(source: OpenRaster, pattern: str, demosaic: str) -> Iterator[tuple[int, np.ndarray]]:
+    """First row and (3, rows, columns) of pieces from top to bottom."""
+    columns, rows = source.columns, source.rows
     height = max(2, _STRIP_PIXELS // columns // 2 * 2)
     for row in range(0, rows, height):
         top, bottom = max(0, row - _REACH_PX), min(rows, row + height + _REACH_PX)
-        bands, valid = read_bands(raster.ref, PixelWindow(0, top, columns, bottom - top))
+        block = source.read(PixelWindow(0, top, columns, bottom - top))
+        bands = block.bands
         colours = bands[:3] if len(bands) >= 3 else np.repeat(bands[:1], 3, axis=0)
-        seen = np.where(valid, simulated(colours, pattern, demosaic), colours)
+        seen = np.where(block.valid, simulated(colours, pattern, demosaic), colours)
         yield row, seen[:, row - top : min(row + height, rows) - top]
-        if not progress(min(row + height, rows) / rows):
-            return
 
 
 def filtered(colours: np.ndarray, pattern: str) -> np.ndarray:

@@ -15,7 +15,8 @@ from scipy.sparse.linalg import spsolve
 
 from ...imagery.errors import BarLineError
 from ...imagery.grids import PixelWindow
-from ...imagery.rasters import Mosaic, read_bands
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import Raster
 from . import limits, messages
 
 MAX_BAR_TURN_DEG = 10.0  # how roughly a line may be drawn: a hand does better
@@ -99,7 +100,7 @@ class Profile:
     """Standard deviation of the pixels of the plain ground beside the bars, DN."""
 
 
-def read_patch(raster: Mosaic, line: Segment, bars: int) -> Patch:
+def read_patch(raster: Raster, line: Segment, bars: int) -> Patch:
     """The pixels around a line, with ground on all sides.
 
     Raises BarLineError when the line is too short for its bars, too long, or leaves the raster, and RasterError
@@ -119,7 +120,8 @@ def read_patch(raster: Mosaic, line: Segment, bars: int) -> Patch:
     row = max(0, math.floor(line.middle[1] - reach))
     right = min(grid.columns, math.ceil(line.middle[0] + reach))
     bottom = min(grid.rows, math.ceil(line.middle[1] + reach))
-    bands, valid = read_bands(raster.ref, PixelWindow(column, row, right - column, bottom - row))
+    block = OpenRaster(raster.ref).read(PixelWindow(column, row, right - column, bottom - row))
+    bands, valid = block.bands, block.valid
     highest = None if bands.dtype.kind == "f" else float(np.iinfo(bands.dtype).max)
     patch = Patch(bands.astype(np.float64), valid, column, row, highest)
     along, beside = patch.distances(line)

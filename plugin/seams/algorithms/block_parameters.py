@@ -15,7 +15,7 @@ from ..measure import messages
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
-    from ...imagery.rasters import Mosaic, RasterRef
+    from ...imagery.rasters import Raster, RasterRef
     from ..measure.inspection import Block
     from ..measure.seam_cells import Cell
     from ..measure.source_images import Source
@@ -75,7 +75,7 @@ def given_block(
     algorithm: SeamInspectorAlgorithm,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
-    mosaic: Mosaic,
+    mosaic: Raster,
     given: GivenSources,
     once: TellOnce,
     cells: Iterable[Cell] = (),

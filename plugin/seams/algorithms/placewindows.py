@@ -78,7 +78,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         from ...imagery.lines.seamlines import find_seams
-        from ...imagery.pixels import validity_check
+        from ...imagery.open_raster import OpenRaster
         from ...toolkit import layers
         from ...toolkit.table_fields import column_feature, column_fields
         from ..measure.window_placing import place_windows
@@ -91,10 +91,10 @@ class PlaceWindows(SeamInspectorAlgorithm):
         seams = find_seams(
             (layers.line_wkb(feature, transform) for feature in layers.features(seamlines)), mosaic.grid.pixel_width
         )
-        valid = validity_check(mosaic)
+        source = OpenRaster(mosaic.ref)
 
         def is_valid(window: PixelWindow) -> bool:
-            return not feedback.isCanceled() and valid(window)
+            return not feedback.isCanceled() and source.is_valid(window)
 
         placement = place_windows(seams, mosaic.grid, *self._measures(parameters, context), is_valid)
         if not feedback.isCanceled():

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -130,15 +131,12 @@ class PredictLoss(SeamInspectorAlgorithm):
         self, windows: QgsProcessingFeatureSource, parameters: dict[str, Any], context: QgsProcessingContext
     ) -> tuple[QgsCoordinateReferenceSystem, str]:
         """The reference system of the first source that can be read, else the index layer's, else the windows'."""
-        from ...imagery.rasters import describe
+        from ...imagery.open_raster import describe_placed
         from ...toolkit import layers
 
         for ref in self._given.refs:
-            try:
-                raster = describe(ref)
-            except RasterError:
-                continue  # it is named when the sources are gathered
-            if raster.wkt:
+            with suppress(RasterError):  # it is named when the sources are gathered
+                raster = describe_placed(ref)
                 return layers.mosaic_crs(raster), raster.wkt
         crs = windows.sourceCrs()
         if parameters.get(common.SOURCE_INDEX):

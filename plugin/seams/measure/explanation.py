@@ -14,7 +14,7 @@ import numpy as np
 from ...imagery import limits as imagery_limits
 from ...imagery.band_curves import correlation, judged_plane, measure_bands
 from ...imagery.band_names import COLOURS, LUMINANCE, has_colours
-from ...imagery.rasters import Clip
+from ...imagery.clips import Clip
 from ...imagery.shifts import Shift, Spectra, find_shift, shifted
 from ...imagery.wavelets import Curve
 from . import limits

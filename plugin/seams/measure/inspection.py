@@ -8,10 +8,11 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery.band_curves import correlation, measure_clip
+from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
-from ...imagery.rasters import Clip, Mosaic, RasterRef, read_clip
+from ...imagery.rasters import Raster, RasterRef
 from ...imagery.wavelets import Curve, check_decomposition
 from . import messages
 from .causes import Cause
@@ -47,7 +48,7 @@ class InspectionSettings:
 class Block:
     """A mosaic and the orthoimages it may have been made from."""
 
-    mosaic: Mosaic
+    mosaic: Raster
     sources: tuple[Source, ...]
     cells: tuple[Cell, ...] = ()
     """Which source each part of the mosaic was cut from, where that is known."""
@@ -63,7 +64,7 @@ class WindowRequest:
     """All that is needed to measure one window, in plain data that can cross threads and processes."""
 
     window_id: int
-    mosaic: Mosaic
+    mosaic: Raster
     sources: tuple[Source, ...]
     """Those that may cover the window."""
     window: PixelWindow | None
@@ -152,7 +153,7 @@ class WindowResult:
 
 
 def make_block(
-    mosaic: Mosaic, sources: Iterable[RasterRef], indexed: Iterable[Source] = (), cells: Iterable[Cell] = ()
+    mosaic: Raster, sources: Iterable[RasterRef], indexed: Iterable[Source] = (), cells: Iterable[Cell] = ()
 ) -> tuple[Block, list[Message]]:
     """A mosaic with its sources, each once, and notices about those left out.
 

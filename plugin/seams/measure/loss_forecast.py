@@ -14,10 +14,12 @@ import numpy as np
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.band_curves import judged_plane
+from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import NotCoveredError, RasterError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
-from ...imagery.rasters import Clip, Mosaic, Raster, describe, read_clip
+from ...imagery.open_raster import describe_placed
+from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on
 from ...imagery.shifts import Shift, Spectra, find_shift
 from . import messages
@@ -130,7 +132,7 @@ def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:
 class _ForecastPlace:
     """Where the window lies: on the pixels of one source."""
 
-    mosaic: Mosaic
+    mosaic: Raster
     """That source, which stands in for the mosaic."""
     window: PixelWindow
     clip: Clip
@@ -146,7 +148,7 @@ def _described(sources: Sequence[Source]) -> tuple[list[Raster], list[Message]]:
     notices: list[Message] = []
     for source in sources:
         try:
-            rasters.append(describe(source.ref))
+            rasters.append(describe_placed(source.ref))
         except RasterError as error:
             notices.append(error.message.as_warning())
     return rasters, notices
@@ -178,17 +180,12 @@ def _place(request: ForecastRequest, rasters: Sequence[Raster]) -> tuple[_Foreca
 
 def _place_on(raster: Raster, request: ForecastRequest) -> _ForecastPlace:
     assert request.extent is not None
-    name = raster.ref.name
-    if not raster.wkt:
-        raise RasterError(imagery_messages.NO_REFERENCE_SYSTEM(name=name))
-    if raster.grid is None:
-        raise RasterError(imagery_messages.NOT_NORTH_UP(name=name))
+    grid = raster.grid
     extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
-    if not covers(raster.extent, extent, raster.grid.pixel_width, raster.grid.pixel_height):
-        raise NotCoveredError(imagery_messages.NOT_COVERED(name=name))
-    mosaic = Mosaic(**vars(raster))
-    window = snap_window(mosaic.grid, extent, request.levels)
-    return _ForecastPlace(mosaic, window, read_clip(raster.ref, mosaic, window))
+    if not covers(raster.extent, extent, grid.pixel_width, grid.pixel_height):
+        raise NotCoveredError(imagery_messages.NOT_COVERED(name=raster.ref.name))
+    window = snap_window(grid, extent, request.levels)
+    return _ForecastPlace(raster, window, read_clip(raster.ref, raster, window))
 
 
 def _comparable_clips(

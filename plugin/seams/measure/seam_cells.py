@@ -8,7 +8,7 @@ from pathlib import PurePath
 import numpy as np
 from osgeo import gdal, ogr
 
-from ...imagery.gdal_messages import gdal_silenced
+from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Extent, Grid, PixelWindow
 
 UNKNOWN = 255

@@ -10,7 +10,8 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError, SettingsError
 from ...imagery.grids import Extent
 from ...imagery.message import Message
-from ...imagery.rasters import RasterRef, describe
+from ...imagery.open_raster import describe_placed
+from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import extent_on
 from . import messages
 
@@ -75,9 +76,7 @@ def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: flo
 
 
 def _footprint(ref: RasterRef, wkt: str) -> Source:
-    raster = describe(ref)
-    if not raster.wkt:
-        raise RasterError(imagery_messages.NO_REFERENCE_SYSTEM(name=ref.name))
+    raster = describe_placed(ref)
     return Source(ref, extent_on(raster.extent, raster.wkt, wkt))
 
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
-from ...imagery.rasters import Clip, read_clip
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss

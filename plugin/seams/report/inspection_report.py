@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import Callable
 
 from ...imagery import limits as imagery_limits
+from ...imagery.clips import read_overview
 from ...imagery.errors import RasterError
 from ...imagery.message import Message
-from ...imagery.rasters import read_overview
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
@@ -216,7 +216,7 @@ def _background(
     with suppress(RasterError):  # then the sketch stands on plain paper
         overview = read_overview(request.block.mosaic, extent, OVERVIEW_SIDE_PX)
         if overview is not None:
-            bands, valid, place = overview
-            pixels = bytes_picture(bands, request.block.mosaic.has_luminance, valid)
+            block, place = overview
+            pixels = bytes_picture(block.bands, request.block.mosaic.has_luminance, block.valid)
             return SketchBackground(encoded(pixels, "JPEG"), place)
     return None

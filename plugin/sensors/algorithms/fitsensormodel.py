@@ -31,8 +31,8 @@ from .sensor_parameters import SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
+    from ...imagery.open_raster import OpenRaster
     from ..measure.adjustment import Accuracy, Adjustment
-    from ..measure.image_description import SensorImage
     from ..measure.models.registry import ModelRequest
     from ..measure.models.rpc import Domain
 
@@ -163,7 +163,7 @@ class FitSensorModel(SensorAlgorithm):
         parameters: dict[str, Any],
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
-        image: SensorImage | None,
+        image: OpenRaster | None,
     ) -> ModelRequest:
         kind = registry.KINDS[self.parameterAsString(parameters, MODEL, context)]
         rpc = None
@@ -195,7 +195,7 @@ class FitSensorModel(SensorAlgorithm):
         return notices
 
     @staticmethod
-    def _domain(image: SensorImage | None, points: Any) -> Domain:
+    def _domain(image: OpenRaster | None, points: Any) -> Domain:
         import numpy as np
 
         from ..measure.models.rpc import Domain

@@ -15,7 +15,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.errors import CancelledError, SensorModelError, SettingsError
+from ...imagery.errors import SensorModelError, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.feedback import tell
 from ...toolkit.translation import tr
@@ -24,7 +24,7 @@ from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm
 
 if TYPE_CHECKING:
-    from ..measure.image_description import SensorImage
+    from ...imagery.open_raster import OpenRaster
     from ..measure.models.rpc import Domain
     from ..measure.models.sensor_model import SensorModel
 
@@ -101,9 +101,9 @@ class Orthorectify(SensorAlgorithm):
         })
 
     def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        from ..measure.image_description import describe_image
+        from ..measure.sensor_images import open_image
 
-        describe_image(common.required_raster(parameters, sensor_parameters.IMAGE, context))
+        open_image(common.required_raster(parameters, sensor_parameters.IMAGE, context))
         given = parameters.get(HEIGHT) not in (None, "")
         if given == bool(parameters.get(sensor_parameters.DEM)):
             raise SettingsError(messages.DEM_AND_HEIGHT() if given else messages.NO_DEM())
@@ -145,11 +145,7 @@ class Orthorectify(SensorAlgorithm):
             self.parameterAsString(parameters, RESAMPLING, context),
             self.parameterAsString(parameters, FORMAT, context),
         )
-        try:
-            made = orthorectify(request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled)
-        except CancelledError as stopped:
-            tell(feedback, stopped.message)
-            return {}
+        made = orthorectify(request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled)
         tell(feedback, *made.notices)
         feedback.pushInfo(
             tr(
@@ -165,7 +161,7 @@ class Orthorectify(SensorAlgorithm):
         parameters: dict[str, Any],
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
-        image: SensorImage,
+        image: OpenRaster,
     ) -> tuple[SensorModel, str, Domain]:
         """The model in the image's own pixels, the system it is in, and where it is used."""
         from ..measure.ground_system import WGS84
@@ -181,4 +177,4 @@ class Orthorectify(SensorAlgorithm):
         rpc = self._rpc(parameters, RPC, context, feedback, image)
         if rpc is None:
             raise SensorModelError(messages.NO_RPC())
-        return rpc, WGS84, rpc_domain(rpc, image)
+        return rpc, WGS84, rpc_domain(rpc, image.raster)

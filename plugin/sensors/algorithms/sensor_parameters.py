@@ -27,8 +27,8 @@ from ...toolkit.translation import tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
+    from ...imagery.open_raster import OpenRaster
     from ..measure.control_coverage import ImageBox
-    from ..measure.image_description import SensorImage
     from ..measure.models.rational import Rational
     from ..measure.models.registry import ModelRequest
     from ..measure.points import Points
@@ -101,17 +101,17 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self._image_ref = common.raster(parameters, IMAGE, context)
         self._dem = common.raster(parameters, DEM, context)
 
-    def _image(self) -> SensorImage | None:
-        from ..measure.image_description import describe_image
+    def _image(self) -> OpenRaster | None:
+        from ..measure.sensor_images import open_image
 
-        return describe_image(self._image_ref) if self._image_ref is not None else None
+        return open_image(self._image_ref) if self._image_ref is not None else None
 
     def _points(
         self,
         parameters: dict[str, Any],
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
-        image: SensorImage | None,
+        image: OpenRaster | None,
         request: ModelRequest | None = None,
     ) -> Points:
         """The points with roles, and heights where the model (None: any model) needs them."""
@@ -151,33 +151,36 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         name: str,
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
-        image: SensorImage | None,
+        image: OpenRaster | None,
     ) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
         from ..measure.models.rpc_files import own_rpc, read_rpc, rpc_of_image_part
+        from ..measure.sensor_images import rpc_metadata
 
         path = self.parameterAsFile(parameters, name, context)
         rpc = read_rpc(Path(path)) if path else own_rpc(image) if image is not None else None
-        if rpc is None or image is None or (image.rpc and not path):
+        if rpc is None or image is None or (not path and rpc_metadata(image)):
             return rpc
-        rpc, notice = rpc_of_image_part(rpc, image)
+        rpc, notice = rpc_of_image_part(rpc, image.raster)
         if notice is not None:
             tell(feedback, notice)
         return rpc
 
     def _orbit_height_m(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, image: SensorImage | None
+        self, parameters: dict[str, Any], context: QgsProcessingContext, image: OpenRaster | None
     ) -> float:
         """As given, else by the satellite that the image's metadata name, else the default."""
         given = self.parameterAsDouble(parameters, ORBIT_HEIGHT, context)
         if given > 0:
             return given * 1000
-        name = image.satellite.upper() if image is not None else ""
+        from ..measure.sensor_images import satellite_name
+
+        name = satellite_name(image).upper() if image is not None else ""
         known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
         return next(known, limits.DEFAULT_ORBIT_HEIGHT_KM) * 1000
 
 
-def image_box(image: SensorImage | None, points: Points) -> ImageBox:
+def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
     """The image's rectangle, or that of the points where there is no image."""
     if image is not None:
         return 0.0, 0.0, float(image.columns), float(image.rows)

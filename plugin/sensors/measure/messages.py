@@ -136,7 +136,6 @@ EXTENT_WITHOUT_SYSTEM = Message("An extent is given but no reference system; cho
 EXTENT_OUTSIDE = Message("The extent lies outside the image; choose one that overlaps it.")
 ORTHO_TOO_LARGE = Message("The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.")
 WARP_FAILED = Message("The orthoimage could not be written ({error}); check the folder and the free space.")
-CANCELLED = Message("The orthorectification was cancelled; nothing is left of it.", WARNING)
 # the recommendation
 RECOMMEND_PUSHBROOM = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few "

@@ -1,10 +1,9 @@
 """Orthorectification: an image, a model in space and terrain heights, through GDAL's warper with an RPC."""
 from __future__ import annotations
 
-import os
 import uuid
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Callable
@@ -12,21 +11,23 @@ from typing import Any, Callable
 import numpy as np
 from osgeo import gdal
 
-from ...imagery.datasets import drop_from_memory, open_dataset
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, RasterError, SensorModelError, SettingsError
-from ...imagery.gdal_messages import gdal_silenced
+from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
 from ...imagery.grids import Extent
 from ...imagery.message import Message
-from ...imagery.rasters import RasterRef
+from ...imagery.open_raster import OpenRaster
+from ...imagery.raster_writer import whole_raster
+from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
 from . import limits, messages
 from .ground_system import GEOGRAPHIC, WGS84, GroundSystem
-from .image_description import SensorImage, describe_image
 from .models.locating import locate
 from .models.rational import Rational
 from .models.rpc import Domain, RpcOfModel, rpc_of
 from .models.rpc_files import to_metadata
 from .models.sensor_model import SensorModel
+from .sensor_images import open_image
 from .terrain import Terrain, constant_terrain, load_terrain
 
 ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
@@ -84,7 +85,7 @@ class Ortho:
 class _Plan:
     """All that the warper needs."""
 
-    image: SensorImage
+    image: OpenRaster
     rpc: RpcOfModel
     terrain: Terrain
     footprint: np.ndarray
@@ -109,7 +110,8 @@ def orthorectify(
     columns, rows = (max(round((extent[i + 2] - extent[i]) / size), 1) for i in (0, 1))
     if columns > 2**31 - 1 or rows > 2**31 - 1 or columns * rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=columns, height=rows))
-    with _source(plan) as source, _heights(plan.terrain) as heights:
+    source = _source(plan)
+    with _heights(plan.terrain) as heights:
         options = [
             "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
         ]  # fmt: skip
@@ -121,7 +123,7 @@ def orthorectify(
     return Ortho(request.output, wkt, extent, size, columns, rows, rms, most, plan.uncovered, tuple(notices))
 
 
-def rpc_domain(rpc: Rational, image: SensorImage) -> Domain:
+def rpc_domain(rpc: Rational, image: Raster) -> Domain:
     """Where an image's own RPC is used: over the image, at the heights it was made for."""
     height, half = float(rpc.ground.offset[2]), float(rpc.ground.scale[2])
     middle = (float(rpc.ground.offset[0]), float(rpc.ground.offset[1]))
@@ -132,7 +134,7 @@ def rpc_domain(rpc: Rational, image: SensorImage) -> Domain:
 
 
 def _plan(request: OrthoRequest) -> _Plan:
-    image = describe_image(request.image)
+    image = open_image(request.image)
     domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
     middle = GroundSystem(request.wkt).to_geographic(np.array([[*domain.middle, np.mean(domain.heights)]]))[:, :2]
     rpc = rpc_of(request.model, request.wkt, domain)
@@ -205,16 +207,14 @@ def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
 # --- GDAL ------------------------------------------------------------------------------------------------------
 
 
-@contextmanager
-def _source(plan: _Plan) -> Iterator[gdal.Dataset]:
+def _source(plan: _Plan) -> gdal.Dataset:
     """The image with the RPC and nothing else that could place it."""
-    original = open_dataset(plan.image.ref)
     with gdal_silenced():
-        source = gdal.Translate("", original, format="VRT", noData=None)
+        source = gdal.Translate("", plan.image.dataset, format="VRT", noData=None)
         source.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
         source.SetProjection("")
         source.SetMetadata(to_metadata(plan.rpc.rpc), "RPC")
-    yield source
+    return source
 
 
 @contextmanager
@@ -281,12 +281,11 @@ def _warp(
         progress(share)
         return 0 if cancelled() else 1
 
-    failure: str | None = None
-    with gdal_silenced():
+    with whole_raster(str(request.output)) as unfinished, gdal_silenced():
         gdal.ErrorReset()
         try:
-            result = gdal.Warp(
-                str(request.output),
+            made = gdal.Warp(
+                unfinished,
                 source,
                 format=request.format,
                 dstSRS=wkt,
@@ -303,14 +302,13 @@ def _warp(
                 creationOptions=creation if request.format == "COG" else [*creation, "TILED=YES"],
                 callback=report,
             )
-            failure = None if result is not None else gdal.GetLastErrorMsg()
+            failure = messages.WARP_FAILED(error=gdal.GetLastErrorMsg()) if made is None else None
         except RuntimeError as error:
-            result, failure = None, str(error)
-        result = None  # closing writes the file
-    if failure is None and not cancelled():
-        return
-    with suppress(OSError):
-        os.remove(request.output)
-    if cancelled():
-        raise CancelledError(messages.CANCELLED())
-    raise RasterError(messages.WARP_FAILED(error=failure))
+            made, failure = None, messages.WARP_FAILED(error=str(error))
+        if cancelled():
+            made = None
+            raise CancelledError(imagery_messages.CANCELLED())
+        if failure is not None:
+            raise RasterError(failure)
+        with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=request.output)):
+            made = None  # closing writes the file

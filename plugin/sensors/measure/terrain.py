@@ -4,12 +4,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
-from ...imagery.datasets import open_dataset
 from ...imagery.errors import RasterError
-from ...imagery.grids import Extent
+from ...imagery.grids import Extent, PixelWindow
 from ...imagery.message import Message
+from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import (
     extent_on,
@@ -78,12 +79,11 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: str) -> Terrain:
     ``datum`` is one of ``limits.HEIGHT_DATUMS``. Raises RasterError where the raster lies elsewhere, is rotated,
     has no reference system, is too large there, or where PROJ has no grid for its heights.
     """
-    dataset = open_dataset(ref)
-    wkt = dataset.GetProjection() or ref.wkt
-    transform = dataset.GetGeoTransform(can_return_null=True)
+    source = OpenRaster(ref)
+    wkt, transform = source.raster.wkt, source.raster.geotransform
     if not wkt:
         raise RasterError(imagery_messages.NO_REFERENCE_SYSTEM(name=ref.name))
-    if transform is None or transform[2] or transform[4] or transform[1] <= 0 or transform[5] >= 0:
+    if transform is None or not source.raster.is_north_up:
         raise RasterError(imagery_messages.NOT_NORTH_UP(name=ref.name))
     west, south, east, north = extent
     elsewhere = messages.DEM_NOT_COVERING(name=ref.name, west=west, east=east, south=south, north=north)
@@ -93,25 +93,20 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: str) -> Terrain:
         raise RasterError(elsewhere) from None
     left = max(int((xmin - transform[0]) / transform[1]) - 2, 0)
     top = max(int((ymax - transform[3]) / transform[5]) - 2, 0)
-    right = min(int((xmax - transform[0]) / transform[1]) + 3, dataset.RasterXSize)
-    bottom = min(int((ymin - transform[3]) / transform[5]) + 3, dataset.RasterYSize)
+    right = min(int((xmax - transform[0]) / transform[1]) + 3, source.columns)
+    bottom = min(int((ymin - transform[3]) / transform[5]) + 3, source.rows)
     if right <= left or bottom <= top:
         raise RasterError(elsewhere)
     count = (right - left) * (bottom - top)
     if count > MAX_DEM_PIXELS:
         most = MAX_DEM_PIXELS // 10**6
         raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most))
-    band = dataset.GetRasterBand(1)
-    heights = band.ReadAsArray(left, top, right - left, bottom - top)
-    if heights is None:
-        raise RasterError(imagery_messages.NOT_READABLE(name=ref.name))
-    nodata = band.GetNoDataValue()
-    missing = ~np.isfinite(heights) if heights.dtype.kind == "f" else np.zeros(heights.shape, bool)
-    if nodata is not None:
-        missing |= heights == nodata
-    heights = heights.astype(np.float32) * np.float32(band.GetScale() or 1) + np.float32(band.GetOffset() or 0)
-    heights[missing] = np.nan
-    if missing.all():
+    heights_alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])  # whatever the other bands are
+    block = OpenRaster(ref, heights_alone).read(PixelWindow(left, top, right - left, bottom - top))
+    band = source.dataset.GetRasterBand(1)
+    heights = block.bands[0].astype(np.float32) * np.float32(band.GetScale() or 1) + np.float32(band.GetOffset() or 0)
+    heights[~block.valid] = np.nan
+    if not block.valid.any():
         raise RasterError(elsewhere)
     origin = (transform[0] + left * transform[1], transform[3] + top * transform[5])
     found = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, ())

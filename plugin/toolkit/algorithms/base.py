@@ -21,7 +21,7 @@ from qgis.core import (
 from qgis.PyQt import sip
 from qgis.PyQt.QtGui import QIcon
 
-from ...imagery.errors import SeamInspectorError, SettingsError
+from ...imagery.errors import CancelledError, SeamInspectorError, SettingsError
 from ..packages import missing_packages_sentence
 from ..resources import icon_path
 from ..translation import sentence, tr
@@ -31,7 +31,7 @@ from .feedback import tell
 from .overwriting import refuse_overwriting
 
 if TYPE_CHECKING:
-    from ...imagery.rasters import Mosaic
+    from ...imagery.rasters import Raster
 
 Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
 
@@ -113,6 +113,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self._sinks: list[QgsFeatureSink] = []
         try:
             results = self.execute(parameters, context, feedback)
+        except CancelledError as stopped:
+            tell(feedback, stopped.message)
+            return {}
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
         finally:
@@ -163,17 +166,17 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             self.parameterAsInt(parameters, common.LEVELS, context),
         )
 
-    def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Mosaic:
+    def describe_mosaic(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Raster:
         """The raster of the parameter MOSAIC."""
-        from ...imagery.rasters import describe_mosaic
+        from ...imagery.open_raster import describe_mosaic
 
         return describe_mosaic(common.required_raster(parameters, common.MOSAIC, context))
 
-    def describe_picture(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Mosaic:
+    def describe_north_up(self, parameters: dict[str, Any], name: str, context: QgsProcessingContext) -> Raster:
         """The raster of a parameter, which may lie anywhere."""
-        from ...imagery.rasters import describe_picture
+        from ...imagery.open_raster import describe_north_up
 
-        return describe_picture(common.required_raster(parameters, name, context))
+        return describe_north_up(common.required_raster(parameters, name, context))
 
     def source(
         self, parameters: dict[str, Any], name: str, context: QgsProcessingContext

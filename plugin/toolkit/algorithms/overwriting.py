@@ -24,7 +24,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import SettingsError
-from ...imagery.gdal_messages import gdal_silenced
+from ...imagery.gdal_calls import gdal_silenced
 from .. import messages
 from . import parameters as common
 

@@ -7,10 +7,9 @@ from typing import Any, Callable, Protocol
 
 from qgis.PyQt.QtWidgets import QWidget
 
-from ...imagery.datasets import RasterRef
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
-from ...imagery.rasters import Mosaic
+from ...imagery.rasters import Raster, RasterRef
 
 
 class SourceUnderWindow(Protocol):
@@ -26,7 +25,7 @@ class WindowOnRasters(Protocol):
     @property
     def window_id(self) -> int: ...
     @property
-    def mosaic(self) -> Mosaic: ...
+    def mosaic(self) -> Raster: ...
     @property
     def sources(self) -> Sequence[SourceUnderWindow]: ...
     @property

@@ -4,8 +4,7 @@ from __future__ import annotations
 import numpy as np
 from osgeo import gdal
 
-from ...imagery.datasets import drop_from_memory
-from ...imagery.gdal_messages import gdal_silenced
+from ...imagery.gdal_calls import drop_from_memory, gdal_silenced
 
 
 def encoded(pixels: np.ndarray, driver: str) -> bytes:

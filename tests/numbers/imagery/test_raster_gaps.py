@@ -11,8 +11,8 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.pixels import validity_check
-from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.clips import (
     ALPHA,
@@ -86,7 +86,7 @@ GAPS = {
 
 @pytest.mark.parametrize("kind", GAPS)
 def test_a_few_invalid_pixels_are_filled_with_the_mean_of_the_valid_ones(
-    make_raster: MakeRaster, mosaic: Mosaic, kind: str
+    make_raster: MakeRaster, mosaic: Raster, kind: str
 ) -> None:
     image, gap = orthoimage(SIZE), np.zeros(SIZE, bool)
     gap[100:102, 120:122] = True  # 4 of 4096, 0.098 %
@@ -101,7 +101,7 @@ def test_a_few_invalid_pixels_are_filled_with_the_mean_of_the_valid_ones(
 
 
 @pytest.mark.parametrize("kind", GAPS)
-def test_a_raster_with_more_invalid_pixels_takes_no_part(make_raster: MakeRaster, mosaic: Mosaic, kind: str) -> None:
+def test_a_raster_with_more_invalid_pixels_takes_no_part(make_raster: MakeRaster, mosaic: Raster, kind: str) -> None:
     image, gap = orthoimage(SIZE), np.zeros(SIZE, bool)
     gap[100, 120:125] = True  # 5 of 4096, 0.12 %
     path = GAPS[kind](make_raster, image, gap)
@@ -111,13 +111,13 @@ def test_a_raster_with_more_invalid_pixels_takes_no_part(make_raster: MakeRaster
 
 
 @pytest.mark.parametrize("kind", GAPS)
-def test_a_raster_without_any_valid_pixel_takes_no_part(make_raster: MakeRaster, mosaic: Mosaic, kind: str) -> None:
+def test_a_raster_without_any_valid_pixel_takes_no_part(make_raster: MakeRaster, mosaic: Raster, kind: str) -> None:
     path = GAPS[kind](make_raster, orthoimage(SIZE), np.ones(SIZE, bool))
     with pytest.raises(NotCoveredError, match=r"100\.00% of the pixels of gaps\.tif are invalid"):
         clip_of(path, mosaic)
 
 
-def test_a_pixel_with_nodata_in_one_band_only_is_valid(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_a_pixel_with_nodata_in_one_band_only_is_valid(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage(SIZE)
     image[2] = 0  # no blue at all
     image[1, :, ::2] = 0
@@ -126,7 +126,7 @@ def test_a_pixel_with_nodata_in_one_band_only_is_valid(make_raster: MakeRaster, 
     np.testing.assert_array_equal(clip.bands, inside(image))
 
 
-def test_each_band_has_its_own_nodata(tmp_path: Path, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_each_band_has_its_own_nodata(tmp_path: Path, make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage(SIZE, 2)
     image[0, 90:92, 100:102], image[1, 90:92, 100:102] = 3, 250
     image[0, 95], image[1, 96] = 3, 250  # one of both only
@@ -142,7 +142,7 @@ def test_each_band_has_its_own_nodata(tmp_path: Path, make_raster: MakeRaster, m
 
 
 def test_nodata_that_the_data_type_cannot_hold_is_no_gap(
-    tmp_path: Path, make_raster: MakeRaster, mosaic: Mosaic
+    tmp_path: Path, make_raster: MakeRaster, mosaic: Raster
 ) -> None:
     image = orthoimage(SIZE)
     image[:, 100:110, 100:110] = 241  # -9999 in 8 bit
@@ -156,8 +156,7 @@ def test_validity_is_checked_from_a_part_of_the_pixels(make_raster: MakeRaster) 
     image = orthoimage(SIZE)
     image[:, :100] = 0
     image[:, 150, 150] = 0
-    block = describe_mosaic(RasterRef(make_raster("mosaic.tif", image, nodata=0)))
-    is_valid = validity_check(block)
+    is_valid = OpenRaster(RasterRef(make_raster("mosaic.tif", image, nodata=0))).is_valid
     assert is_valid(PixelWindow(0, 100, 128, 128))
     assert not is_valid(PixelWindow(0, 0, 64, 64))
     assert not is_valid(PixelWindow(100, 92, 128, 128))
@@ -187,7 +186,7 @@ def test_validity_is_checked_from_a_part_of_the_pixels(make_raster: MakeRaster) 
     ],
 )
 def test_band_roles(
-    make_raster: MakeRaster, mosaic: Mosaic, colours: list[int], names: str, order: list[int]
+    make_raster: MakeRaster, mosaic: Raster, colours: list[int], names: str, order: list[int]
 ) -> None:
     image = orthoimage(SIZE, len(colours))
     if ALPHA in colours:
@@ -202,7 +201,7 @@ def test_band_roles(
     np.testing.assert_array_equal(clip_of(path, mosaic).bands, inside(image)[order])
 
 
-def test_bands_keep_their_roles_when_warped(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_bands_keep_their_roles_when_warped(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage((512, 512), 5)
     image[4] = 255
     path = make_raster("source.tif", image, gsd=0.05, colours=[BLUE, GREEN, RED, UNDEFINED, ALPHA])
@@ -215,7 +214,7 @@ def test_bands_keep_their_roles_when_warped(make_raster: MakeRaster, mosaic: Mos
 PALETTE = [(10, 200, 30, 255), (255, 0, 0, 255), (0, 0, 128, 255), (90, 90, 90, 255), (7, 8, 9, 255)]
 
 
-def test_a_palette_is_expanded(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_a_palette_is_expanded(make_raster: MakeRaster, mosaic: Raster) -> None:
     indices = np.random.default_rng(1).integers(0, 5, SIZE).astype(np.uint8)
     path = make_raster("source.tif", indices, palette=PALETTE)
     assert describe(RasterRef(path)).band_names == ("red", "green", "blue")
@@ -230,7 +229,7 @@ def test_a_palette_is_expanded(make_raster: MakeRaster, mosaic: Mosaic) -> None:
 @pytest.mark.parametrize("times", [1, 2], ids=["as it is", "warped"])
 @pytest.mark.parametrize("how", ["transparent entry", "nodata index", "mask"])
 def test_gaps_of_a_palette(
-    tmp_path: Path, make_raster: MakeRaster, mosaic: Mosaic, how: str, times: int
+    tmp_path: Path, make_raster: MakeRaster, mosaic: Raster, how: str, times: int
 ) -> None:
     indices = np.random.default_rng(1).integers(0, 4, SIZE).astype(np.uint8)
     indices[100:102, 120:122] = 4

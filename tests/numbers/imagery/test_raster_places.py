@@ -10,7 +10,8 @@ import pytest
 from osgeo import gdal, osr
 from seam_inspector.plugin.imagery.errors import NotCoveredError, RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow, standard_side_px
-from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic, describe_placed
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 
 from tests.numbers.clips import SIZE, MakeRaster, clip_of, inside, reference, scene_raster
@@ -47,7 +48,7 @@ def use_exceptions(wanted: bool) -> None:
     ids=["renamed", "PROJ's UTM", "PROJ's transverse Mercator", "ETRS89"],
 )
 def test_the_same_system_under_another_name_is_not_warped(
-    make_raster: MakeRaster, mosaic: Mosaic, system: str
+    make_raster: MakeRaster, mosaic: Raster, system: str
 ) -> None:
     image = orthoimage(SIZE)
     clip = clip_of(make_raster("source.tif", image, system=None), mosaic, system=system)
@@ -56,12 +57,12 @@ def test_the_same_system_under_another_name_is_not_warped(
     np.testing.assert_array_equal(clip.bands, inside(image))
 
 
-def test_the_same_numbers_in_another_zone_are_another_place(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_the_same_numbers_in_another_zone_are_another_place(make_raster: MakeRaster, mosaic: Raster) -> None:
     with pytest.raises(NotCoveredError, match=r"source\.tif"):
         clip_of(make_raster("source.tif", orthoimage(SIZE), system=32634), mosaic)
 
 
-def test_a_reference_may_bring_the_system_that_a_file_lacks(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_a_reference_may_bring_the_system_that_a_file_lacks(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage(SIZE)
     path = make_raster("bare.tif", image, system=None)
     assert describe(RasterRef(path)).wkt == ""
@@ -107,14 +108,13 @@ def test_a_raster_without_a_position_is_refused(tmp_path: Path) -> None:
     path = str(tmp_path / "photo.tif")
     gdal.GetDriverByName("GTiff").Create(path, 64, 64, 3).FlushCache()
     with pytest.raises(RasterError, match=r"photo.tif has no position on the map; georeference"):
-        describe(RasterRef(path))
+        describe_placed(RasterRef(path))
 
 
 def test_the_extent_bounds_all_corners(make_raster: MakeRaster) -> None:
     turned = make_raster("a.tif", orthoimage((40, 30)), geotransform=(1000.0, 0.3, 0.4, 2000.0, 0.4, -0.3))
     assert describe(RasterRef(turned)).extent == pytest.approx((1000, 1988, 1025, 2012))
     upright = describe(RasterRef(make_raster("b.tif", orthoimage((40, 30)), gsd=0.5)))
-    assert upright.grid is not None
     assert upright.extent == upright.grid.extent == pytest.approx((500000, 4999980, 500015, 5000000))
 
 
@@ -193,7 +193,7 @@ LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
 class TestWithAndWithoutGdalsExceptions:
     """``gdal.UseExceptions()`` is process-wide, so any plugin may have called it before."""
 
-    def test_good_rasters(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_good_rasters(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         image = orthoimage(SIZE)
         np.testing.assert_array_equal(clip_of(make_raster("a.tif", image), mosaic).bands, inside(image))
         assert clip_of(scene_raster(make_raster, 0.2, 5), mosaic).resampled
@@ -210,7 +210,7 @@ class TestWithAndWithoutGdalsExceptions:
         ],
         ids=["missing", "empty", "text", "broken header"],
     )
-    def test_no_raster(self, tmp_path: Path, mosaic: Mosaic, content: bytes | None, sentence: str) -> None:
+    def test_no_raster(self, tmp_path: Path, mosaic: Raster, content: bytes | None, sentence: str) -> None:
         path = tmp_path / "file.tif"
         if content is not None:
             path.write_bytes(content)
@@ -220,19 +220,19 @@ class TestWithAndWithoutGdalsExceptions:
             clip_of(str(path), mosaic)
 
     @pytest.mark.parametrize("gsd", [0.1, 0.05], ids=["as it is", "warped"])
-    def test_a_truncated_file(self, make_raster: MakeRaster, mosaic: Mosaic, gsd: float) -> None:
+    def test_a_truncated_file(self, make_raster: MakeRaster, mosaic: Raster, gsd: float) -> None:
         path = Path(make_raster("cut.tif", orthoimage((512, 512)), gsd=gsd))
         path.write_bytes(path.read_bytes()[: path.stat().st_size // 8])
         with pytest.raises(RasterError, match=r"cut.tif (can't be read; the file may be truncated|is not a raster)"):
             clip_of(str(path), mosaic)
 
-    def test_a_file_truncated_before_its_directory(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_a_file_truncated_before_its_directory(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         path = Path(make_raster("cut.tif", orthoimage(SIZE)))
         path.write_bytes(path.read_bytes()[:6])
         with pytest.raises(RasterError, match=r"cut.tif is not a raster that GDAL can read"):
             clip_of(str(path), mosaic)
 
-    def test_a_damaged_mask(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_a_damaged_mask(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         valid = np.random.default_rng(0).random(SIZE) < 0.5
         path = make_raster("source.tif", orthoimage(SIZE), valid=valid, mask_inside=False)
         mask = Path(path + ".msk")
@@ -242,12 +242,12 @@ class TestWithAndWithoutGdalsExceptions:
         with pytest.raises(RasterError, match=r"pixels of source.tif can't be read"):
             clip_of(path, mosaic)
 
-    def test_complex_values(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_complex_values(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         path = make_raster("radar.tif", orthoimage(SIZE, 1).astype(np.complex64))
         with pytest.raises(RasterError, match=r"radar.tif holds complex values; convert them to magnitudes"):
             clip_of(path, mosaic)
 
-    def test_no_bands_of_its_own(self, tmp_path: Path, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_no_bands_of_its_own(self, tmp_path: Path, make_raster: MakeRaster, mosaic: Raster) -> None:
         path, image = str(tmp_path / "two.gpkg"), make_raster("image.tif", orthoimage(SIZE))
         for table, append in (("a", "NO"), ("b", "YES")):
             options = [f"RASTER_TABLE={table}", f"APPEND_SUBDATASET={append}"]
@@ -255,26 +255,26 @@ class TestWithAndWithoutGdalsExceptions:
         with pytest.raises(RasterError, match=r"two.gpkg has no bands of its own; choose one of its subdatasets"):
             clip_of(path, mosaic)
 
-    def test_a_raster_of_one_pixel(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_a_raster_of_one_pixel(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         path = make_raster("pixel.tif", np.full((3, 1, 1), 9, np.uint8), origin=(ORIGIN[0] + 12.0, ORIGIN[1] - 11.0))
         assert describe_mosaic(RasterRef(path)).grid.columns == 1
         with pytest.raises(NotCoveredError, match=r"pixel.tif does not cover the whole window"):
             clip_of(path, mosaic)
 
-    def test_no_reference_system(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_no_reference_system(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         path = make_raster("bare.tif", orthoimage(SIZE), system=None)
         with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system"):
             clip_of(path, mosaic)
 
     @pytest.mark.parametrize("system", [LOCAL, "nonsense"])
-    def test_a_system_that_leads_nowhere(self, make_raster: MakeRaster, mosaic: Mosaic, system: str) -> None:
+    def test_a_system_that_leads_nowhere(self, make_raster: MakeRaster, mosaic: Raster, system: str) -> None:
         with pytest.raises(RasterError, match="can't be transformed to the mosaic's coordinate reference system"):
             extent_on((0, 0, 1, 1), system, mosaic.wkt)
         path = make_raster("site.tif", orthoimage(SIZE), system=None)
         with pytest.raises(RasterError, match="can't be transformed to the mosaic's coordinate reference system"):
             clip_of(path, mosaic, system=system)
 
-    def test_an_unknown_place(self, make_raster: MakeRaster, mosaic: Mosaic) -> None:
+    def test_an_unknown_place(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         path = make_raster("far.tif", orthoimage(SIZE), origin=(1e7, 9e6), system=32634)
         with pytest.raises(NotCoveredError, match=r"far\.tif"):
             clip_of(path, mosaic)

@@ -9,7 +9,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.clips import (
     BLUE,
@@ -31,7 +32,7 @@ from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, texture
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int16, np.int32, np.float32, np.float64])
 @pytest.mark.parametrize("bands", [1, 3, 4])
-def test_pixels_come_as_they_are(make_raster: MakeRaster, mosaic: Mosaic, dtype: type, bands: int) -> None:
+def test_pixels_come_as_they_are(make_raster: MakeRaster, mosaic: Raster, dtype: type, bands: int) -> None:
     image = orthoimage(SIZE, bands, dtype=dtype)
     colours = [RED, GREEN, BLUE, UNDEFINED][:bands] if bands > 1 else [GRAY]
     clip = clip_of(make_raster("source.tif", image, colours=colours), mosaic)
@@ -51,14 +52,14 @@ def test_pixels_come_as_they_are(make_raster: MakeRaster, mosaic: Mosaic, dtype:
     ],
 )
 def test_how_a_file_is_laid_out_does_not_matter(
-    make_raster: MakeRaster, mosaic: Mosaic, options: tuple[str, ...]
+    make_raster: MakeRaster, mosaic: Raster, options: tuple[str, ...]
 ) -> None:
     image = orthoimage(SIZE, dtype=np.uint16)
     clip = clip_of(make_raster("source.tif", image, options=options), mosaic)
     np.testing.assert_array_equal(clip.bands, inside(image))
 
 
-def test_pixels_equal_those_gdal_reads(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_pixels_equal_those_gdal_reads(make_raster: MakeRaster, mosaic: Raster) -> None:
     path = make_raster("source.tif", orthoimage((300, 400)), origin=(ORIGIN[0] - 2.0, ORIGIN[1] + 3.0))
     clip = clip_of(path, mosaic)
     np.testing.assert_array_equal(clip.bands, read_pixels(path, 96 + 20, 80 + 30, 64, 64))
@@ -67,7 +68,7 @@ def test_pixels_equal_those_gdal_reads(make_raster: MakeRaster, mosaic: Mosaic) 
 @pytest.mark.parametrize("shift_x", [0.0, 0.3, -0.3, 0.49, 7.25])
 @pytest.mark.parametrize("shift_y", [0.0, 0.2, -0.45, -3.75])
 def test_the_subpixel_offset_says_how_far_the_window_lies_right_of_and_below_the_pixels(
-    make_raster: MakeRaster, mosaic: Mosaic, shift_x: float, shift_y: float
+    make_raster: MakeRaster, mosaic: Raster, shift_x: float, shift_y: float
 ) -> None:
     """The source's grid lies that many pixels to the right of and below the mosaic's."""
     row, column = np.mgrid[:256, :256].astype(np.float32)
@@ -96,7 +97,7 @@ def test_the_subpixel_offset_says_how_far_the_window_lies_right_of_and_below_the
     ],
 )
 def test_pixel_sizes_within_a_percent_are_not_resampled(
-    make_raster: MakeRaster, mosaic: Mosaic, width: float, height: float, resampled: bool
+    make_raster: MakeRaster, mosaic: Raster, width: float, height: float, resampled: bool
 ) -> None:
     geotransform = (ORIGIN[0] - 2, width, 0.0, ORIGIN[1] + 2, 0.0, -height)
     row, column = np.mgrid[:350, :350].astype(np.float64)
@@ -143,7 +144,7 @@ def test_a_source_may_end_just_inside_the_window(make_raster: MakeRaster, side: 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.integers(-300, 300), st.integers(-300, 300))
 def test_a_window_beside_or_across_the_edge_is_not_covered(
-    make_raster: MakeRaster, mosaic: Mosaic, column: int, row: int
+    make_raster: MakeRaster, mosaic: Raster, column: int, row: int
 ) -> None:
     window = PixelWindow(column, row, 64, 64)
     if mosaic.grid.contains(window):
@@ -153,7 +154,7 @@ def test_a_window_beside_or_across_the_edge_is_not_covered(
             clip_of(mosaic.ref.path, mosaic, window)
 
 
-def test_threads_read_the_same_file_at_once(mosaic: Mosaic) -> None:
+def test_threads_read_the_same_file_at_once(mosaic: Raster) -> None:
     windows = [PixelWindow(8 * index, 4 * index, 64, 64) for index in range(24)]
     with ThreadPoolExecutor(8) as pool:
         clips = list(pool.map(lambda window: clip_of(mosaic.ref.path, mosaic, window), windows))
@@ -171,7 +172,7 @@ def scene_in_window() -> np.ndarray:
 
 
 @pytest.mark.parametrize("times", [2, 5])
-def test_a_finer_source_is_averaged(make_raster: MakeRaster, mosaic: Mosaic, times: int) -> None:
+def test_a_finer_source_is_averaged(make_raster: MakeRaster, mosaic: Raster, times: int) -> None:
     image = (100 + 30 * texture((256 * times, 256 * times), 0.5)).astype(np.float32)
     clip = clip_of(make_raster("source.tif", image, gsd=0.1 / times), mosaic)
     assert clip.resampled
@@ -180,7 +181,7 @@ def test_a_finer_source_is_averaged(make_raster: MakeRaster, mosaic: Mosaic, tim
     np.testing.assert_allclose(clip.bands[0], inside(averaged), atol=0.01)
 
 
-def test_a_finer_8_bit_source_is_averaged_to_8_bit(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_a_finer_8_bit_source_is_averaged_to_8_bit(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage((512, 512), 3)
     clip = clip_of(make_raster("source.tif", image, gsd=0.05), mosaic)
     assert clip.bands.dtype == np.uint8
@@ -190,7 +191,7 @@ def test_a_finer_8_bit_source_is_averaged_to_8_bit(make_raster: MakeRaster, mosa
 
 @pytest.mark.parametrize("gsd", [0.12, 0.2, 0.25])
 def test_a_coarser_source_is_interpolated_by_cubic_convolution(
-    make_raster: MakeRaster, mosaic: Mosaic, gsd: float
+    make_raster: MakeRaster, mosaic: Raster, gsd: float
 ) -> None:
     clip = clip_of(scene_raster(make_raster, gsd, side_m=12.0), mosaic)
     assert clip.resampled
@@ -204,10 +205,10 @@ def test_a_coarser_source_is_interpolated_by_cubic_convolution(
     ids=["south-up", "mirrored", "upside down", "turned by 7", "turned by 90", "turned by -135", "turned and south-up"],
 )
 def test_a_turned_or_mirrored_source_is_warped(
-    make_raster: MakeRaster, mosaic: Mosaic, turn_deg: float, mirror: tuple[int, int]
+    make_raster: MakeRaster, mosaic: Raster, turn_deg: float, mirror: tuple[int, int]
 ) -> None:
     path = scene_raster(make_raster, 0.1, turn_deg, mirror)
-    assert describe(RasterRef(path)).grid is None
+    assert not describe(RasterRef(path)).is_north_up
     clip = clip_of(path, mosaic)
     assert clip.resampled
     np.testing.assert_allclose(clip.bands[0], scene_in_window(), atol=1.5)
@@ -219,7 +220,7 @@ def test_a_turned_or_mirrored_source_is_warped(
     ids=["next UTM zone", "web mercator", "degrees", "LAEA, finer"],
 )
 def test_a_source_in_another_system_is_warped(
-    make_raster: MakeRaster, mosaic: Mosaic, system: int, gsd: float, side_m: float
+    make_raster: MakeRaster, mosaic: Raster, system: int, gsd: float, side_m: float
 ) -> None:
     clip = clip_of(scene_raster(make_raster, gsd, system=system, side_m=side_m), mosaic)
     assert clip.resampled
@@ -228,7 +229,7 @@ def test_a_source_in_another_system_is_warped(
 
 
 def test_the_detail_of_a_turned_source_of_the_same_pixel_size_is_not_averaged_away(
-    make_raster: MakeRaster, mosaic: Mosaic
+    make_raster: MakeRaster, mosaic: Raster
 ) -> None:
     image = orthoimage(SIZE, 1, beta=1.0, dtype=np.float32)[0]
     south_up = (ORIGIN[0] + 0.05, 0.1, 0.0, ORIGIN[1] - 25.55, 0.0, 0.1)  # half a pixel off in both axes
@@ -237,7 +238,7 @@ def test_the_detail_of_a_turned_source_of_the_same_pixel_size_is_not_averaged_aw
     assert np.diff(turned).var() > 1.2 * np.diff(averaged).var()
 
 
-def test_gaps_of_a_warped_source_count(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_gaps_of_a_warped_source_count(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage((512, 512), 3)
     image[:, 160:288, 192:200] = 0  # 4 columns of the window
     with pytest.raises(NotCoveredError, match=r"6.25% of the pixels of gap.tif are invalid .* 0.1% are allowed"):
@@ -254,7 +255,7 @@ def test_gaps_of_a_warped_source_count(make_raster: MakeRaster, mosaic: Mosaic) 
         np.testing.assert_allclose(filled[hole], band[~hole].mean(), atol=1.5)
 
 
-def test_nodata_in_one_band_of_a_warped_source_stays_valid(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_nodata_in_one_band_of_a_warped_source_stays_valid(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage((512, 512), 3)
     image[2, ::2, 1::2] = 0  # a quarter of the blue pixels, one in each pixel of the window
     clip = clip_of(make_raster("source.tif", image, gsd=0.05, nodata=0), mosaic)
@@ -263,6 +264,6 @@ def test_nodata_in_one_band_of_a_warped_source_stays_valid(make_raster: MakeRast
     np.testing.assert_allclose(clip.bands, inside(averaged), atol=0.51)
 
 
-def test_a_warped_source_that_ends_in_the_window_does_not_cover_it(make_raster: MakeRaster, mosaic: Mosaic) -> None:
+def test_a_warped_source_that_ends_in_the_window_does_not_cover_it(make_raster: MakeRaster, mosaic: Raster) -> None:
     with pytest.raises(NotCoveredError, match=r"source.tif"):
         clip_of(scene_raster(make_raster, 0.2, side_m=6.0), mosaic)

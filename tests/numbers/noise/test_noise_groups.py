@@ -4,13 +4,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.drawn_windows import DrawnWindow
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.open_raster import Block, OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, window_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
@@ -35,8 +36,7 @@ def measure(plan: Plan, levels: int = 3) -> list[ClipNoise]:
 
 
 def chosen(path: str, levels: int = 3) -> list[PixelWindow]:
-    pixels = Pixels(RasterRef(path))
-    return choose_windows(pixels, pixels.image(), levels)
+    return choose_windows(OpenRaster(RasterRef(path)), levels)
 
 
 def grey(side: tuple[int, int] = (512, 512), seed: int = 0) -> np.ndarray:
@@ -83,14 +83,14 @@ def test_up_to_25_windows_of_1024_are_spread_and_the_least_saturated_come_first(
 
 def test_a_large_raster_is_looked_at_by_few_pixels(large: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     read: list[int] = []
-    real = Pixels.read
+    real = OpenRaster.read
 
-    def counted(self: Pixels, window: PixelWindow, shrink: int = 1) -> tuple[np.ndarray, np.ndarray | None]:
-        bands, invalid = real(self, window, shrink)
-        read.append(bands.size)
-        return bands, invalid
+    def counted(self: OpenRaster, window: PixelWindow, *size: Any) -> Block:
+        block = real(self, window, *size)
+        read.append(block.bands.size)
+        return block
 
-    monkeypatch.setattr(Pixels, "read", counted)
+    monkeypatch.setattr(OpenRaster, "read", counted)
     chosen(str(large))
     assert sum(read) <= 100 * 128 * 128  # of 240 million pixels
     assert len(read) <= 100
@@ -133,7 +133,7 @@ def test_a_photograph_without_a_place_on_the_map_is_measured(tmp_path: Path) -> 
     path = str(tmp_path / "photo.png")
     gdal.GetDriverByName("PNG").CreateCopy(path, memory)
     (image,) = images([path])
-    assert image.image.ground_sample_distance is None
+    assert image.ground_sample_distance is None
     (whole,) = measure(window_plan.plan_chosen([image], 3))
     assert whole.bands["red"].curve.detail == pytest.approx(decompose(pixels[0]).shares[:3], abs=1e-6)
     drawn = DrawnWindow(7, (64.2, -191.9, 191.7, -64.1), "")  # as QGIS shows such a picture: rows run down from 0

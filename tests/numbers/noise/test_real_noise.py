@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from osgeo import ogr
 from seam_inspector.plugin.imagery.lines.seamlines import find_seams
-from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, window_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
@@ -57,9 +57,8 @@ def test_feathering_halves_brightons_steps_and_takes_a_tenth_of_the_contrast_bes
     lines = [bytes(feature.GetGeometryRef().ExportToWkb()) for feature in layer.GetLayer("seamlines")]
     found: list[Assessment] = []
     for name in ("mosaic_hardseam.tif", "mosaic_feather0p4m.tif"):
-        pixels = Pixels(RasterRef(str(folder / name)))
-        image = pixels.image()
-        result = assess(pixels, image, image.whole, default_rules(), find_seams(lines, 0.03))
+        source = OpenRaster(RasterRef(str(folder / name)))
+        result = assess(source, source.raster.whole, default_rules(), find_seams(lines, 0.03))
         assert result is not None
         found.append(result)
     figures = [

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.imagery import photos
 from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.photos.measure import photo
 from seam_inspector.plugin.photos.measure.enhancement import Operation, enhance
 
 from tests.numbers.synthetic import ORIGIN, orthoimage, write_plain, write_raster
@@ -17,7 +17,7 @@ from tests.numbers.synthetic import ORIGIN, orthoimage, write_plain, write_raste
 
 @pytest.fixture(autouse=True)
 def narrow_strips(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(photos, "STRIP_PIXELS", 700)  # so that a test's photo has many
+    monkeypatch.setattr(photo, "STRIP_PIXELS", 700)  # so that a test's photo has many
 
 
 def enhanced(path: str, folder: Path, operation: Operation, size: float = 3) -> gdal.Dataset:

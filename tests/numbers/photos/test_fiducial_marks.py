@@ -10,7 +10,6 @@ import pytest
 from osgeo import gdal
 from scipy import ndimage, optimize
 from seam_inspector.plugin.imagery.errors import PhotoError
-from seam_inspector.plugin.imagery.photos import Photo
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.photos.measure import interior_orientation
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, read_calibration
@@ -23,6 +22,7 @@ from seam_inspector.plugin.photos.measure.orientation import (
     OrientationSettings,
     PhotoOrientation,
 )
+from seam_inspector.plugin.photos.measure.photo import Photo
 from seam_inspector.plugin.photos.measure.scan_orientation import (
     SCAN_ORIENTATIONS,
     OrientationEvidence,

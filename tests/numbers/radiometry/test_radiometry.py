@@ -13,7 +13,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.lines.seamlines import Seam
-from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure import image_statistics
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment, CheckedFigure, assess
@@ -27,9 +27,8 @@ MakeRaster = Callable[..., str]
 
 
 def checked(path: str, window: PixelWindow | None = None, rules: RuleSet | None = None, **options: Any) -> Assessment:
-    pixels = Pixels(RasterRef(path))
-    image = pixels.image()
-    result = assess(pixels, image, window or image.whole, rules or default_rules(), **options)
+    source = OpenRaster(RasterRef(path))
+    result = assess(source, window or source.raster.whole, rules or default_rules(), **options)
     assert result is not None
     return result
 
@@ -46,9 +45,8 @@ def figure(result: Assessment, check: str, band: str = "band_1") -> float:
 
 
 def streamed(path: str, given: tuple[float, float] | None = None) -> ImageStatistics:
-    pixels = Pixels(RasterRef(path))
-    image = pixels.image()
-    return stream_statistics(pixels, image, image.whole, given)
+    source = OpenRaster(RasterRef(path))
+    return stream_statistics(source, source.raster.whole, given)
 
 
 def grey(level: float = 128, sigma: float = 8.0, side: int = 256, seed: int = 0) -> np.ndarray:
@@ -273,10 +271,9 @@ def test_windows_are_checked_for_themselves(make_raster: MakeRaster) -> None:
 
 
 def test_it_stops_when_told_to(make_raster: MakeRaster) -> None:
-    pixels = Pixels(RasterRef(make_raster("a.tif", grey(side=1500))))
-    image = pixels.image()
+    source = OpenRaster(RasterRef(make_raster("a.tif", grey(side=1500))))
     told: list[float] = []
-    assert assess(pixels, image, image.whole, default_rules(), progress=lambda share: bool(told.append(share))) is None
+    assert assess(source, source.raster.whole, default_rules(), progress=lambda share: bool(told.append(share))) is None
     assert len(told) == 1
     assert 0 < told[0] < 1
 
@@ -346,10 +343,9 @@ def test_memory_stays_flat(tmp_path: Path) -> None:
     peaks = []
     for side in (1024, 6144):
         path = write_raster(tmp_path / f"{side}.tif", np.tile(grey(side=512), (side // 512, side // 512)))
-        pixels = Pixels(RasterRef(path))
-        image = pixels.image()
+        source = OpenRaster(RasterRef(path))
         tracemalloc.start()
-        stream_statistics(pixels, image, image.whole)
+        stream_statistics(source, source.raster.whole)
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert peaks[1] < 1.5 * peaks[0]

@@ -1,7 +1,8 @@
 """Lines across the bars of a target's image, measured and judged."""
 from __future__ import annotations
 
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe_picture
+from seam_inspector.plugin.imagery.open_raster import describe_north_up
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure.bar_groups import TargetResolution, judge_lines
 from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, MeasuredLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
@@ -11,7 +12,7 @@ from tests.numbers.resolution.bar_targets import Ends
 
 
 def measured(path: str, lines: dict[int, Ends], width: float = 3.0, bars: int = 3) -> list[MeasuredLine]:
-    raster = describe_picture(RasterRef(path))
+    raster = describe_north_up(RasterRef(path))
     segments = {group: Segment(ends[:2], ends[2:]) for group, ends in lines.items()}
     return [
         measure_line(raster, BarLine(group, "along", segment), bars, width) for group, segment in segments.items()
@@ -19,4 +20,4 @@ def measured(path: str, lines: dict[int, Ends], width: float = 3.0, bars: int = 
 
 
 def resolution(path: str, lines: dict[int, Ends], target: Target, width: float = 3.0) -> TargetResolution:
-    return judge_lines(describe_picture(RasterRef(path)), measured(path, lines, width, target.bars), target)
+    return judge_lines(describe_north_up(RasterRef(path)), measured(path, lines, width, target.bars), target)

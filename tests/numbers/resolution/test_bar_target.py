@@ -11,7 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.rasters import RasterRef, band_index, describe_picture
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_north_up
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
@@ -220,8 +221,9 @@ def test_five_bars(make_raster: MakeRaster) -> None:
 def test_one_band_of_three(make_raster: MakeRaster) -> None:
     shape, groups = row_of_groups([8.0], 0.0, np.random.default_rng(7))
     path = make_raster("rgb.tif", np.stack([image(shape, groups, 0.8)] * 3), gsd=0.1)
-    raster, ends = describe_picture(RasterRef(path)), groups[0].line()
-    line = measure_line(raster, BarLine(1, "along", Segment(ends[:2], ends[2:])), 3, 3.0, band_index(raster.ref, 3))
+    raster, ends = describe_north_up(RasterRef(path)), groups[0].line()
+    third = OpenRaster(raster.ref).band_index(3)
+    line = measure_line(raster, BarLine(1, "along", Segment(ends[:2], ends[2:])), 3, 3.0, third)
     assert list(line.readings) == ["blue"]
     assert line.shifts["blue"] == pytest.approx(0, abs=0.01)  # green is looked at all the same
 

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe_picture
+from seam_inspector.plugin.imagery.open_raster import describe_north_up
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure.bar_groups import TargetResolution, judge_lines
 from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, MeasuredLine
 from seam_inspector.plugin.resolution.measure.bars import BarReading, Extreme
@@ -26,7 +27,7 @@ def test_half_of_the_full_amplitude_is_enough(make_raster: MakeRaster, amplitude
     profile = Profile(np.arange(20.0), np.full(20, 100.0), 20.0, noise=1.0)
     reading = BarReading(profile, True, bars, gaps, (Extreme(1.0, 50.0),), 100.0, amplitude, None)
     line = MeasuredLine(BarLine(0, "along", Segment((0, 0), (20, 0))), None, {"grey": reading})
-    raster = describe_picture(RasterRef(make_raster("any.tif", np.zeros((8, 8), np.uint8), gsd=0.1)))
+    raster = describe_north_up(RasterRef(make_raster("any.tif", np.zeros((8, 8), np.uint8), gsd=0.1)))
     assert judge_lines(raster, [line], Target(reference_group=0, reference_grd_cm=50)).results[0].resolved is resolved
 
 

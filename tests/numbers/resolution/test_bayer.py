@@ -7,7 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe_picture
+from seam_inspector.plugin.imagery.open_raster import describe_north_up
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure import bayer
 from seam_inspector.plugin.resolution.measure.limits import BAYER_PATTERNS
 
@@ -131,26 +132,26 @@ def test_strips_of_a_file_fit_together(
     scene = orthoimage((61, 50))
     path, target = make_raster("scene.tif", scene, nodata=0), make_raster("seen.tif", scene)
     monkeypatch.setattr(bayer, "_STRIP_PIXELS", 50 * 10)
-    bayer.simulate_file(describe_picture(RasterRef(path)), target, "GRBG", demosaic)
+    bayer.simulate_file(describe_north_up(RasterRef(path)), target, "GRBG", demosaic)
     seen = read_pixels(target, 0, 0, 50, 61)
     assert np.array_equal(seen, bayer.simulated(scene, "GRBG", demosaic))
-    assert describe_picture(RasterRef(target)).grid == describe_picture(RasterRef(path)).grid
+    assert describe_north_up(RasterRef(target)).grid == describe_north_up(RasterRef(path)).grid
 
 
 def test_a_single_band_is_a_grey_scene_and_nodata_stays(make_raster: MakeRaster) -> None:
     scene = orthoimage((32, 32))[:1]
     scene[0, :4] = 0
     target = make_raster("seen.tif", scene)
-    bayer.simulate_file(describe_picture(RasterRef(make_raster("g.tif", scene, nodata=0))), target, "RGGB", "bilinear")
+    bayer.simulate_file(describe_north_up(RasterRef(make_raster("g.tif", scene, nodata=0))), target, "RGGB", "bilinear")
     seen = read_pixels(target, 0, 0, 32, 32)
     assert seen.shape == (3, 32, 32)
     assert not seen[:, :4].any()
 
 
 def test_what_has_no_colours_is_refused(make_raster: MakeRaster) -> None:
-    raster = describe_picture(RasterRef(make_raster("two.tif", orthoimage((16, 16))[:2])))
+    raster = describe_north_up(RasterRef(make_raster("two.tif", orthoimage((16, 16))[:2])))
     with pytest.raises(RasterError, match="has 2 bands and no red, green and blue"):
         bayer.simulate_file(raster, make_raster("out.tif", orthoimage((16, 16))), "RGGB", "bilinear")
-    floats = describe_picture(RasterRef(make_raster("f.tif", orthoimage((16, 16), dtype=np.float32))))
+    floats = describe_north_up(RasterRef(make_raster("f.tif", orthoimage((16, 16), dtype=np.float32))))
     with pytest.raises(RasterError, match="choose bilinear"):
         bayer.simulate_file(floats, make_raster("out.tif", orthoimage((16, 16))), "RGGB", "edge_aware")

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,
@@ -32,11 +33,11 @@ def softened(image: np.ndarray, sigma: float) -> np.ndarray:
     return np.stack([ndimage.gaussian_filter(band, sigma, mode="wrap") for band in image])
 
 
-def mosaic_of(make_raster: MakeRaster, image: np.ndarray, name: str = "mosaic.tif", **options: Any) -> Mosaic:
+def mosaic_of(make_raster: MakeRaster, image: np.ndarray, name: str = "mosaic.tif", **options: Any) -> Raster:
     return describe_mosaic(RasterRef(make_raster(name, image, **options)))
 
 
-def block_of(mosaic: Mosaic, *paths: str) -> Block:
+def block_of(mosaic: Raster, *paths: str) -> Block:
     block, notices = make_block(mosaic, [RasterRef(path) for path in paths])
     assert notices == []
     return block

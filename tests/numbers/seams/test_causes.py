@@ -12,8 +12,10 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.band_curves import luminance
 from seam_inspector.plugin.imagery.band_names import LUMINANCE
+from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import Clip, Mosaic, RasterRef, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure import limits as seams_limits
 from seam_inspector.plugin.seams.measure.causes import (
     MAX_BLURRED_SHARPNESS,
@@ -111,7 +113,7 @@ def test_the_grossest_interference_is_named_first() -> None:
     assert find_cause(everything) is Cause.NONE
 
 
-def test_a_blur_is_not_taken_for_the_shift_between_sources(mosaic: Mosaic) -> None:
+def test_a_blur_is_not_taken_for_the_shift_between_sources(mosaic: Raster) -> None:
     rng = np.random.default_rng(8)
     scene = ndimage.gaussian_filter(orthoimage((264, 264)).astype(np.float32), (0, 0.6, 0.6))  # as a lens draws it
     images = [scene, ndimage.shift(scene, (0, 0.6, -1.5), order=3)]

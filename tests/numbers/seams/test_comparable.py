@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, inspect_window, window_request
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 

@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.band_names import LUMINANCE
+from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import Clip, Mosaic
+from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.seams.measure.causes import Cause
 
 from benchmarks.scenes import Scene, explained, whole_values
@@ -43,7 +44,7 @@ def test_a_shift_is_told_on_the_ground_wherever_the_pixel_grids_lie(
 
 @pytest.mark.parametrize(("share", "cause"), [(0.45, Cause.NONE), (0.6, Cause.MISREGISTRATION)])
 def test_a_part_is_misregistered_when_moving_a_source_explains_half_of_it(
-    mosaic: Mosaic, share: float, cause: Cause
+    mosaic: Raster, share: float, cause: Cause
 ) -> None:
     rng = np.random.default_rng(8)
     scene = ndimage.gaussian_filter(orthoimage((264, 264)).astype(np.float32), (0, 0.6, 0.6))

@@ -8,7 +8,8 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.inspection import (
     Block,
@@ -134,7 +135,7 @@ def test_a_footprint_must_cover_the_window_but_for_a_pixel(side: int, metres: fl
     assert (source in Block(mosaic, (source,)).sources_over(WINDOW)) is taken
 
 
-def a_mosaic() -> Mosaic:
+def a_mosaic() -> Raster:
     """One that is nowhere on disk."""
     path = "/vsimem/seam_inspector_mosaic.tif"
     if gdal.VSIStatL(path) is None:

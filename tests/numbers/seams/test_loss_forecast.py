@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
+from seam_inspector.plugin.imagery.clips import read_clip
 from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
 from seam_inspector.plugin.imagery.message import Message
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe, describe_mosaic, read_clip
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
     inspect_window,

@@ -9,9 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
 from scipy.ndimage import gaussian_filter
-from seam_inspector.plugin.imagery import rasters
+from seam_inspector.plugin.imagery import clips
 from seam_inspector.plugin.imagery.band_names import judged_band
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe_mosaic, read_overview
+from seam_inspector.plugin.imagery.clips import read_overview
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.greatest_loss import greatest_loss
 from seam_inspector.plugin.seams.measure.window_records import PairRecord, contrast_of
 from seam_inspector.plugin.seams.report.map_sketch import Box, Sketch, SketchBackground, SketchShape, map_sketch
@@ -117,16 +119,16 @@ def test_the_overview_is_a_small_picture_of_the_place(make_raster: MakeRaster) -
     left, top = ORIGIN
     found = read_overview(mosaic, (left - 50, top - 20, left + 30, top + 50), 150)
     assert found is not None
-    bands, valid, extent = found
+    block, extent = found
     assert extent == pytest.approx((left, top - 20, left + 30, top))
-    assert bands.shape == (3, 100, 150)
-    assert not valid[:, :49].any()
-    assert valid[:, 51:].all()
+    assert block.bands.shape == (3, 100, 150)
+    assert not block.valid[:, :49].any()
+    assert block.valid[:, 51:].all()
     assert read_overview(mosaic, (left + 100, top, left + 200, top + 10), 150) is None
 
 
 def test_a_huge_file_without_overviews_is_not_read(make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rasters, "MAX_OVERVIEW_PIXELS", 20_000)
+    monkeypatch.setattr(clips, "MAX_OVERVIEW_PIXELS", 20_000)
     path = make_raster("mosaic.tif", orthoimage((400, 600)))
     mosaic = describe_mosaic(RasterRef(path))
     assert read_overview(mosaic, mosaic.extent, 100) is None

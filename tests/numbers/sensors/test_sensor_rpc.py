@@ -11,7 +11,6 @@ from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure.adjustment import adjust
 from seam_inspector.plugin.sensors.measure.ground_system import GroundSystem
-from seam_inspector.plugin.sensors.measure.image_description import describe_image
 from seam_inspector.plugin.sensors.measure.models import registry, rpc, rpc_files
 from seam_inspector.plugin.sensors.measure.models.bias import BiasedRpc
 from seam_inspector.plugin.sensors.measure.models.model_file import FORMAT, ModelFile, load_model, save_model
@@ -19,6 +18,7 @@ from seam_inspector.plugin.sensors.measure.models.rational import Rational
 from seam_inspector.plugin.sensors.measure.models.rpc import Domain
 from seam_inspector.plugin.sensors.measure.models.sensor_model import SensorModel
 from seam_inspector.plugin.sensors.measure.point_files import image_coordinates, read_point_file
+from seam_inspector.plugin.sensors.measure.sensor_images import open_image
 
 from tests.numbers.sensors.sensor_scenes import (
     COLUMNS,
@@ -121,14 +121,14 @@ def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: P
     transformer = gdal.Transformer(dataset, None, ["METHOD=RPC"])
     seen, _ = transformer.TransformPoints(1, ground.tolist())
     assert np.abs(np.array(seen)[:, :2] - dimap.project(ground)).max() < 1e-6
-    own = describe_image(RasterRef(str(data_folder / "sensors" / "worldview3" / "wv3_20.NTF")))
+    own = open_image(RasterRef(str(data_folder / "sensors" / "worldview3" / "wv3_20.NTF")))
     ntf = rpc_files.own_rpc(own)
     assert ntf is not None
     place = np.array([[float(ntf.ground.offset[0]), float(ntf.ground.offset[1]), 40.0]])
     transformer = gdal.Transformer(gdal.Open(own.ref.path), None, ["METHOD=RPC"])
     seen, _ = transformer.TransformPoints(1, place.tolist())
     assert np.abs(np.array(seen)[:, :2] - ntf.project(place)).max() < 1e-6
-    beside = rpc_files.own_rpc(describe_image(RasterRef(str(folder / "left_image.tif"))))
+    beside = rpc_files.own_rpc(open_image(RasterRef(str(folder / "left_image.tif"))))
     assert beside is not None  # OSSIM's .geom
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.pixels import Pixels
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.charts import draw_noise_clip
 from seam_inspector.plugin.noise.measure.band_noise import measure_noise
@@ -58,9 +58,8 @@ def test_nothing_to_draw_is_drawn_as_an_empty_chart(tmp_path: Path) -> None:
 
 
 def test_histograms_hold_every_pixel(scene: Scene) -> None:
-    pixels = Pixels(RasterRef(str(scene.west)))
-    image = pixels.image()
-    result = assess(pixels, image, image.whole, default_rules())
+    source = OpenRaster(RasterRef(str(scene.west)))
+    result = assess(source, source.raster.whole, default_rules())
     assert result is not None
     figure = histogram_figure(result)
     assert figure is not None

@@ -113,13 +113,13 @@ def test_pixels_are_read_in_the_background_and_the_last_line_wins(
 @pytest.fixture
 def slow_header(operator: Operator, monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
     """Images open once it is set, at the latest at the test's end."""
-    may_end, genuine = threading.Event(), jobs.describe_picture
+    may_end, genuine = threading.Event(), jobs.describe_north_up
 
     def describe(ref):  # type: ignore[no-untyped-def]
         may_end.wait()
         return genuine(ref)
 
-    monkeypatch.setattr(jobs, "describe_picture", describe)
+    monkeypatch.setattr(jobs, "describe_north_up", describe)
     yield may_end
     may_end.set()
     wait_for_tasks()

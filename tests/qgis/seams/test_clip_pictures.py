@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import RasterRef, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture, make_pictures
 from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest, make_block
 

@@ -17,7 +17,8 @@ from qgis.core import (
 )
 
 from ....imagery.errors import RasterError, SeamInspectorError, SettingsError
-from ....imagery.rasters import Mosaic, RasterRef, describe_mosaic
+from ....imagery.open_raster import describe_mosaic
+from ....imagery.rasters import Raster, RasterRef
 from ....toolkit import layers
 from ....toolkit.background_task import Cancelled, Job
 from ...measure import messages
@@ -44,7 +45,7 @@ class BlockFiles:
 class OpenedFiles:
     """What was found in them."""
 
-    mosaic: Mosaic
+    mosaic: Raster
     indexed: tuple[Source, ...]
     """The orthoimages of the source index."""
     cells: tuple[Cell, ...] = ()
@@ -115,7 +116,7 @@ def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
     return job
 
 
-def layer_sources(project: QgsProject, inputs: Inputs, mosaic: Mosaic) -> list[Source]:
+def layer_sources(project: QgsProject, inputs: Inputs, mosaic: Raster) -> list[Source]:
     """The source layers with their footprints; those that are not there any more are left out.
 
     Raises WindowError when a footprint can't be transformed.

@@ -13,9 +13,11 @@ from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import save_text
 from ....imagery.errors import SensorModelError
 from ....imagery.message import Message
+from ....imagery.open_raster import OpenRaster
+from ....imagery.rasters import Raster
 from ....imagery.xml_documents import looks_like_xml, xml_root
 from .. import messages
-from ..image_description import SensorImage
+from ..sensor_images import rpc_metadata
 from .least_squares import Scaling
 from .rational import Rational
 
@@ -140,22 +142,23 @@ def _rpb_items(text: str) -> dict[str, str]:
     return items
 
 
-def own_rpc(image: SensorImage) -> Rational | None:
+def own_rpc(image: OpenRaster) -> Rational | None:
     """The RPC that goes with an image: GDAL's, or that of OSSIM's ``.geom`` beside it. Raises SensorModelError."""
-    if image.rpc:
-        return from_metadata(image.rpc, image.ref.name)
+    metadata = rpc_metadata(image)
+    if metadata:
+        return from_metadata(metadata, image.ref.name)
     beside = Path(image.ref.path).with_suffix(".geom")
     return read_rpc(beside) if beside.is_file() else None
 
 
-def rpc_of_image_part(rpc: Rational, image: SensorImage) -> tuple[Rational, Message | None]:
+def rpc_of_image_part(rpc: Rational, image: Raster) -> tuple[Rational, Message | None]:
     """The RPC of a whole scene for an image that is a part of it, and what to say about that.
 
     A part keeps its place in a geotransform of whole pixels without a reference system (origin = first column and
     row). It is believed when the RPC's own range holds the part there, so that an RPC of the part itself stays as
     it is.
     """
-    if image.geotransform is None or image.georeferenced:
+    if image.geotransform is None or image.own_wkt:
         return rpc, None
     left, across, skew_x, top, skew_y, down = image.geotransform
     if (across, skew_x, skew_y) != (1.0, 0.0, 0.0) or abs(down) != 1.0 or (left, top) == (0.0, 0.0):

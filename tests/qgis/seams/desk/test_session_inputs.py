@@ -11,7 +11,8 @@ import pytest
 from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject
 from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.errors import RasterError
-from seam_inspector.plugin.imagery.rasters import Mosaic, RasterRef, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.desk.inputs import block_files
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
@@ -130,7 +131,7 @@ def gate(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> Iterator[Event]:
     desk.session.set_inputs(Inputs())
     found = Event()
 
-    def slow(ref: RasterRef) -> Mosaic:
+    def slow(ref: RasterRef) -> Raster:
         assert found.wait(PATIENCE_S)
         return describe_mosaic(ref)
 
@@ -203,7 +204,7 @@ def test_a_mosaic_that_cant_be_used_is_told_and_another_one_can_be_chosen(
 ) -> None:
     panel = InputsPanel(desk.session)
 
-    def refuse(ref: RasterRef) -> Mosaic:
+    def refuse(ref: RasterRef) -> Raster:
         raise RasterError(imagery_messages.NOT_NORTH_UP(name=ref.name))
 
     with monkeypatch.context() as patch:

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.imagery.pixels import PixelImage, Pixels
-from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.value_ranges import is_range_known, value_range
 
 from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_raster
@@ -22,7 +22,7 @@ MakeRaster = Callable[..., str]
 
 def test_what_a_georeferenced_image_is(make_raster: MakeRaster) -> None:
     path = make_raster("a.tif", orthoimage((80, 120), dtype=np.uint16), gsd=0.25, options=["NBITS=12"])
-    image = Pixels(RasterRef(path)).image()
+    image = describe(RasterRef(path))
     assert (image.columns, image.rows, image.whole) == (120, 80, PixelWindow(0, 0, 120, 80))
     assert image.grid == Grid(*ORIGIN, 0.25, 0.25, 120, 80)
     assert image.ground_sample_distance == 0.25
@@ -33,28 +33,30 @@ def test_a_picture_without_a_place_and_a_rotated_one(make_raster: MakeRaster, tm
     memory = gdal.GetDriverByName("MEM").Create("", 30, 20, 1, gdal.GDT_Byte)
     path = str(tmp_path / "scan.png")
     gdal.GetDriverByName("PNG").CreateCopy(path, memory)
-    image = Pixels(RasterRef(path, "a layer's system")).image()
-    assert (image.wkt, image.ground_sample_distance) == ("", None)
+    image = describe(RasterRef(path, "a layer's system"))
+    assert (image.has_place, image.ground_sample_distance) == (False, 1.0)
     assert image.grid == Grid(0, 0, 1, 1, 30, 20)
     rotated = make_raster("r.tif", orthoimage((64, 64)), geotransform=(0, 0.1, 0.02, 0, 0.02, -0.1))
-    assert Pixels(RasterRef(rotated)).image().grid is None
+    assert not describe(RasterRef(rotated)).is_north_up
+    with pytest.raises(RasterError, match="rotated"):
+        describe(RasterRef(rotated)).grid  # noqa: B018
 
 
 @pytest.mark.parametrize("array", [np.zeros((8, 8), np.complex64)])
 def test_what_has_no_real_values_is_refused(make_raster: MakeRaster, array: np.ndarray) -> None:
     with pytest.raises(RasterError, match="complex"):
-        Pixels(RasterRef(make_raster("c.tif", array)))
+        OpenRaster(RasterRef(make_raster("c.tif", array)))
 
 
 def test_palettes_and_masks_come_as_they_are_measured(make_raster: MakeRaster) -> None:
     indices = np.array([[0, 1], [2, 1]], np.uint8).repeat(8, 0).repeat(8, 1)
     entries = [(10, 20, 30, 255), (40, 50, 60, 255), (0, 0, 0, 255)]
-    pixels = Pixels(RasterRef(make_raster("p.tif", indices, palette=entries, nodata=2, options=[])))
+    pixels = OpenRaster(RasterRef(make_raster("p.tif", indices, palette=entries, nodata=2, options=[])))
     bands, invalid = pixels.read(PixelWindow(4, 4, 8, 8))
     assert bands[:, 0, 0].tolist() == [10, 20, 30]
     assert invalid is not None
     assert invalid.tolist() == (indices[4:12, 4:12] == 2).tolist()
-    assert pixels.image().data_type == "uint8"
+    assert pixels.raster.data_type == "uint8"
 
 
 @pytest.fixture(scope="module")
@@ -74,7 +76,7 @@ def test_blocks_cover_a_window_once_and_keep_to_their_size(
     rasters: dict[str, str], layout: str, most: int, column: int, row: int, width: int, height: int
 ) -> None:
     window = PixelWindow(column, row, min(width, 210 - column), min(height, 300 - row))
-    pixels = Pixels(RasterRef(rasters[layout]))
+    pixels = OpenRaster(RasterRef(rasters[layout]))
     seen = np.zeros((300, 210), int)
     tile = {"tiles": 64 * 32, "strips": 210 * 7, "rows": 210 * 300}[layout]
     for block in pixels.blocks(window, most):
@@ -89,8 +91,8 @@ def test_blocks_cover_a_window_once_and_keep_to_their_size(
     assert (inside == 1).all()
 
 
-def test_a_shrunk_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> None:
-    bands, _ = Pixels(RasterRef(rasters["tiles"])).read(PixelWindow(10, 20, 160, 80), 8)
+def test_a_thinned_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> None:
+    bands, _ = OpenRaster(RasterRef(rasters["tiles"])).thinned(PixelWindow(10, 20, 160, 80), 8)
     assert bands.shape == (2, 10, 20)
     values = set(read_pixels(rasters["tiles"], 10, 20, 160, 80)[0].ravel().tolist())
     assert set(bands[0].ravel().tolist()) <= values
@@ -113,6 +115,6 @@ def test_a_shrunk_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> No
 def test_the_range_of_values(
     data_type: str, bits: int | None, largest: float, expected: tuple[float, float] | None
 ) -> None:
-    image = PixelImage(RasterRef("x"), "", None, 9, 9, None, ("band_1",), data_type, bits)
+    image = Raster(RasterRef("x"), 9, 9, None, "", ("band_1",), data_type, bits)
     assert value_range(image, largest) == expected
     assert is_range_known(image) == (data_type == "uint8" or bits is not None)

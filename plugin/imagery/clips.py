@@ -1,0 +1,166 @@
+"""Clips: the pixels of a raster under a window of the mosaic, and small pictures of the mosaic itself."""
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from osgeo import gdal
+
+from . import limits, messages
+from .errors import NotCoveredError
+from .gdal_calls import gdal_call
+from .grids import Extent, Grid, PixelWindow
+from .open_raster import Block, OpenRaster, placed
+from .rasters import Raster, RasterRef
+from .reference_systems import extent_on, same_coordinates
+
+MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
+MAX_OVERVIEW_PIXELS = 64_000_000  # that may have to be decoded for the sketch's background: about a second
+
+
+@dataclass(frozen=True)
+class Clip:
+    """The pixels of one raster inside a window of the mosaic, on that raster's own grid."""
+
+    raster: Raster
+    bands: np.ndarray
+    """(bands, rows, columns) in the raster's data type; the few invalid pixels hold the valid ones' mean."""
+    invalid_share: float
+    """Share of pixels that were filled."""
+    offset_x: float = 0.0
+    """How far the window lies to the right of the clip's pixels, px, within half a pixel."""
+    offset_y: float = 0.0
+    """How far the window lies below the clip's pixels, px."""
+    resampled: bool = False
+    """Whether the pixels had to be warped to the mosaic's grid."""
+
+
+def read_clip(ref: RasterRef, mosaic: Raster, window: PixelWindow) -> Clip:
+    """The pixels of a raster under a window of the mosaic.
+
+    They are read as they are when the pixel sizes agree to 1 % and the axes are parallel, since resampling
+    destroys what is measured; the sub-pixel offset is reported. Otherwise the raster is warped to the
+    window's grid, by averaging where it is finer and by cubic convolution where it is not.
+
+    Raises NotCoveredError when more than 0.1 % of the pixels are invalid, RasterError when the raster can't
+    be read.
+    """
+    source = OpenRaster(ref)
+    raster = placed(source.raster)
+    if raster.is_north_up and _on_mosaic_system(raster.wkt, mosaic) and _same_pixel_size(raster.grid, mosaic.grid):
+        return _clip_as_it_is(source, mosaic.grid.window_extent(window), window)
+    return _clip_warped(source, mosaic, window)
+
+
+def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Block, Extent] | None:
+    """A small picture of a part of the mosaic, and where it lies.
+
+    None where the part lies outside, or where the file has no overviews and too many pixels would be decoded.
+    Raises RasterError when the mosaic can't be read.
+    """
+    source, grid = OpenRaster(mosaic.ref), mosaic.grid
+    left, right = ((x - grid.left) / grid.pixel_width for x in (extent[0], extent[2]))
+    top, bottom = ((grid.top - y) / grid.pixel_height for y in (extent[3], extent[1]))
+    left, right = max(math.floor(left), 0), min(math.ceil(right), grid.columns)
+    top, bottom = max(math.floor(top), 0), min(math.ceil(bottom), grid.rows)
+    if right <= left or bottom <= top:
+        return None
+    window = PixelWindow(left, top, right - left, bottom - top)
+    reduction = max(1.0, max(window.width, window.height) / longest_px)
+    first = source.dataset.GetRasterBand(1)
+    widths = [first.GetOverview(i).XSize for i in range(first.GetOverviewCount())]
+    factors = [1.0, *(grid.columns / width for width in widths)]
+    used = max(factor for factor in factors if factor <= reduction * 1.01)  # what GDAL takes for this reduction
+    if window.width * window.height / used**2 > MAX_OVERVIEW_PIXELS:
+        return None
+    size = max(1, round(window.width / reduction)), max(1, round(window.height / reduction))
+    return source.read(window, size), grid.window_extent(window)
+
+
+def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow) -> Clip:
+    grid, (xmin, ymin, xmax, ymax) = source.raster.grid, extent
+    column = ((xmin + xmax) / 2 - grid.left) / grid.pixel_width - window.width / 2
+    row = (grid.top - (ymin + ymax) / 2) / grid.pixel_height - window.height / 2
+    own = replace(window, column=round(column), row=round(row))
+    bands, invalid_share = _read_valid(source, own)
+    # Six decimals: below that it is rounding of coordinates of millions of metres.
+    return Clip(source.raster, bands, invalid_share, round(column - own.column, 6), round(row - own.row, 6))
+
+
+def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow) -> Clip:
+    raster, dataset, failure = source.raster, source.dataset, messages.NOT_READABLE(name=source.ref.name)
+    extent_on(mosaic.grid.window_extent(window), mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
+    finest = (1 - limits.MAX_PIXEL_SIZE_DIFFERENCE) * mosaic.ground_sample_distance
+    if source.roles.palette is not None:
+        dataset = gdal_call(lambda: _palette_expanded(source.dataset), failure)
+    warped = gdal_call(
+        lambda: gdal.Warp(
+            "",
+            dataset,
+            format="MEM",
+            srcSRS=raster.wkt,
+            dstSRS=mosaic.wkt,
+            outputBounds=mosaic.grid.window_extent(window),
+            width=window.width,
+            height=window.height,
+            resampleAlg="average" if raster.ground_sample_distance < finest else "cubic",
+            dstAlpha=True,
+            warpOptions=["UNIFIED_SRC_NODATA=YES"],
+        ),
+        failure,
+    )
+    for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
+        warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
+    made = OpenRaster(source.ref, warped)
+    bands, invalid_share = _read_valid(made, PixelWindow(0, 0, window.width, window.height))
+    return Clip(raster, bands, invalid_share, resampled=True)
+
+
+def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
+    """A paletted dataset as red, green and blue, and alpha where entries are transparent, as nodata then is."""
+    band = dataset.GetRasterBand(1)
+    table, nodata = band.GetColorTable().Clone(), band.GetNoDataValue()
+    if nodata is not None and 0 <= nodata < table.GetCount():
+        table.SetColorEntry(int(nodata), (*table.GetColorEntry(int(nodata))[:3], 0))
+    opaque = all(table.GetColorEntry(i)[3] for i in range(table.GetCount()))
+    indices = gdal.Translate("", dataset, format="VRT", noData="none")
+    indices.GetRasterBand(1).SetColorTable(table)
+    return gdal.Translate("", indices, format="VRT", rgbExpand="rgb" if opaque else "rgba")
+
+
+def _read_valid(source: OpenRaster, window: PixelWindow) -> tuple[np.ndarray, float]:
+    """The bands of a pixel window, invalid pixels filled, and the share of those.
+
+    Raises NotCoveredError when there are too many, RasterError when the file ends before its pixels do.
+    """
+    name, pixels = source.ref.name, window.width * window.height
+    inside = window.cut_to(source.columns, source.rows)
+    if inside.width * inside.height < (1 - limits.MAX_INVALID_SHARE) * pixels:
+        raise NotCoveredError(messages.NOT_COVERED(name=name))
+    bands, invalid = source.read(inside)
+    if inside != window:
+        margins = window.margins_of(inside)
+        bands = np.pad(bands, ((0, 0), *margins))
+        invalid = np.zeros((inside.height, inside.width), bool) if invalid is None else invalid
+        invalid = np.pad(invalid, margins, constant_values=True)
+    if invalid is None:
+        return bands, 0.0
+    share = np.count_nonzero(invalid) / pixels
+    if share > limits.MAX_INVALID_SHARE:
+        raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=share, most=limits.MAX_INVALID_SHARE))
+    bands = np.array(bands)
+    for band in bands:
+        mean = band[~invalid].mean(dtype=np.float64)
+        band[invalid] = mean if bands.dtype.kind == "f" else np.rint(mean)
+    return bands, share
+
+
+def _on_mosaic_system(wkt: str, mosaic: Raster) -> bool:
+    tolerance = MAX_SYSTEM_SHIFT_PX * mosaic.grid.pixel_width
+    return same_coordinates(wkt, mosaic.wkt, mosaic.extent, tolerance)
+
+
+def _same_pixel_size(a: Grid, b: Grid) -> bool:
+    scales = a.pixel_width / b.pixel_width, a.pixel_height / b.pixel_height
+    return max(abs(scale - 1) for scale in scales) <= limits.MAX_PIXEL_SIZE_DIFFERENCE

@@ -1,0 +1,207 @@
+"""The one way to open a raster, and the one reader of its pixels with what is valid among them."""
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+from functools import cached_property, reduce
+from typing import NamedTuple
+
+import numpy as np
+from osgeo import gdal, gdal_array
+
+from . import limits, messages
+from .band_roles import band_roles
+from .errors import RasterError
+from .gdal_calls import gdal_call
+from .grids import PixelWindow
+from .rasters import Raster, RasterRef
+
+
+class Block(NamedTuple):
+    """Pixels and which of them are no measurements."""
+
+    bands: np.ndarray
+    """(bands, rows, columns) of the measured bands as they are."""
+    invalid: np.ndarray | None
+    """(rows, columns) bool; None where all are valid."""
+
+    @property
+    def valid(self) -> np.ndarray:
+        """(rows, columns) bool."""
+        return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
+
+
+class OpenRaster:
+    """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
+
+    All reads stay inside the raster, and raise RasterError when they fail.
+    """
+
+    def __init__(self, ref: RasterRef, dataset: gdal.Dataset | None = None, complex_values: bool = False) -> None:
+        """``dataset``: what was made of the raster in memory, instead of its file; ``complex_values`` may be welcome.
+
+        Raises RasterError when it can't be opened or used.
+        """
+        if dataset is None:
+            there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
+            failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
+            dataset = gdal_call(lambda: gdal.OpenEx(ref.path, gdal.OF_RASTER | gdal.OF_READONLY), failure)
+        if dataset.RasterCount == 0:
+            raise RasterError(messages.NO_BANDS(name=ref.name))
+        kinds = [dataset.GetRasterBand(number).DataType for number in range(1, dataset.RasterCount + 1)]
+        if not complex_values and any(map(gdal.DataTypeIsComplex, kinds)):
+            raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
+        self.ref, self.columns, self.rows = ref, dataset.RasterXSize, dataset.RasterYSize
+        self.dataset = dataset
+        """For what only GDAL does, such as warping."""
+        self.roles = band_roles(dataset)
+
+    @cached_property
+    def raster(self) -> Raster:
+        """What the raster is."""
+        band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
+        if transform is not None and 0 in (transform[1] or transform[2], transform[5] or transform[4]):
+            transform = None  # all its pixels would lie on one line
+        kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
+        bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
+        return Raster(
+            self.ref,
+            self.columns,
+            self.rows,
+            transform and tuple(transform),
+            self.dataset.GetProjection() or "",
+            self.roles.names,
+            "uint8" if self.roles.palette is not None else str(kind),
+            int(bits) if bits else None,
+        )
+
+    @property
+    def nodata(self) -> float | None:
+        """The first band's nodata value; None without one."""
+        return self.dataset.GetRasterBand(1).GetNoDataValue()
+
+    def band_index(self, number: int) -> int:
+        """Where a band of the file, from 1 on, stands among those that are measured.
+
+        Raises RasterError for a band that is not there or holds no values to measure.
+        """
+        roles = self.roles
+        measured = tuple(range(len(roles.names))) if roles.palette is not None else roles.indices
+        if number - 1 not in measured:
+            raise RasterError(messages.BAND_NOT_THERE(name=self.ref.name, band=number, count=len(measured)))
+        return measured.index(number - 1)
+
+    def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> Block:
+        """The pixels of a window, or ``size`` (columns, rows) of them, from overviews where there are some: the
+        nearest ones, or means."""
+        inside = (window.column, window.row, window.width, window.height)
+        columns, rows = size or inside[2:]
+        options = {"buf_xsize": columns, "buf_ysize": rows}
+        if averaged:
+            options["resample_alg"] = gdal.GRIORA_Average
+        failure = messages.NOT_READABLE(name=self.ref.name)
+        data = gdal_call(lambda: self.dataset.ReadAsArray(*inside, **options), failure).reshape(-1, rows, columns)
+        first, mask = self.dataset.GetRasterBand(1), None
+        flags = gdal_call(first.GetMaskFlags, failure)
+        if flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
+            mask = gdal_call(lambda: first.GetMaskBand().ReadAsArray(*inside, columns, rows), failure)
+        return self._block(data, mask)
+
+    def thinned(self, window: PixelWindow, step: int) -> Block:
+        """Every so many-th pixel of a window along both sides."""
+        return self.read(window, (max(1, window.width // step), max(1, window.height // step)))
+
+    def is_valid(self, window: PixelWindow) -> bool:
+        """Whether enough pixels of a window are valid, by every fourth pixel."""
+        invalid = self.thinned(window, 4).invalid
+        return invalid is None or bool(invalid.mean() <= limits.MAX_INVALID_SHARE)
+
+    def blocks(self, window: PixelWindow, most_pixels: int) -> Iterator[PixelWindow]:
+        """Pieces that together are the window, row by row, each on whole tiles or strips of the file.
+
+        They have about ``most_pixels`` pixels, or one tile or strip where that is larger, so that every one of the
+        file is decoded once.
+        """
+        tile_width, tile_height = self.dataset.GetRasterBand(1).GetBlockSize()
+        tile_width = min(tile_width, self.columns)
+        if tile_width * tile_height > most_pixels:
+            wide, high = tile_width, tile_height
+        else:
+            across = min(max(most_pixels // (tile_width * tile_height), 1), -(-window.width // tile_width))
+            wide = across * tile_width
+            high = max(most_pixels // (wide * tile_height), 1) * tile_height
+        for top in range(window.row // high * high, window.row + window.height, high):
+            for left in range(window.column // wide * wide, window.column + window.width, wide):
+                column, row = max(left, window.column), max(top, window.row)
+                right = min(left + wide, window.column + window.width)
+                yield PixelWindow(column, row, right - column, min(top + high, window.row + window.height) - row)
+
+    def _block(self, data: np.ndarray, mask: np.ndarray | None) -> Block:
+        """All bands into those that are measured and what is invalid in them; ``mask`` is 0 there."""
+        roles = self.roles
+        in_order = roles.indices == tuple(range(len(data)))
+        bands = data if in_order else data[list(roles.indices)]
+        masks = [self._nodata_mask(bands), None if mask is None else mask == 0]
+        if roles.alpha is not None:
+            masks.append(data[roles.alpha] == 0)
+        if bands.dtype.kind == "f":
+            masks.append(~np.isfinite(bands).all(axis=0))
+        if roles.palette is not None:
+            indices = np.minimum(bands[0], len(roles.palette) - 1)
+            masks.append(roles.palette[indices, 3] == 0)
+            bands = np.moveaxis(roles.palette[indices, :3], -1, 0)
+        found = [one for one in masks if one is not None and one.any()]
+        return Block(bands, reduce(np.logical_or, found) if found else None)
+
+    def _nodata_mask(self, bands: np.ndarray) -> np.ndarray | None:
+        """Pixels all of whose bands hold their nodata value, or None where there are none."""
+        invalid: np.ndarray | None = None
+        for band, index in zip(bands, self.roles.indices):
+            nodata = self.dataset.GetRasterBand(index + 1).GetNoDataValue()
+            if nodata is None:
+                return None
+            with np.errstate(all="ignore"):
+                value = np.array(nodata).astype(bands.dtype)
+            if bands.dtype.kind != "f" and value != nodata:
+                return None  # a value that the data type can't hold
+            held = np.isnan(band) if math.isnan(nodata) else band == value
+            invalid = held if invalid is None else invalid & held
+            if not invalid.any():
+                return None
+        return invalid
+
+
+def describe(ref: RasterRef) -> Raster:
+    """Open a raster that may lie anywhere and say what it is. Raises RasterError when it can't be opened or used."""
+    return OpenRaster(ref).raster
+
+
+def describe_north_up(ref: RasterRef) -> Raster:
+    """Like ``describe``, for a raster that has to have a grid, on the map or on its own pixels."""
+    return _with_grid(describe(ref))
+
+
+def describe_placed(ref: RasterRef) -> Raster:
+    """Like ``describe``, for a raster that has to lie on the map."""
+    return placed(describe(ref))
+
+
+def describe_mosaic(ref: RasterRef) -> Raster:
+    """Like ``describe``, for the raster whose grid the windows lie on: north-up and on the map."""
+    return _with_grid(describe_placed(ref))
+
+
+def placed(raster: Raster) -> Raster:
+    """The raster itself. Raises RasterError when it has no place on the map."""
+    if raster.geotransform is None:
+        raise RasterError(messages.NOT_GEOREFERENCED(name=raster.ref.name))
+    if not raster.wkt:
+        raise RasterError(messages.NO_REFERENCE_SYSTEM(name=raster.ref.name))
+    return raster
+
+
+def _with_grid(raster: Raster) -> Raster:
+    if not raster.is_north_up:
+        raise RasterError(messages.NOT_NORTH_UP(name=raster.ref.name))
+    return raster

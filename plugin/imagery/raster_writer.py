@@ -1,0 +1,141 @@
+"""The one writer of rasters: in the place of the raster they were made from, whole or not at all."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import numpy as np
+from osgeo import gdal, gdal_array
+
+from . import messages
+from .atomic_files import replacing
+from .errors import RasterError
+from .gdal_calls import drop_from_memory, gdal_call, gdal_silenced, gdal_writing
+from .message import Message
+from .rasters import Raster
+
+GEOTIFF = "GTiff"
+
+_COLOURS = (gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand)
+
+
+@contextmanager
+def whole_raster(path: str) -> Iterator[str]:
+    """Where GDAL is to write what becomes the raster ``path`` when the block ends.
+
+    What it writes beside it comes along, and what an older raster had beside it (overviews, a mask) goes. An exception
+    in the block leaves nothing, and an older raster as it was. Raises RasterError where no file can be.
+    """
+    if path.startswith("/vsi"):  # GDAL's own file systems know no renaming
+        try:
+            yield path
+        except BaseException:
+            drop_from_memory(path)
+            raise
+        return
+    older = _files_beside(Path(path))
+    try:
+        with replacing(Path(path)) as unfinished:
+            yield str(unfinished)
+            older -= set(os.listdir(unfinished.parent))
+    except OSError:
+        raise RasterError(messages.RASTER_NOT_WRITTEN(path=path)) from None
+    for name in older:
+        with suppress(OSError):
+            Path(path).with_name(name).unlink()
+
+
+@contextmanager
+def raster_writer(
+    path: str, like: Raster, bands: int, data_type: np.dtype,
+    driver: str = GEOTIFF, colours: bool = False, nodata: float | None = None,
+) -> Iterator[RasterWriter]:
+    """Writes a raster with the size and the place of another one, which is there when the block ends.
+
+    ``colours``: the bands are red, green and blue. An exception in the block leaves nothing, and an older file as it
+    was. Raises RasterError where the raster can't be written.
+    """
+    failure = messages.RASTER_NOT_WRITTEN(path=path)
+    with whole_raster(path) as unfinished:
+        dataset = _created(unfinished, like, bands, data_type, driver, colours, failure)
+        for index in range(1, bands + 1):
+            band = dataset.GetRasterBand(index)
+            if colours:
+                band.SetColorInterpretation(_COLOURS[index - 1])
+            if nodata is not None:
+                band.SetNoDataValue(nodata)
+        writer = RasterWriter(dataset, failure)
+        del dataset, band
+        try:
+            yield writer
+            writer.close()
+        finally:
+            writer.abandon()
+
+
+class RasterWriter:
+    """Writes the pixels of ``raster_writer``, strip by strip."""
+
+    def __init__(self, dataset: gdal.Dataset, failure: Message) -> None:
+        self._dataset, self._failure = dataset, failure
+        self._mask: gdal.Band | None = None
+
+    def write(self, row: int, pixels: np.ndarray, invalid: np.ndarray | None = None) -> None:
+        """(bands, rows, columns) from a row on; invalid pixels are masked. Raises RasterError when the disk is full."""
+        with gdal_writing(self._failure):
+            self._dataset.WriteArray(np.ascontiguousarray(pixels), 0, row)
+            if invalid is None:
+                return
+            if self._mask is None:
+                self._dataset.CreateMaskBand(gdal.GMF_PER_DATASET)  # a file beside the TIFF
+                self._mask = self._dataset.GetRasterBand(1).GetMaskBand()
+                self._mask.Fill(255)
+            self._mask.WriteArray(np.where(invalid, 0, 255).astype(np.uint8), 0, row)
+
+    def close(self) -> None:
+        """Write what is still in memory. Raises RasterError when the disk is full."""
+        with gdal_writing(self._failure):
+            self._dataset.FlushCache()
+            self._mask = self._dataset = None
+
+    def abandon(self) -> None:
+        """Close what is not wanted any more."""
+        with gdal_silenced(), suppress(RuntimeError):
+            self._mask = self._dataset = None
+
+
+def format_of(path: str) -> str:
+    """GDAL's name of the format that can be written pixel by pixel and whose files end so; GeoTIFF without one."""
+    ending = Path(path).suffix.lower().lstrip(".")
+    for index in range(gdal.GetDriverCount() if ending not in ("", "tif", "tiff") else 0):
+        driver = gdal.GetDriver(index)
+        endings = (driver.GetMetadataItem(gdal.DMD_EXTENSIONS) or "").split()
+        if ending in endings and driver.GetMetadataItem(gdal.DCAP_RASTER) and driver.GetMetadataItem(gdal.DCAP_CREATE):
+            return str(driver.ShortName)
+    return GEOTIFF
+
+
+def _created(
+    path: str, like: Raster, bands: int, data_type: np.dtype, driver: str, colours: bool, failure: Message
+) -> gdal.Dataset:
+    options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * colours]
+    kind = gdal_array.NumericTypeCodeToGDALTypeCode(data_type.type)
+    size = like.columns, like.rows, bands, kind, options if driver == GEOTIFF else []
+    dataset = gdal_call(lambda: gdal.GetDriverByName(driver).Create(path, *size), failure)
+    if like.geotransform is not None:
+        dataset.SetGeoTransform(like.geotransform)
+    if like.wkt:
+        dataset.SetProjection(like.wkt)
+    return dataset
+
+
+def _files_beside(path: Path) -> set[str]:
+    """Names of the files that go with a raster and are called like it."""
+    with gdal_silenced(), suppress(RuntimeError):
+        dataset = gdal.OpenEx(str(path), gdal.OF_RASTER) if path.is_file() else None
+        if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
+            names = {Path(file).name for file in dataset.GetFileList() or ()}
+            return {name for name in names if name != path.name and name.startswith(f"{path.stem}.")}
+    return set()

@@ -1,0 +1,106 @@
+"""Photographs and scans, whose place on the map does not matter, as grey values."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery import messages as imagery_messages
+from ...imagery.band_curves import judged_plane, luminance
+from ...imagery.errors import NotCoveredError
+from ...imagery.gdal_calls import gdal_call
+from ...imagery.grids import PixelWindow
+from ...imagery.open_raster import OpenRaster
+
+STRIP_PIXELS = 4_000_000  # read at a time: 16 MB as float32
+
+
+class Photo(OpenRaster):
+    """A raster read as grey values.
+
+    Colour becomes luminance, a palette its colours' luminance; of other bands the first counts, alpha never. Invalid
+    pixels hold the mean of the valid ones around.
+    """
+
+    def contains(self, place: tuple[float, float]) -> bool:
+        """Whether a column and row, pixel centres at .5, lie in the photo."""
+        return 0 <= place[0] < self.columns and 0 <= place[1] < self.rows
+
+    def grey(self, window: PixelWindow | None = None) -> np.ndarray:
+        """(rows, columns) float32 of a window, or of all; what lies outside the photo repeats its edge."""
+        window = window or self.raster.whole
+        inside = window.cut_to(self.columns, self.rows)
+        if min(inside.width, inside.height) <= 0:
+            raise NotCoveredError(imagery_messages.NOT_COVERED(name=self.ref.name))
+        pixels = self._grey(inside)
+        return pixels if inside == window else np.pad(pixels, window.margins_of(inside), mode="edge")
+
+    def reduced(self, factor: int) -> np.ndarray:
+        """The whole photo, float32, each pixel the mean of ``factor`` x ``factor``; what is left over is cut off."""
+        rows, columns = self.rows // factor, self.columns // factor
+        if factor == 1:
+            return self.grey()
+        if self.roles.palette is None and self.raster.bits != 1:
+            return self._grey(PixelWindow(0, 0, columns * factor, rows * factor), (columns, rows))
+        made = np.empty((rows, columns), np.float32)  # GDAL would average to the nearest of two values
+        step = max(1, STRIP_PIXELS // (self.columns * factor))
+        for row in range(0, rows, step):
+            count = min(step, rows - row)
+            strip = self._grey(PixelWindow(0, row * factor, columns * factor, count * factor))
+            made[row : row + count] = strip.reshape(count, factor, columns, factor).mean(axis=(1, 3))
+        return made
+
+    def strips(self, margin: int, grey: bool) -> Iterator[Strip]:
+        """The photo from top to bottom, mirrored by ``margin`` px at its upper and lower edge, float64.
+
+        Invalid pixels hold the mean of the valid ones of their strip.
+        """
+        step = max(1, STRIP_PIXELS // self.columns)
+        for row in range(0, self.rows, step):
+            count = min(step, self.rows - row)
+            top, bottom = max(row - margin, 0), min(row + count + margin, self.rows)
+            bands, invalid = self.read(PixelWindow(0, top, self.columns, bottom - top))
+            pixels = (luminance(bands)[np.newaxis] if grey and len(bands) >= 3 else bands).astype(np.float64)
+            if grey:
+                pixels = pixels[:1]
+            if invalid is not None and not invalid.all():
+                pixels[:, invalid] = pixels[:, ~invalid].mean(axis=1, keepdims=True)
+            above, below = margin - (row - top), margin - (bottom - row - count)
+            if above or below:
+                pixels = np.pad(pixels, ((0, 0), (above, below), (0, 0)), mode="symmetric")
+            own = None if invalid is None else invalid[row - top : row - top + count]
+            yield Strip(row, count, margin, pixels, own)
+
+    @property
+    def largest(self) -> float:
+        """The largest value that a pixel can have: by its number of bits, its type, or (float) its largest one."""
+        kind = np.dtype(self.raster.data_type)
+        if kind.kind == "f":
+            band, failure = self.dataset.GetRasterBand(1), imagery_messages.NOT_READABLE(name=self.ref.name)
+            return float(gdal_call(lambda: band.ComputeRasterMinMax(False), failure)[1])
+        bits = self.raster.bits if kind.kind == "u" and self.roles.palette is None else None
+        return float(2**bits - 1 if bits is not None else np.iinfo(kind).max)
+
+    def _grey(self, window: PixelWindow, size: tuple[int, int] | None = None) -> np.ndarray:
+        bands, invalid = self.read(window, size, averaged=True)
+        grey = judged_plane(bands, self.roles.names)
+        if invalid is not None and not invalid.all():
+            grey[invalid] = grey[~invalid].mean()
+        return np.nan_to_num(grey, copy=False)
+
+
+@dataclass(frozen=True)
+class Strip:
+    """Some rows of a photo with the ones around them."""
+
+    row: int
+    """The first of its own rows."""
+    rows: int
+    """How many are its own."""
+    above: int
+    """How many rows of ``pixels`` lie above its own, and as many below."""
+    pixels: np.ndarray
+    """(bands, rows + 2 * above, columns) float64."""
+    invalid: np.ndarray | None
+    """(rows, columns) of its own invalid pixels; None where all are valid."""
