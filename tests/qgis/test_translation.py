@@ -6,8 +6,11 @@ from collections.abc import Iterator
 import pytest
 from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery import messages as imagery_messages
+from seam_inspector.plugin.noise.noise_summary import VERDICT_WORDS
+from seam_inspector.plugin.photos.measure import messages as photos_messages
 from seam_inspector.plugin.seams.algorithms.inspectwindows import InspectWindows
 from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.verdict_words import VERDICTS
 from seam_inspector.plugin.toolkit.translation import Translation, sentence, tr
 
 ENGLISH, POLISH = "Inspect windows", "Skontroluj okna"
@@ -42,6 +45,13 @@ def test_values_and_sentences_within_a_sentence_are_put_in(translation: Translat
         "Żadnego ortoobrazu źródłowego nie można tu porównać: Raster a.tif nie pokrywa całego okna. "
         "Udział pikseli bez danych w oknie wynosi w rastrze b.tif 1.23%, a dopuszczalne jest 0.1%; przesuń okno."
     )
+
+
+@pytest.mark.parametrize("translation", ["pl"], indirect=True)
+def test_words_for_verdicts_models_and_marks_are_polish(translation: Translation) -> None:
+    english = [one.word for one in VERDICTS.values()] + list(VERDICT_WORDS.values())
+    assert [word for word in english if tr(word) == word] == []
+    assert [str(word) for word in photos_messages.WORDS.values() if sentence(word) == str(word)] == []
 
 
 @pytest.mark.parametrize("translation", ["pl"], indirect=True)

@@ -42,7 +42,7 @@ def wait_for_tasks() -> None:
 
 
 class Desk:
-    """The project's layers, a session on them, and what it said."""
+    """The project's layers, a session on them, and what it told."""
 
     def __init__(self, scene: Scene, folder: Path) -> None:
         self.project = QgsProject.instance()
@@ -53,14 +53,16 @@ class Desk:
         self.seamlines = layer("LineString", [line((256, 0), (256, 256))])
         self.project.addMapLayer(self.seamlines)
         self.messages: list[str] = []
+        self.levels: list[int] = []
         self.session = Session()
         self.listen(self.session)
 
     def listen(self, session: Session) -> None:
         session.messageRaised.connect(self._heard)
 
-    def _heard(self, text: str, _level: int) -> None:
+    def _heard(self, text: str, level: int) -> None:
         self.messages.append(text)
+        self.levels.append(level)
 
     def raster(self, path: Path) -> QgsRasterLayer:
         made = QgsRasterLayer(str(path), path.stem)

@@ -6,7 +6,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from qgis.core import QgsVectorLayer
+from qgis.core import Qgis, QgsVectorLayer
 
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, layer, windows
@@ -32,6 +32,7 @@ def test_bad_inputs_are_told_in_one_sentence(desk: Desk) -> None:
     desk.set(desk.inputs(seamlines=""))
     desk.session.place_windows()
     assert_sentence(desk.messages.pop(), "No seamlines")
+    assert desk.levels[-1] == Qgis.MessageLevel.Critical
     empty = layer("LineString", [])
     desk.project.addMapLayer(empty)
     desk.session.set_inputs(desk.inputs(seamlines=empty.id()))
@@ -95,6 +96,7 @@ def test_windows_that_cant_be_saved_are_told(desk: Desk, tmp_path: Path) -> None
     desk.project.write(str(tmp_path / "project.qgz"))
     assert len(desk.messages) == 1
     assert "could not be saved" in desk.messages[0]
+    assert desk.levels == [Qgis.MessageLevel.Critical]
 
 
 # Speed

@@ -1,10 +1,10 @@
-"""What the desk says after it placed windows: one short sentence, and the rest in the log."""
+"""What the desk tells after it placed windows: one short sentence, and the rest in the log."""
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 import pytest
-from qgis.core import QgsApplication
+from qgis.core import Qgis, QgsApplication
 
 from tests.qgis.scenes import layer, line
 from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks
@@ -34,7 +34,7 @@ def log(qgis_app: QgsApplication) -> Iterator[Log]:
 
 
 def place(desk: Desk, lines: list[str]) -> str:
-    """What is said once windows are placed along some lines."""
+    """What is told once windows are placed along some lines."""
     seams = layer("LineString", lines)
     desk.project.addMapLayer(seams)
     desk.session.set_inputs(desk.inputs(seamlines=seams.id()))
@@ -50,6 +50,7 @@ def place(desk: Desk, lines: list[str]) -> str:
 def test_all_placed(desk: Desk, log: Log) -> None:
     said = place(desk, [_WHOLE])
     assert said.startswith(f"Windows placed along the seams: {len(desk.session.windows())}.")
+    assert desk.levels[-1] == Qgis.MessageLevel.Success
     assert log.lines == []
 
 
@@ -63,5 +64,6 @@ def test_places_without_a_window_are_in_the_log(desk: Desk, log: Log) -> None:
 def test_no_window_at_all_is_a_warning_that_says_why(desk: Desk, log: Log) -> None:
     said = place(desk, [_ALONG_THE_EDGE])
     assert desk.session.windows() == []
+    assert desk.levels[-1] == Qgis.MessageLevel.Warning
     assert log.lines == [said]
     assert "no room beside" in said
