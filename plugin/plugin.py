@@ -70,9 +70,7 @@ class SeamInspectorPlugin:
 class Desk:
     """A button in the raster toolbar and menu, and its dock, made on first use: QGIS starts without what it needs."""
 
-    def __init__(
-        self, iface: QgisInterface, action: QAction, make: Callable[[QgisInterface], QgsDockWidget]
-    ) -> None:
+    def __init__(self, iface: QgisInterface, action: QAction, make: Callable[[QgisInterface], QgsDockWidget]) -> None:
         self._iface, self._make = iface, make
         self.action = action
         self.dock: QgsDockWidget | None = None

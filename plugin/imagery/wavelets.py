@@ -121,9 +121,7 @@ def clip_curves(
     return curves, np.concatenate([products.coarse, luminance[np.newaxis].astype(products.coarse.dtype)])
 
 
-def component_products(
-    bands: np.ndarray, wavelet: str, levels: int, pairs: Sequence[Pair] = ()
-) -> Products:
+def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequence[Pair] = ()) -> Products:
     """Energies of the components of every band, and inner products of the given pairs of bands.
 
     ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of
@@ -174,9 +172,7 @@ def _curve(own: np.ndarray, total: float, pixels: int) -> Curve:
     return Curve(tuple(shares[:-1].tolist()), float(shares[-1]), float(total) / pixels)
 
 
-def _chain_products(
-    bands: np.ndarray, filters: _Filters, levels: int, pairs: Sequence[Pair], dtype: type
-) -> Products:
+def _chain_products(bands: np.ndarray, filters: _Filters, levels: int, pairs: Sequence[Pair], dtype: type) -> Products:
     """Products of the components from those of the coarse chain alone: what leaves it is detail."""
     wanted = _own_pairs(bands) + list(pairs)
     # An offset near the mean keeps the numbers small; what it misses by is taken out below, exactly. A whole
@@ -215,9 +211,7 @@ def _exact_products(bands: np.ndarray, filters: _Filters, levels: int, pairs: Se
     return _products(np.array(components), totals, coarse)
 
 
-def _levels(
-    coarse: np.ndarray, filters: _Filters, levels: int
-) -> Iterator[tuple[np.ndarray, tuple[np.ndarray, ...]]]:
+def _levels(coarse: np.ndarray, filters: _Filters, levels: int) -> Iterator[tuple[np.ndarray, tuple[np.ndarray, ...]]]:
     """For each level the coarse component and the three details LH, HL, HH; all are (bands, rows, columns)."""
     for phase in filters.phases(levels):
         low, high = (_filtered(coarse, taps, phase).swapaxes(1, 2) for taps in (filters.low, filters.high))

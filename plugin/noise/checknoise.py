@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
@@ -17,8 +15,8 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.feedback import TellOnce, tell
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
+from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 
 if TYPE_CHECKING:
@@ -81,73 +79,66 @@ class CheckNoise(RasterListAlgorithm):
             STRONG_COUNT: tr("Windows with strong noise"),
         })
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        super().check(parameters, context)
-        self._settings(parameters, context)
-        self.check_chart(parameters, context)
+    def check(self, run: Run) -> None:
+        super().check(run)
+        self._settings(run)
+        run.check_chart()
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.executors import open_executor
         from . import noise_summary, tables
         from .measure import group_noise, window_plan
         from .measure.band_noise import NoiseVerdict
         from .measure.noise_requests import describe_images
 
-        super().check(parameters, context)
-        wavelet, levels = self._settings(parameters, context)
-        self.check_chart(parameters, context)
+        super().check(run)
+        wavelet, levels = self._settings(run)
+        run.check_chart()
         images = []
         for group, name in enumerate(self.RASTER_LISTS, 1):
             found, notices = describe_images(self.refs[name], group)
             images += found
             self.left_out += notices
         self.require_rasters(images)
-        drawn = self.drawn_windows(parameters, context, feedback)
+        drawn = self.drawn_windows(run)
         if drawn is None:
-            plan = window_plan.plan_chosen(images, levels, feedback.isCanceled)
+            plan = window_plan.plan_chosen(images, levels, run.is_cancelled)
         else:
             plan = window_plan.plan_drawn(images, drawn, levels)
         notices = [*self.left_out, *plan.notices]
         sizes = window_plan.pixel_size_notice(plan)
         notices += [sizes] if sizes else []
-        TellOnce(feedback).tell(notices)
-        if not plan.requests and not feedback.isCanceled():
+        run.tell_once(notices)
+        if not plan.requests and not run.is_cancelled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(notices[:1])))
-        sink, output_id = self.sink(parameters, OUTPUT, context, tables.noise_fields(levels))
+        sink, output_id = run.sink(OUTPUT, tables.noise_fields(levels))
         results: list[group_noise.ClipNoise] = []
         with open_executor() as (executor, ahead):
-            measured = group_noise.measure_requests(
-                plan.requests, wavelet, levels, executor, ahead, feedback.isCanceled
-            )
+            measured = group_noise.measure_requests(plan.requests, wavelet, levels, executor, ahead, run.is_cancelled)
             for done, clips in enumerate(measured, 1):
                 for clip in clips:
-                    self.write(sink, tables.noise_features(clip, levels))
+                    run.write(sink, tables.noise_features(clip, levels))
                     if clip.reason is not None:
-                        tell(feedback, imagery_messages.ABOUT(what=clip.window_id, why=clip.reason))
+                        run.tell(imagery_messages.ABOUT(what=clip.window_id, why=clip.reason))
                 results += clips
-                feedback.setProgress(100 * done / len(plan.requests))
+                run.progress(done / len(plan.requests))
         counts = noise_summary.verdict_counts(results)
         words = noise_summary.VERDICT_WORDS
-        feedback.pushInfo(", ".join(f"{tr(word)}: {counts[verdict]}" for verdict, word in words.items()))
+        run.inform(", ".join(f"{tr(word)}: {counts[verdict]}" for verdict, word in words.items()))
         return {
             OUTPUT: output_id,
-            **self.save(parameters, common.CHART, context, feedback, lambda path: _save_chart(path, results)),
-            **self.save(
-                parameters, common.REPORT, context, feedback,
-                lambda path: _save_report(path, results, notices, wavelet, levels),
-            ),
+            **run.save(common.CHART, lambda path: _save_chart(path, results)),
+            **run.save(common.REPORT, lambda path: _save_report(path, results, notices, wavelet, levels)),
             LOW_COUNT: counts[NoiseVerdict.LOW],
             MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
             STRONG_COUNT: counts[NoiseVerdict.STRONG],
         }
 
-    def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, int]:
+    def _settings(self, run: Run) -> tuple[str, int]:
         """Wavelet and levels. Raises SettingsError when they can't be used."""
         from .measure.band_noise import check_noise_settings
 
-        wavelet, levels = self.decomposition(parameters, context)
+        wavelet, levels = run.decomposition()
         check_noise_settings(wavelet, levels)
         return wavelet, levels
 

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
-    QgsProcessingContext,
     QgsProcessingFeatureSource,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
@@ -21,8 +19,8 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, SeamInspectorError, SettingsError, WindowError
 from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.feedback import TellOnce, tell
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
+from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 
 if TYPE_CHECKING:
@@ -86,63 +84,57 @@ class CheckRadiometry(RasterListAlgorithm):
             NOT_MEASURABLE_COUNT: tr("Figures that can't be measured"),
         })
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        super().check(parameters, context)
-        self._rules(parameters, context)
+    def check(self, run: Run) -> None:
+        super().check(run)
+        self._rules(run)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from . import tables
 
-        super().check(parameters, context)
-        rules = self._rules(parameters, context)
-        drawn = self.drawn_windows(parameters, context, feedback)
-        seamlines = self.source(parameters, SEAMLINES, context) if parameters.get(SEAMLINES) else None
+        super().check(run)
+        rules = self._rules(run)
+        drawn = self.drawn_windows(run)
+        seamlines = run.source(SEAMLINES) if run.parameters.get(SEAMLINES) else None
         images = [image for ref in dict.fromkeys(self.refs[RASTERS]) if (image := self._image(ref)) is not None]
         self.require_rasters(images)
-        once = TellOnce(feedback)
-        once.tell(self.left_out)
-        sink, output_id = self.sink(parameters, OUTPUT, context, tables.radiometry_fields())
+        run.tell_once(self.left_out)
+        sink, output_id = run.sink(OUTPUT, tables.radiometry_fields())
         results: list[Assessment] = []
         notices = list(self.left_out)
         jobs = list(self._jobs(images, drawn, notices))
-        once.tell(notices[len(self.left_out) :])
+        run.tell_once(notices[len(self.left_out) :])
         for done, (image, window, number) in enumerate(jobs):
-            if feedback.isCanceled():
+            if run.is_cancelled():
                 break
             try:
-                seams = None if seamlines is None else self._seams(seamlines, image, context)
-                result = self._assess(image, window, number, rules, seams, (done, len(jobs)), feedback)
+                seams = None if seamlines is None else self._seams(seamlines, image, run)
+                result = self._assess(image, window, number, rules, seams, (done, len(jobs)), run)
             except SeamInspectorError as error:
                 notices.append(imagery_messages.SOURCE_LEFT_OUT(name=image.ref.name, why=error.message))
-                tell(feedback, notices[-1])
+                run.tell(notices[-1])
                 continue
             if result is None:
                 break
-            self.write(sink, tables.radiometry_features(result))
-            once.tell(result.notices)
+            run.write(sink, tables.radiometry_features(result))
+            run.tell_once(result.notices)
             notices += result.notices
             results.append(result)
-        if not results and not feedback.isCanceled():
+        if not results and not run.is_cancelled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(notices[-1:])))
         figures = [checked for result in results for checked in result.checked_figures]
         states = [checked.passed for checked in figures]
         return {
             OUTPUT: output_id,
-            **self.save(
-                parameters, common.REPORT, context, feedback,
-                lambda path: _save_report(path, results, notices, rules),
-            ),
+            **run.save(common.REPORT, lambda path: _save_report(path, results, notices, rules)),
             PASSED_COUNT: states.count(True),
             FAILED_COUNT: states.count(False),
             NOT_MEASURABLE_COUNT: sum(checked.value is None for checked in figures),
         }
 
-    def _rules(self, parameters: dict[str, Any], context: QgsProcessingContext) -> RuleSet:
+    def _rules(self, run: Run) -> RuleSet:
         from .measure.rules import default_rules, load_rules
 
-        path = self.parameterAsString(parameters, RULES, context) if parameters.get(RULES) else ""
+        path = run.text(RULES) if run.parameters.get(RULES) else ""
         return load_rules(Path(path)) if path else default_rules()
 
     def _image(self, ref: RasterRef) -> Raster | None:
@@ -181,9 +173,7 @@ class CheckRadiometry(RasterListAlgorithm):
         notices += [imagery_messages.WINDOW_ON_NO_RASTER(window=window) for window in unseen]
 
     @staticmethod
-    def _seams(
-        seamlines: QgsProcessingFeatureSource, image: Raster, context: QgsProcessingContext
-    ) -> list[Seam]:
+    def _seams(seamlines: QgsProcessingFeatureSource, image: Raster, run: Run) -> list[Seam]:
         """The seams in the image's reference system; none for an image without a place on the map."""
         from ..imagery.lines.seamlines import find_seams
         from ..toolkit import layers
@@ -191,7 +181,7 @@ class CheckRadiometry(RasterListAlgorithm):
         if not (image.is_north_up and image.has_place and image.wkt):
             return []
         crs = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
-        transform = common.transform(seamlines, crs, context)
+        transform = run.transform(seamlines, crs)
         lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
         return find_seams(lines, image.grid.pixel_width)
 
@@ -203,7 +193,7 @@ class CheckRadiometry(RasterListAlgorithm):
         rules: RuleSet,
         seams: Sequence[Seam] | None,
         place: tuple[int, int],
-        feedback: QgsProcessingFeedback,
+        run: Run,
     ) -> Assessment | None:
         from ..imagery.open_raster import OpenRaster
         from .measure.assessment import assess
@@ -211,8 +201,8 @@ class CheckRadiometry(RasterListAlgorithm):
         done, count = place
 
         def progress(share: float) -> bool:
-            feedback.setProgress(100 * (done + share) / count)
-            return not feedback.isCanceled()
+            run.progress((done + share) / count)
+            return not run.is_cancelled()
 
         return assess(OpenRaster(image.ref), window, rules, seams, number, progress)
 

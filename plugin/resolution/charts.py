@@ -49,9 +49,7 @@ def verdict_word(verdict: str) -> str:
     }[verdict]
 
 
-def draw_profiles(
-    axes: Axes, readings: Mapping[str, BarReading], criterion: float, style: ChartStyle = PAPER
-) -> None:
+def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: float, style: ChartStyle = PAPER) -> None:
     """The profiles of one line by band, their bars and gaps, and for the weakest band the threshold of its gaps."""
     for place, (band, reading) in enumerate(readings.items()):
         profile = reading.profile

@@ -104,9 +104,7 @@ def _read(request: NoiseRequest, opened: dict[RasterRef, OpenRaster]) -> list[_C
     return clips
 
 
-def _measured(
-    request: NoiseRequest, clips: list[_Clip | Message], wavelet: str, levels: int
-) -> list[ClipNoise]:
+def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str, levels: int) -> list[ClipNoise]:
     most = MAX_MASKED_SHARE if request.paired else imagery_limits.MAX_INVALID_SHARE
     usable: list[tuple[Part, _Clip]] = []
     results: dict[Part, ClipNoise] = {}

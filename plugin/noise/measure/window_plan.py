@@ -54,9 +54,7 @@ def plan_drawn(images: Sequence[GroupedImage], windows: Iterable[DrawnWindow], l
     return Plan(tuple(requests), tuple(notices))
 
 
-def plan_chosen(
-    images: Sequence[GroupedImage], levels: int, cancelled: Callable[[], bool] = lambda: False
-) -> Plan:
+def plan_chosen(images: Sequence[GroupedImage], levels: int, cancelled: Callable[[], bool] = lambda: False) -> Plan:
     """Requests for windows that are chosen on the images, up to 25 on each.
 
     An image of group 1 that shares ground with images of group 2 gets windows where those are valid too, and they

@@ -6,8 +6,6 @@ from typing import Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterNumber,
@@ -16,7 +14,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
 
@@ -67,31 +65,29 @@ class CompareMarks(SeamInspectorAlgorithm):
             self.addNumbers({f"{name}_{unit}": f"{name} {unit}".lower().replace("_", " ") for name in STATISTICS[1:]})
         self.addNumbers({STATISTICS[0]: tr("Marks in both layers")})
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers, table_fields
         from .. import mark_tables
         from ..measure import mark_comparison
 
         measured = []
         for name in (FIRST, SECOND):
-            source = self.source(parameters, name, context)
+            source = run.source(name)
             names = source.fields().names()
             measured.append(mark_tables.compared_marks(layers.features(source), names, source.sourceName()))
         found = mark_comparison.mark_differences(*measured)
-        size = self.parameterAsDouble(parameters, PIXEL_SIZE, context) if parameters.get(PIXEL_SIZE) else None
+        size = run.real(PIXEL_SIZE) if run.parameters.get(PIXEL_SIZE) else None
         size = size or mark_comparison.pixel_size(measured[0]) or mark_comparison.pixel_size(measured[1])
         made = {"px": mark_comparison.distance_statistics(found)}
         if size is None:
-            tell(feedback, messages.PIXEL_SIZE_UNKNOWN())
+            run.tell(messages.PIXEL_SIZE_UNKNOWN())
         else:
             made["um"] = made["px"].scaled(size)
-        sink, destination = self.sink(parameters, OUTPUT, context, mark_tables.statistics_fields())
-        self.write(sink, [mark_tables.statistics_feature(unit, one) for unit, one in made.items()])
+        sink, destination = run.sink(OUTPUT, mark_tables.statistics_fields())
+        run.write(sink, [mark_tables.statistics_feature(unit, one) for unit, one in made.items()])
         fields = mark_tables.difference_fields()
-        rows, rows_id = self.optional_sink(parameters, DIFFERENCES, context, fields)
-        self.write(
+        rows, rows_id = run.optional_sink(DIFFERENCES, fields)
+        run.write(
             rows,
             (
                 table_fields.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance])
@@ -104,7 +100,7 @@ class CompareMarks(SeamInspectorAlgorithm):
             results.update({
                 f"{name}_{unit.upper()}": value for name, value in zip(STATISTICS[1:], values) if not math.isnan(value)
             })
-            feedback.pushInfo(
+            run.inform(
                 tr("{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.").format(
                     count=one.count, mean=one.mean, maximum=one.maximum, minimum=one.minimum, unit=unit
                 )

@@ -4,8 +4,6 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
@@ -15,6 +13,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 
 DEFAULT_FILTER_PX = 3.0  # the usual 3 x 3
@@ -56,23 +55,21 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         )
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    def check(self, run: Run) -> None:
         from ..measure.photo import Photo
 
-        Photo(common.required_raster(parameters, PHOTO, context))
+        Photo(run.required_raster(PHOTO))
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._photo = common.required_raster(parameters, PHOTO, context)
+    def prepare(self, run: Run) -> None:
+        self._photo = run.required_raster(PHOTO)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ..measure.enhancement import Operation, enhance
 
-        path = self.parameterAsOutputLayer(parameters, OUTPUT, context)
-        operation = Operation(self.parameterAsEnumString(parameters, OPERATION, context))
-        size = self.parameterAsDouble(parameters, SIZE, context)
+        path = run.layer_path(OUTPUT)
+        operation = Operation(run.word(OPERATION))
+        size = run.real(SIZE)
         enhance(
-            self._photo, path, operation, size, feedback.isCanceled, lambda share: feedback.setProgress(100 * share)
+            self._photo, path, operation, size, run.is_cancelled, run.progress
         )
         return {OUTPUT: path}

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
@@ -18,7 +16,7 @@ from ...imagery.errors import PhotoError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
 from . import photo_parameters
@@ -64,81 +62,67 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             FAILED: tr("Marks that failed"),
         })
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    def check(self, run: Run) -> None:
         from ..measure.camera_calibration import check_calibration
 
-        check_calibration(self._calibration(parameters, context), self._settings(parameters, context).model)
-        self._open(common.required_raster(parameters, photo_parameters.PHOTO, context))
+        check_calibration(self._calibration(run), self._settings(run).model)
+        self._open(run.required_raster(photo_parameters.PHOTO))
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._photo_ref = common.required_raster(parameters, photo_parameters.PHOTO, context)
-        self._template_ref = common.raster(parameters, photo_parameters.TEMPLATE, context)
+    def prepare(self, run: Run) -> None:
+        self._photo_ref = run.required_raster(photo_parameters.PHOTO)
+        self._template_ref = run.raster(photo_parameters.TEMPLATE)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from .. import mark_tables
         from ..measure.interior_orientation import orient_photo
         from ..measure.orientation import MarkStatus
 
-        calibration = self._calibration(parameters, context)
+        calibration = self._calibration(run)
         photo = self._open(self._photo_ref)
-        positions = self._positions(parameters, context, photo)
-        settings = self._settings(parameters, context)
-        feedback.setProgress(5)
-        made = orient_photo(photo, calibration, positions, settings, feedback.isCanceled)
-        feedback.setProgress(80)
+        positions = self._positions(run, photo)
+        settings = self._settings(run)
+        run.progress(0.05)
+        made = orient_photo(photo, calibration, positions, settings, run.is_cancelled)
+        run.progress(0.8)
         wkt = photo.raster.wkt
         crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
-        sink, destination = self.sink(
-            parameters, photo_parameters.OUTPUT, context, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs
-        )
-        self.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
-        self._tell(made, feedback)
+        sink, destination = run.sink(photo_parameters.OUTPUT, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs)
+        run.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
+        self._tell(made, run)
         failed = made.count(MarkStatus.FAILED)
         results: dict[str, Any] = {photo_parameters.OUTPUT: destination}
         results.update({MARKS: len(made.marks) - failed, FAILED: failed})
         if made.fitted is not None and made.fitted.redundancy:
             results[RMS_UM] = made.fitted.rms
-        results.update(self._files(parameters, context, feedback, photo, calibration, made))
-        feedback.setProgress(100)
+        results.update(self._files(run, photo, calibration, made))
+        run.progress(1)
         return results
 
-    def _files(
-        self,
-        parameters: dict[str, Any],
-        context: QgsProcessingContext,
-        feedback: QgsProcessingFeedback,
-        photo: Photo,
-        calibration: CameraCalibration,
-        made: PhotoOrientation,
-    ) -> dict[str, Any]:
+    def _files(self, run: Run, photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, Any]:
         """Write the files asked for; without a transformation the report alone, and say so."""
         from ...imagery.atomic_files import save_text
         from ..measure import orientation_files
         from ..report import save_orientation_report
 
-        results = self.save(
-            parameters, common.REPORT, context, feedback, lambda path: save_orientation_report(path, photo, made)
-        )
+        results = run.save(common.REPORT, lambda path: save_orientation_report(path, photo, made))
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
-            tell(feedback, messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
+            run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
         for name, text in (
             (photo_parameters.PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
             (photo_parameters.WORLD_FILE, orientation_files.world_file(photo, made)),
         ):
-            results.update(self.save(parameters, name, context, feedback, partial(save_text, text)))
+            results.update(run.save(name, partial(save_text, text)))
         return results
 
-    def _tell(self, made: PhotoOrientation, feedback: QgsProcessingFeedback) -> None:
-        tell(feedback, *made.notices)
+    def _tell(self, made: PhotoOrientation, run: Run) -> None:
+        run.tell(*made.notices)
         for mark in made.marks:
             if mark.reason is not None:
-                tell(feedback, imagery_messages.ABOUT(what=mark.name, why=mark.reason).as_warning())
+                run.tell(imagery_messages.ABOUT(what=mark.name, why=mark.reason).as_warning())
         if made.fitted is not None:
-            feedback.pushInfo(
+            run.inform(
                 tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.").format(
                     marks=made.fitted.marks, rms=made.fitted.rms,
                     model=sentence(messages.WORDS[made.fitted.to_mm.model.value]),
@@ -153,58 +137,56 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
         return Photo(ref)
 
-    def _calibration(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CameraCalibration:
+    def _calibration(self, run: Run) -> CameraCalibration:
         from ..measure.camera_calibration import read_calibration
 
-        path = self.parameterAsFile(parameters, photo_parameters.CALIBRATION, context)
+        path = run.path(photo_parameters.CALIBRATION)
         if not path:
             raise PhotoError(messages.NO_CALIBRATION())
         return read_calibration(Path(path))
 
-    def _positions(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, photo: Photo
-    ) -> dict[str, GivenPosition]:
+    def _positions(self, run: Run, photo: Photo) -> dict[str, GivenPosition]:
         from ...toolkit import layers
         from .. import mark_tables
 
-        if not parameters.get(photo_parameters.POSITIONS):
+        if not run.parameters.get(photo_parameters.POSITIONS):
             return {}
-        source = self.source(parameters, photo_parameters.POSITIONS, context)
-        measure = self.parameterAsBool(parameters, photo_parameters.MEASURE, context)
+        source = run.source(photo_parameters.POSITIONS)
+        measure = run.flag(photo_parameters.MEASURE)
         return mark_tables.given_positions(layers.features(source), source.fields().names(), photo, measure)
 
-    def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> OrientationSettings:
+    def _settings(self, run: Run) -> OrientationSettings:
         from ..measure.measuring_marks import SurfaceBasis
         from ..measure.orientation import OrientationSettings
         from ..measure.transformations import PlaneModel
 
         surface, model, tone = (
-            self.parameterAsEnumString(parameters, name, context)
+            run.word(name)
             for name in (photo_parameters.SURFACE, photo_parameters.MODEL, photo_parameters.TEMPLATE_TONE)
         )
         return OrientationSettings(
-            template=self._template(parameters, context),
-            shapes=() if parameters.get(photo_parameters.TEMPLATE) else self._shapes(parameters, context),
+            template=self._template(run),
+            shapes=() if run.parameters.get(photo_parameters.TEMPLATE) else self._shapes(run),
             sign={photo_parameters.TONES[1]: 1, photo_parameters.TONES[2]: -1}.get(tone),
-            search_mm=self.parameterAsDouble(parameters, photo_parameters.SEARCH, context),
-            min_correlation=self.parameterAsDouble(parameters, photo_parameters.MIN_CORRELATION, context),
+            search_mm=run.real(photo_parameters.SEARCH),
+            min_correlation=run.real(photo_parameters.MIN_CORRELATION),
             surface=SurfaceBasis(surface),
             model=PlaneModel(model),
         )
 
-    def _template(self, parameters: dict[str, Any], context: QgsProcessingContext) -> CutOut | None:
+    def _template(self, run: Run) -> CutOut | None:
         from ..measure.mark_templates import cut_out
 
-        ref = getattr(self, "_template_ref", None) or common.raster(parameters, photo_parameters.TEMPLATE, context)
+        ref = getattr(self, "_template_ref", None) or run.raster(photo_parameters.TEMPLATE)
         return cut_out(self._open(ref).grey()) if ref is not None else None
 
-    def _shapes(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[MarkShape, ...]:
+    def _shapes(self, run: Run) -> tuple[MarkShape, ...]:
         from ..measure.mark_templates import chosen_shapes
 
         kind, direction, centre = (
             None if word == photo_parameters.AUTOMATIC else word
             for word in (
-                self.parameterAsEnumString(parameters, name, context)
+                run.word(name)
                 for name in photo_parameters.FIGURE_CHOICES
             )
         )

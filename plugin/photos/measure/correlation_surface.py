@@ -45,9 +45,7 @@ def surface_extremum(coefficients: np.ndarray, reach: float, contrast: float = 1
     return float(x), float(y), bool(a3 < 0)
 
 
-def subpixel_maximum(
-    values: np.ndarray, row: int, column: int, reach: int = SURFACE_REACH_PX
-) -> tuple[float, float]:
+def subpixel_maximum(values: np.ndarray, row: int, column: int, reach: int = SURFACE_REACH_PX) -> tuple[float, float]:
     """Column and row of the maximum near a pixel of a field, sub-pixel; the field's pixel (r, c) lies at (c, r).
 
     Raises SurfaceError where there is none.

@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
@@ -22,7 +20,7 @@ from ...imagery.errors import RasterError, SettingsError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits, messages
 
@@ -124,87 +122,78 @@ class MeasureResolution(SeamInspectorAlgorithm):
             GRD_MEAN: tr("Geometric mean of both distances (cm)"),
         })
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._target(parameters, context).check()
-        self._width(parameters, context)
-        self._band(parameters, context, self.describe_north_up(parameters, RASTER, context))
+    def check(self, run: Run) -> None:
+        self._target(run).check()
+        self._width(run)
+        self._band(run, run.north_up(RASTER))
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._raster = self.describe_north_up(parameters, RASTER, context)
+    def prepare(self, run: Run) -> None:
+        self._raster = run.north_up(RASTER)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from .. import line_table
         from ..measure.bar_groups import judge_lines
         from ..measure.bar_lines import measure_line
 
-        raster, target = self._raster, self._target(parameters, context)
+        raster, target = self._raster, self._target(run)
         target.check()
-        width, band = self._width(parameters, context), self._band(parameters, context, raster)
-        self.check_chart(parameters, context)
-        lines = self.source(parameters, GROUPS, context)
+        width, band = self._width(run), self._band(run, raster)
+        run.check_chart()
+        lines = run.source(GROUPS)
         line_table.check_fields(lines.fields().names())
         count = lines.featureCount()
         if count == 0:
             raise SettingsError(messages.NO_BAR_LINES())
         crs = layers.mosaic_crs(raster)
-        transform = common.transform(lines, crs, context)
+        transform = run.transform(lines, crs)
         measured: list[MeasuredLine] = []
         for row in layers.features(lines):
-            if feedback.isCanceled():
+            if run.is_cancelled():
                 break
             line = line_table.bar_line(row, raster.grid, transform)
             measured.append(measure_line(raster, line, target.bars, width, band))
-            feedback.setProgress(90 * len(measured) / max(count, 1))
+            run.progress(0.9 * len(measured) / max(count, 1))
         resolution = judge_lines(raster, measured, target)
-        tell(feedback, *resolution.notices)
+        run.tell(*resolution.notices)
         for result in resolution.results:
             if result.reason is not None:
                 where = f"{result.measured.line.group} {result.measured.line.direction} {result.band}".strip()
-                tell(feedback, imagery_messages.ABOUT(what=where, why=result.reason))
-        sink, destination = self.sink(
-            parameters, OUTPUT, context, line_table.result_fields(), QgsWkbTypes.Type.LineString, crs
-        )
-        self.write(sink, line_table.result_features(resolution.results, raster.grid))
+                run.tell(imagery_messages.ABOUT(what=where, why=result.reason))
+        sink, destination = run.sink(OUTPUT, line_table.result_fields(), QgsWkbTypes.Type.LineString, crs)
+        run.write(sink, line_table.result_features(resolution.results, raster.grid))
         return {
             OUTPUT: destination,
             GRD_ALONG: resolution.worst("along"),
             GRD_ACROSS: resolution.worst("across"),
             GRD_MEAN: resolution.mean,
-            **self.save(
-                parameters, common.CHART, context, feedback, lambda path: _save_chart(path, resolution, target)
-            ),
-            **self.save(
-                parameters, common.REPORT, context, feedback,
-                lambda path: _save_report(path, raster, resolution, target),
-            ),
+            **run.save(common.CHART, lambda path: _save_chart(path, resolution, target)),
+            **run.save(common.REPORT, lambda path: _save_report(path, raster, resolution, target)),
         }
 
-    def _target(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Target:
+    def _target(self, run: Run) -> Target:
         from ..measure.target import Target
 
         return Target(
-            self.parameterAsInt(parameters, BARS, context),
-            self.parameterAsInt(parameters, REFERENCE_GROUP, context),
-            self.parameterAsDouble(parameters, REFERENCE_GRD, context),
-            self.parameterAsDouble(parameters, STEP, context),
-            self.parameterAsDouble(parameters, CRITERION, context),
-            self.parameterAsBool(parameters, REVERSED, context),
+            run.whole(BARS),
+            run.whole(REFERENCE_GROUP),
+            run.real(REFERENCE_GRD),
+            run.real(STEP),
+            run.real(CRITERION),
+            run.flag(REVERSED),
         )
 
-    def _width(self, parameters: dict[str, Any], context: QgsProcessingContext) -> float:
-        width = self.parameterAsDouble(parameters, WIDTH, context)
+    def _width(self, run: Run) -> float:
+        width = run.real(WIDTH)
         if not 0 <= width <= limits.MAX_BAR_LINE_PX:
             raise SettingsError(messages.BAR_WIDTH_OUT_OF_RANGE(width=width, most=limits.MAX_BAR_LINE_PX))
         return float(width)
 
-    def _band(self, parameters: dict[str, Any], context: QgsProcessingContext, raster: Raster) -> int | None:
+    def _band(self, run: Run, raster: Raster) -> int | None:
         """Where the band stands among those that are measured; None for all."""
         from ...imagery.open_raster import OpenRaster
 
-        number = self.parameterAsInt(parameters, BAND, context)
+        number = run.whole(BAND)
         if number < 0:
             count = len(raster.band_names)
             raise RasterError(imagery_messages.BAND_NOT_THERE(name=raster.ref.name, band=number, count=count))

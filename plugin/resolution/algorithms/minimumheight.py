@@ -5,8 +5,6 @@ from typing import Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
@@ -18,7 +16,7 @@ from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.attribute_values import text
 from ...toolkit.translation import tr
 from ..measure import messages
@@ -76,49 +74,47 @@ class MinimumHeight(SeamInspectorAlgorithm):
         )
         self.addNumbers({GROUP_COUNT: tr("Groups")})
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    def check(self, run: Run) -> None:
         from ..measure.minimum_height import check_heights
 
-        check_heights(*self._limits(parameters, context))
+        check_heights(*self._limits(run))
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from .. import height_tables
         from ..measure.minimum_height import check_heights, minimum_heights
 
-        required, reference = self._limits(parameters, context)
+        required, reference = self._limits(run)
         check_heights(required, reference)
-        source = self.source(parameters, OBSERVATIONS, context)
+        source = run.source(OBSERVATIONS)
         names = source.fields().names()
         height_tables.check_fields(names)
-        keys = height_tables.key_fields(names, self.parameterAsBool(parameters, BY_HEIGHT, context))
+        keys = height_tables.key_fields(names, run.flag(BY_HEIGHT))
         observations = []
         for number, row in enumerate(layers.features(source), 1):
-            if feedback.isCanceled():
+            if run.is_cancelled():
                 break
             observation, fault = height_tables.observation(row, keys)
             if fault is not None or observation is None:
-                tell(feedback, messages.OBSERVATIONS_LEFT_OUT(row=number, why=fault))
+                run.tell(messages.OBSERVATIONS_LEFT_OUT(row=number, why=fault))
             else:
                 observations.append(observation)
         if not observations:
             raise SettingsError(messages.NO_OBSERVATIONS())
         results = minimum_heights(observations, required, reference)
-        sink, destination = self.sink(parameters, OUTPUT, context, height_tables.height_fields(keys))
-        self.write(sink, (height_tables.height_feature(result, keys) for result in results))
-        passes, passes_id = self.optional_sink(parameters, HEIGHTS, context, height_tables.pass_fields(keys))
-        self.write(passes, (height_tables.pass_feature(one, keys, required) for one in observations))
+        sink, destination = run.sink(OUTPUT, height_tables.height_fields(keys))
+        run.write(sink, (height_tables.height_feature(result, keys) for result in results))
+        passes, passes_id = run.optional_sink(HEIGHTS, height_tables.pass_fields(keys))
+        run.write(passes, (height_tables.pass_feature(one, keys, required) for one in observations))
         for result in results:
             name = ", ".join(result.key) or tr("all passes")
-            feedback.pushInfo(f"{name}: {result.mean_m:.1f} m")
+            run.inform(f"{name}: {result.mean_m:.1f} m")
             if result.notice is not None:
-                tell(feedback, imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
+                run.tell(imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
         return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
 
-    def _limits(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[float, float | None]:
+    def _limits(self, run: Run) -> tuple[float, float | None]:
         """The required distance in cm, and the reference height in m where one is given."""
-        given = parameters.get(REFERENCE_HEIGHT)
-        reference = self.parameterAsDouble(parameters, REFERENCE_HEIGHT, context) if text(given) else None
-        return self.parameterAsDouble(parameters, REQUIRED_GRD, context), reference
+        given = run.parameters.get(REFERENCE_HEIGHT)
+        reference = run.real(REFERENCE_HEIGHT) if text(given) else None
+        return run.real(REQUIRED_GRD), reference

@@ -4,8 +4,6 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
 )
@@ -14,6 +12,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits
 
@@ -54,32 +53,30 @@ class SimulateBayer(SeamInspectorAlgorithm):
             tr("Red, green and blue on the image's own pixels, in its data type."),
         )
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    def check(self, run: Run) -> None:
         from ..measure.bayer import check_demosaic
 
-        check_demosaic(*self._ways(parameters, context))
-        self.describe_north_up(parameters, RASTER, context)
+        check_demosaic(*self._ways(run))
+        run.north_up(RASTER)
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._raster = self.describe_north_up(parameters, RASTER, context)
+    def prepare(self, run: Run) -> None:
+        self._raster = run.north_up(RASTER)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ..measure.bayer import simulate_file
 
-        path = self.parameterAsOutputLayer(parameters, OUTPUT, context)
+        path = run.layer_path(OUTPUT)
 
         def progress(share: float) -> bool:
-            feedback.setProgress(100 * share)
-            return not feedback.isCanceled()
+            run.progress(share)
+            return not run.is_cancelled()
 
-        simulate_file(self._raster, path, *self._ways(parameters, context), progress)
+        simulate_file(self._raster, path, *self._ways(run), progress)
         return {OUTPUT: path}
 
-    def _ways(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[str, str]:
+    def _ways(self, run: Run) -> tuple[str, str]:
         """Pattern and interpolation."""
         return (
-            self.parameterAsString(parameters, PATTERN, context),
-            self.parameterAsString(parameters, DEMOSAIC, context),
+            run.text(PATTERN),
+            run.text(DEMOSAIC),
         )

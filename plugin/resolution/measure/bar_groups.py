@@ -188,9 +188,7 @@ def _runs_backwards(seen: Sequence[tuple[float, float]]) -> bool:
     return slope < -0.5
 
 
-def _without_spurious(
-    results: Sequence[GroupResult],
-) -> tuple[list[GroupResult], dict[tuple[str, str], float | None]]:
+def _without_spurious(results: Sequence[GroupResult]) -> tuple[list[GroupResult], dict[tuple[str, str], float | None]]:
     """Groups that are finer than one that is not resolved put out of count; the finest that is left, in cm."""
     judged = list(results)
     distances: dict[tuple[str, str], float | None] = {}

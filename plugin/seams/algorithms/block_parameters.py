@@ -3,14 +3,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingAlgorithm, QgsProcessingContext
+from qgis.core import QgsCoordinateReferenceSystem
 
 from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import TellOnce
+from ...toolkit.algorithms.run import Run
 from ..measure import messages
 
 if TYPE_CHECKING:
@@ -33,30 +32,22 @@ class GivenSources:
     """The file of SOURCE_INDEX; empty for a layer in memory, or none at all."""
 
 
-def check_sources(parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+def check_sources(run: Run) -> None:
     """Raise SettingsError when neither SOURCES nor SOURCE_INDEX names any."""
-    if not common.raster_values(parameters, common.SOURCES, context) and not parameters.get(common.SOURCE_INDEX):
+    if not run.raster_values(common.SOURCES) and not run.parameters.get(common.SOURCE_INDEX):
         raise SettingsError(messages.NO_SOURCES_GIVEN())
 
 
-def given_sources(
-    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> GivenSources:
+def given_sources(run: Run) -> GivenSources:
     """What the layers of SOURCES and SOURCE_INDEX say of their files; to be asked in their thread."""
     from ...toolkit.layers import layer_path
 
-    refs, left_out = common.raster_refs(parameters, common.SOURCES, context)
-    index = algorithm.parameterAsVectorLayer(parameters, common.SOURCE_INDEX, context)
+    refs, left_out = run.raster_refs(common.SOURCES)
+    index = run.vector_layer(common.SOURCE_INDEX)
     return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
 
 
-def indexed_sources(
-    algorithm: SeamInspectorAlgorithm,
-    parameters: dict[str, Any],
-    context: QgsProcessingContext,
-    given: GivenSources,
-    crs: QgsCoordinateReferenceSystem,
-) -> list[Source]:
+def indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceSystem) -> list[Source]:
     """The orthoimages of SOURCE_INDEX with their footprints in a reference system; none where it is not given.
 
     Raises SettingsError when the layer is no such index.
@@ -64,28 +55,20 @@ def indexed_sources(
     from ...toolkit import layers
     from ..tables import source_index
 
-    if not parameters.get(common.SOURCE_INDEX):
+    if not run.parameters.get(common.SOURCE_INDEX):
         return []
-    index = algorithm.source(parameters, common.SOURCE_INDEX, context)
-    transform = common.transform(index, crs, context)
+    index = run.source(common.SOURCE_INDEX)
+    transform = run.transform(index, crs)
     return source_index.indexed_sources(layers.features(index), index.fields().names(), given.index_path, transform)
 
 
-def given_block(
-    algorithm: SeamInspectorAlgorithm,
-    parameters: dict[str, Any],
-    context: QgsProcessingContext,
-    mosaic: Raster,
-    given: GivenSources,
-    once: TellOnce,
-    cells: Iterable[Cell] = (),
-) -> Block:
+def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[Cell] = ()) -> Block:
     """Mosaic and sources; warns of those left out. Raises SettingsError when none is named at all."""
     from ...toolkit.layers import mosaic_crs
     from ..measure.inspection import make_block
 
-    indexed = indexed_sources(algorithm, parameters, context, given, mosaic_crs(mosaic))
-    once.tell(given.left_out)
+    indexed = indexed_sources(run, given, mosaic_crs(mosaic))
+    run.tell_once(given.left_out)
     block, notices = make_block(mosaic, given.refs, indexed, cells)
-    once.tell(notices)
+    run.tell_once(notices)
     return block

@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
 )
@@ -16,7 +14,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
 
@@ -81,33 +79,29 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             WANTED_COUNT: tr("Verdicts wanted"),
         })
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ..measure.threshold_calibration import calibrate
         from ..tables import calibration_table
 
-        self.check_chart(parameters, context)
+        run.check_chart()
         found = []
-        for verdicts in self._verdicts(parameters, context, feedback):
+        for verdicts in self._verdicts(run):
             most = float("inf") if verdicts.measure == "contrast_1" else _HIGHEST_RATIO
             found.append(calibrate(verdicts, most))
-            tell(feedback, *found[-1].notices)
-        output, output_id = self.sink(parameters, OUTPUT, context, calibration_table.calibration_fields())
+            run.tell(*found[-1].notices)
+        output, output_id = run.sink(OUTPUT, calibration_table.calibration_fields())
         for one in found:
-            self.write(output, calibration_table.calibration_features(one))
-        chart = self.save(parameters, common.CHART, context, feedback, lambda path: _save_chart(path, found))
+            run.write(output, calibration_table.calibration_features(one))
+        chart = run.save(common.CHART, lambda path: _save_chart(path, found))
         return {OUTPUT: output_id, **_numbers(found[0]), **chart}
 
-    def _verdicts(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> list[Verdicts]:
+    def _verdicts(self, run: Run) -> list[Verdicts]:
         """The measures that are there, ratio_1 first, in the judged windows."""
         from ...toolkit import layers
         from ..measure.window_records import contrast_of
         from ..tables.record_tables import check_inspected, read_pairs, read_windows
 
-        windows = self.source(parameters, WINDOWS, context)
+        windows = run.source(WINDOWS)
         names = windows.fields().names()
         if "observer" not in names:
             raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="observer"))
@@ -117,30 +111,28 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             judged += [window] if window.observer in ("visible", "invisible") else []
             unknown += window.observer not in ("visible", "invisible", "")
         if unknown:
-            tell(feedback, messages.VERDICTS_UNKNOWN(count=unknown))
+            run.tell(messages.VERDICTS_UNKNOWN(count=unknown))
         measures = {"ratio_1": [(window, window.ratio) for window in judged]}
         if "composite_ratio_1" in names:
             measures["composite_ratio_1"] = [(window, window.composite_ratio) for window in judged]
-        if parameters.get(PAIRS):
-            table = self.source(parameters, PAIRS, context)
+        if run.parameters.get(PAIRS):
+            table = run.source(PAIRS)
             pairs = read_pairs(layers.features(table), table.fields().names())
             if "contrast_1" in table.fields().names():
                 measures["contrast_1"] = [(one, contrast_of(pairs.get(one.window_id, ()))) for one in judged]
             else:  # of an earlier version
-                tell(feedback, messages.PAIRS_WITHOUT_CONTRAST())
-        return [self._measured(measure, values, feedback) for measure, values in measures.items()]
+                run.tell(messages.PAIRS_WITHOUT_CONTRAST())
+        return [self._measured(measure, values, run) for measure, values in measures.items()]
 
     @staticmethod
-    def _measured(
-        measure: str, values: list[tuple[WindowRecord, float | None]], feedback: QgsProcessingFeedback
-    ) -> Verdicts:
+    def _measured(measure: str, values: list[tuple[WindowRecord, float | None]], run: Run) -> Verdicts:
         """The windows where the measure has a value, by the observer's word."""
         from ..measure.threshold_calibration import Verdicts
 
         known = [(window.observer, value) for window, value in values if value is not None]
         if len(known) < len(values):
             missing = len(values) - len(known)
-            tell(feedback, messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing))
+            run.tell(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing))
         groups = (tuple(value for word, value in known if word == one) for one in ("visible", "invisible"))
         return Verdicts(measure, *groups)
 

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterString,
@@ -21,7 +19,7 @@ from ...imagery.errors import SettingsError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import TellOnce, tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
@@ -115,18 +113,16 @@ class InspectWindows(SeamInspectorAlgorithm):
             NOT_COMPARABLE_COUNT: tr("Windows that can't be compared"),
         })
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._settings(parameters, context).check()
-        self.describe_mosaic(parameters, context)
-        check_sources(parameters, context)
+    def check(self, run: Run) -> None:
+        self._settings(run).check()
+        run.mosaic()
+        check_sources(run)
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._mosaic = self.describe_mosaic(parameters, context)
-        self._given = given_sources(self, parameters, context)
+    def prepare(self, run: Run) -> None:
+        self._mosaic = run.mosaic()
+        self._given = given_sources(run)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_fields
@@ -134,43 +130,42 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..measure.window_runs import inspect_windows
         from ..tables import result_tables
 
-        settings = self._settings(parameters, context)
+        settings = self._settings(run)
         settings.check()
-        windows = self.source(parameters, WINDOWS, context)
+        windows = run.source(WINDOWS)
         if windows.featureCount() == 0:
             raise SettingsError(toolkit_messages.NO_WINDOWS())
-        once = TellOnce(feedback)
-        cells = self._cells(parameters, context)
-        block = given_block(self, parameters, context, self._mosaic, self._given, once, cells)
+        cells = self._cells(run)
+        block = given_block(run, self._mosaic, self._given, cells)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
-        drawn = WindowFeatures(windows, crs, context)
+        drawn = WindowFeatures(windows, crs, run)
 
         verdicts: Counter[Verdict] = Counter()
-        with open_executor(self.parameterAsString(parameters, SCHEDULER, context)) as (executor, ahead):
+        with open_executor(run.text(SCHEDULER)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
-            output, output_id = self.sink(
-                parameters, OUTPUT, context, result_tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
+            output, output_id = run.sink(
+                OUTPUT, result_tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
             )
             curve_fields = column_fields(result_tables.CURVE_COLUMNS)
             pair_fields = column_fields(result_tables.PAIR_COLUMNS, settings.levels)
-            curves, curves_id = self.optional_sink(parameters, CURVES, context, curve_fields)
-            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, pair_fields)
-            for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, feedback.isCanceled):
+            curves, curves_id = run.optional_sink(CURVES, curve_fields)
+            pairs, pairs_id = run.optional_sink(PAIRS, pair_fields)
+            for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, run.is_cancelled):
                 geometry, observer = drawn.taken(result.window_id)
                 if result.window is not None:
                     geometry = layers.rectangle(grid.window_extent(result.window))
-                self.write(output, [result_tables.window_feature(result, geometry, observer)])
-                self.write(curves, result_tables.curve_features(result))
-                self.write(pairs, result_tables.pair_features(result))
-                once.tell(result.notices)
+                run.write(output, [result_tables.window_feature(result, geometry, observer)])
+                run.write(curves, result_tables.curve_features(result))
+                run.write(pairs, result_tables.pair_features(result))
+                run.tell_once(result.notices)
                 if result.judgement.reason is not None:
-                    tell(feedback, imagery_messages.ABOUT(what=result.window_id, why=result.judgement.reason))
+                    run.tell(imagery_messages.ABOUT(what=result.window_id, why=result.judgement.reason))
                 verdicts[result.judgement.verdict] += 1
-                feedback.setProgress(100 * sum(verdicts.values()) / drawn.count)
+                run.progress(sum(verdicts.values()) / drawn.count)
         if drawn.renumbered:
-            tell(feedback, messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
-        feedback.pushInfo(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
-        self.style(output_id, style_path("windows"), context)
+            run.tell(messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
+        run.inform(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
+        run.style(output_id, style_path("windows"))
         return {
             OUTPUT: output_id,
             CURVES: curves_id,
@@ -180,26 +175,26 @@ class InspectWindows(SeamInspectorAlgorithm):
             NOT_COMPARABLE_COUNT: verdicts[Verdict.NOT_COMPARABLE],
         }
 
-    def _settings(self, parameters: dict[str, Any], context: QgsProcessingContext) -> InspectionSettings:
+    def _settings(self, run: Run) -> InspectionSettings:
         from ..measure.inspection import InspectionSettings
 
         return InspectionSettings(
-            *self.decomposition(parameters, context),
-            self.parameterAsDouble(parameters, common.MAX_RATIO, context),
-            self.parameterAsString(parameters, REFERENCE, context),
+            *run.decomposition(),
+            run.real(common.MAX_RATIO),
+            run.text(REFERENCE),
         )
 
-    def _cells(self, parameters: dict[str, Any], context: QgsProcessingContext) -> list[Cell]:
+    def _cells(self, run: Run) -> list[Cell]:
         from ...toolkit import layers
         from ..tables import seam_cell_layer
 
-        if not parameters.get(CELLS):
+        if not run.parameters.get(CELLS):
             return []
-        cells = self.source(parameters, CELLS, context)
+        cells = run.source(CELLS)
         if "source" not in cells.fields().names():
             raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
         crs = layers.mosaic_crs(self._mosaic)
-        transform = common.transform(cells, crs, context)
+        transform = run.transform(cells, crs)
         return seam_cell_layer.seam_cells(layers.features(cells), transform)
 
     @staticmethod

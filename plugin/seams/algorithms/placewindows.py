@@ -5,8 +5,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsWkbTypes,
@@ -16,7 +14,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...imagery import limits as imagery_limits
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import limits
@@ -66,17 +64,15 @@ class PlaceWindows(SeamInspectorAlgorithm):
             tr("The windows, with the number of their seam and their station along it in metres."),
         )
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    def check(self, run: Run) -> None:
         from ..measure.window_placing import window_side_px
 
-        window_side_px(self.describe_mosaic(parameters, context).grid, *self._measures(parameters, context))
+        window_side_px(run.mosaic().grid, *self._measures(run))
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._mosaic = self.describe_mosaic(parameters, context)
+    def prepare(self, run: Run) -> None:
+        self._mosaic = run.mosaic()
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ...imagery.lines.seamlines import find_seams
         from ...imagery.open_raster import OpenRaster
         from ...toolkit import layers
@@ -84,42 +80,40 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ..measure.window_placing import place_windows
         from ..tables.result_tables import PLACED_COLUMNS
 
-        seamlines = self.source(parameters, SEAMLINES, context)
+        seamlines = run.source(SEAMLINES)
         mosaic = self._mosaic
         crs = layers.mosaic_crs(mosaic)
-        transform = common.transform(seamlines, crs, context)
+        transform = run.transform(seamlines, crs)
         seams = find_seams(
             (layers.line_wkb(feature, transform) for feature in layers.features(seamlines)), mosaic.grid.pixel_width
         )
         source = OpenRaster(mosaic.ref)
 
         def is_valid(window: PixelWindow) -> bool:
-            return not feedback.isCanceled() and source.is_valid(window)
+            return not run.is_cancelled() and source.is_valid(window)
 
-        placement = place_windows(seams, mosaic.grid, *self._measures(parameters, context), is_valid)
-        if not feedback.isCanceled():
-            tell(feedback, *placement.dropped)
-        sink, destination = self.sink(
-            parameters, OUTPUT, context, column_fields(PLACED_COLUMNS), QgsWkbTypes.Type.Polygon, crs
-        )
+        placement = place_windows(seams, mosaic.grid, *self._measures(run), is_valid)
+        if not run.is_cancelled():
+            run.tell(*placement.dropped)
+        sink, destination = run.sink(OUTPUT, column_fields(PLACED_COLUMNS), QgsWkbTypes.Type.Polygon, crs)
         for done, placed in enumerate(placement.windows, 1):
-            if feedback.isCanceled():
+            if run.is_cancelled():
                 break
             geometry = layers.rectangle(mosaic.grid.window_extent(placed.window))
-            self.write(sink, [column_feature(PLACED_COLUMNS, placed, geometry=geometry)])
-            feedback.setProgress(100 * done / len(placement.windows))
-        feedback.pushInfo(
+            run.write(sink, [column_feature(PLACED_COLUMNS, placed, geometry=geometry)])
+            run.progress(done / len(placement.windows))
+        run.inform(
             tr("{windows} windows placed along {seams} seams.").format(
                 windows=len(placement.windows), seams=len(seams)
             )
         )
-        self.style(destination, style_path("placed_windows"), context)
+        run.style(destination, style_path("placed_windows"))
         return {OUTPUT: destination}
 
-    def _measures(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[float, float, int]:
+    def _measures(self, run: Run) -> tuple[float, float, int]:
         """Side and spacing in metres, and the levels."""
         return (
-            self.parameterAsDouble(parameters, SIDE, context),
-            self.parameterAsDouble(parameters, SPACING, context),
-            self.parameterAsInt(parameters, common.LEVELS, context),
+            run.real(SIDE),
+            run.real(SPACING),
+            run.whole(common.LEVELS),
         )

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
-    QgsProcessingContext,
     QgsProcessingFeatureSource,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsWkbTypes,
@@ -22,7 +20,7 @@ from ...imagery.errors import RasterError, SettingsError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import TellOnce, tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
@@ -74,18 +72,16 @@ class PredictLoss(SeamInspectorAlgorithm):
         )
         self.addNumbers({WINDOW_COUNT: tr("Windows"), NOT_COMPARABLE_COUNT: tr("Windows that can't be compared")})
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    def check(self, run: Run) -> None:
         from ...imagery.wavelets import check_decomposition
 
-        check_decomposition(*self.decomposition(parameters, context))
-        check_sources(parameters, context)
+        check_decomposition(*run.decomposition())
+        check_sources(run)
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._given = given_sources(self, parameters, context)
+    def prepare(self, run: Run) -> None:
+        self._given = given_sources(run)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_feature, column_fields
@@ -93,43 +89,40 @@ class PredictLoss(SeamInspectorAlgorithm):
         from ..measure.window_runs import in_order
         from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS, forecast_pair_features
 
-        wavelet, levels = self.decomposition(parameters, context)
-        self.check(parameters, context)
-        windows = self.source(parameters, WINDOWS, context)
+        wavelet, levels = run.decomposition()
+        self.check(run)
+        windows = run.source(WINDOWS)
         if windows.featureCount() == 0:
             raise SettingsError(toolkit_messages.NO_WINDOWS())
-        once = TellOnce(feedback)
-        crs, wkt = self._system(windows, parameters, context)
-        sources = self._sources(parameters, crs, wkt, context, once)
-        drawn = WindowFeatures(windows, crs, context)
+        crs, wkt = self._system(windows, run)
+        sources = self._sources(run, crs, wkt)
+        drawn = WindowFeatures(windows, crs, run)
         requests = self._requests(drawn, sources, wkt, wavelet, levels)
 
         count = not_comparable = 0
         with open_executor() as (executor, ahead):
             polygons = column_fields(FORECAST_COLUMNS, levels), QgsWkbTypes.Type.Polygon, crs
-            output, output_id = self.sink(parameters, OUTPUT, context, *polygons)
+            output, output_id = run.sink(OUTPUT, *polygons)
             table = column_fields(FORECAST_PAIR_COLUMNS, levels)
-            pairs, pairs_id = self.optional_sink(parameters, PAIRS, context, table)
-            for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, feedback.isCanceled):
+            pairs, pairs_id = run.optional_sink(PAIRS, table)
+            for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, run.is_cancelled):
                 geometry, _observer = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
                     geometry = layers.rectangle(forecast.extent)
-                self.write(output, [column_feature(FORECAST_COLUMNS, forecast, levels, geometry)])
-                self.write(pairs, forecast_pair_features(forecast))
-                once.tell(forecast.notices)
+                run.write(output, [column_feature(FORECAST_COLUMNS, forecast, levels, geometry)])
+                run.write(pairs, forecast_pair_features(forecast))
+                run.tell_once(forecast.notices)
                 if forecast.reason is not None:
-                    tell(feedback, imagery_messages.ABOUT(what=forecast.window_id, why=forecast.reason))
+                    run.tell(imagery_messages.ABOUT(what=forecast.window_id, why=forecast.reason))
                 count += 1
                 not_comparable += forecast.reason is not None
-                feedback.setProgress(100 * count / drawn.count)
+                run.progress(count / drawn.count)
         if drawn.renumbered:
-            tell(feedback, messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
-        self.style(output_id, style_path("predicted_windows"), context)
+            run.tell(messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
+        run.style(output_id, style_path("predicted_windows"))
         return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 
-    def _system(
-        self, windows: QgsProcessingFeatureSource, parameters: dict[str, Any], context: QgsProcessingContext
-    ) -> tuple[QgsCoordinateReferenceSystem, str]:
+    def _system(self, windows: QgsProcessingFeatureSource, run: Run) -> tuple[QgsCoordinateReferenceSystem, str]:
         """The reference system of the first source that can be read, else the index layer's, else the windows'."""
         from ...imagery.open_raster import describe_placed
         from ...toolkit import layers
@@ -139,25 +132,18 @@ class PredictLoss(SeamInspectorAlgorithm):
                 raster = describe_placed(ref)
                 return layers.mosaic_crs(raster), raster.wkt
         crs = windows.sourceCrs()
-        if parameters.get(common.SOURCE_INDEX):
-            index = self.source(parameters, common.SOURCE_INDEX, context)
+        if run.parameters.get(common.SOURCE_INDEX):
+            index = run.source(common.SOURCE_INDEX)
             crs = index.sourceCrs() if index.sourceCrs().isValid() else crs
         return crs, layers.system_wkt(crs)
 
-    def _sources(
-        self,
-        parameters: dict[str, Any],
-        crs: QgsCoordinateReferenceSystem,
-        wkt: str,
-        context: QgsProcessingContext,
-        once: TellOnce,
-    ) -> list[Source]:
+    def _sources(self, run: Run, crs: QgsCoordinateReferenceSystem, wkt: str) -> list[Source]:
         from ..measure.source_images import gather_sources
 
-        indexed = indexed_sources(self, parameters, context, self._given, crs)
-        once.tell(self._given.left_out)
+        indexed = indexed_sources(run, self._given, crs)
+        run.tell_once(self._given.left_out)
         sources, notices = gather_sources(self._given.refs, indexed, wkt)
-        once.tell(notices)
+        run.tell_once(notices)
         return sources
 
     @staticmethod

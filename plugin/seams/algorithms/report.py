@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsFeature,
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterString,
@@ -19,7 +17,7 @@ from ...imagery.errors import SettingsError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import TellOnce, tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
 from .block_parameters import given_block, given_sources
@@ -78,70 +76,62 @@ class Report(SeamInspectorAlgorithm):
             tr("The page, one file."),
         )
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        if parameters.get(common.MOSAIC):
-            self.describe_mosaic(parameters, context)
+    def check(self, run: Run) -> None:
+        if run.parameters.get(common.MOSAIC):
+            run.mosaic()
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._mosaic = self.describe_mosaic(parameters, context) if parameters.get(common.MOSAIC) else None
-        self._given = given_sources(self, parameters, context)
+    def prepare(self, run: Run) -> None:
+        self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
+        self._given = given_sources(run)
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ..report.inspection_report import write_report
 
-        path = self.file_path(parameters, OUTPUT, context)
+        path = run.file_path(OUTPUT)
         if path is None:
             raise SettingsError(messages.NO_REPORT_FILE())
-        request = self._request(parameters, context, feedback)
-        notices = write_report(
-            path, request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled
-        )
-        tell(feedback, *notices or ())
+        request = self._request(run)
+        notices = write_report(path, request, run.progress, run.is_cancelled)
+        run.tell(*notices or ())
         return {} if notices is None else {OUTPUT: str(path)}
 
-    def _request(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> ReportRequest:
+    def _request(self, run: Run) -> ReportRequest:
         from ...toolkit import layers
         from ..measure.inspection import Block
         from ..report.inspection_report import ReportRequest
         from ..tables import record_tables
 
-        windows = self.source(parameters, WINDOWS, context)
+        windows = run.source(WINDOWS)
         if windows.featureCount() == 0:
             raise SettingsError(toolkit_messages.NO_WINDOWS())
         block, crs, transform = None, windows.sourceCrs(), None
         if self._mosaic is not None:
             block = Block(self._mosaic, ())
-            if self._given.refs or parameters.get(common.SOURCE_INDEX):
-                block = given_block(self, parameters, context, self._mosaic, self._given, TellOnce(feedback))
+            if self._given.refs or run.parameters.get(common.SOURCE_INDEX):
+                block = given_block(run, self._mosaic, self._given)
             crs = layers.mosaic_crs(self._mosaic)
-            transform = common.transform(windows, crs, context)
+            transform = run.transform(windows, crs)
         names = windows.fields().names()
         record_tables.check_inspected(names)
         found = record_tables.read_windows(layers.features(windows), names, transform)
-        curves = self._rows(parameters, CURVES, context)
-        pairs = self._rows(parameters, PAIRS, context)
+        curves = self._rows(run, CURVES)
+        pairs = self._rows(run, PAIRS)
         return ReportRequest(
             tuple(found),
             curves=record_tables.read_curves(*curves) if curves else {},
             pairs=record_tables.read_pairs(*pairs) if pairs else {},
             block=block,
             wkt=layers.system_wkt(crs),
-            title=self.parameterAsString(parameters, TITLE, context).strip(),
+            title=run.text(TITLE).strip(),
             name=windows.sourceName(),
-            max_ratio=self.parameterAsDouble(parameters, common.MAX_RATIO, context),
+            max_ratio=run.real(common.MAX_RATIO),
         )
 
-    def _rows(
-        self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
-    ) -> tuple[Iterator[QgsFeature], list[str]] | None:
+    def _rows(self, run: Run, name: str) -> tuple[Iterator[QgsFeature], list[str]] | None:
         """The rows of an optional table and its fields."""
         from ...toolkit import layers
 
-        if not parameters.get(name):
+        if not run.parameters.get(name):
             return None
-        table = self.source(parameters, name, context)
+        table = run.source(name)
         return layers.features(table), table.fields().names()

@@ -6,15 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingOutputString,
     QgsProcessingParameterFeatureSink,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import sentence, tr
 from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm, image_box
@@ -54,36 +52,34 @@ class CompareSensorModels(SensorAlgorithm):
         self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
         self.addNumbers({MODEL_COUNT: tr("Models judged")})
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from .. import point_tables
         from ..measure import comparison, point_heights
         from ..measure.control_coverage import control_coverage, coverage_warnings
 
         image = self._image()
-        rpc = self._rpc(parameters, sensor_parameters.IMAGE_RPC, context, feedback, image)
-        points = self._points(parameters, context, feedback, image)
+        rpc = self._rpc(run, sensor_parameters.IMAGE_RPC, image)
+        points = self._points(run, image)
         size = (float(image.columns), float(image.rows)) if image is not None else None
         notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
-        tell(feedback, *notices)
+        run.tell(*notices)
         result = comparison.compare(
             points,
-            comparison.all_requests(rpc, self._orbit_height_m(parameters, context, image), size),
-            self.parameterAsBool(parameters, sensor_parameters.ROBUST, context),
+            comparison.all_requests(rpc, self._orbit_height_m(run, image), size),
+            run.flag(sensor_parameters.ROBUST),
             point_heights.is_flat(points),
-            lambda share: feedback.setProgress(100 * share),
-            feedback.isCanceled,
+            run.progress,
+            run.is_cancelled,
         )
-        sink, output = self.sink(parameters, OUTPUT, context, point_tables.comparison_fields())
-        self.write(sink, point_tables.comparison_features(result))
-        tell(feedback, result.reason)
+        sink, output = run.sink(OUTPUT, point_tables.comparison_fields())
+        run.write(sink, point_tables.comparison_features(result))
+        run.tell(result.reason)
         return {
             OUTPUT: output,
             RECOMMENDED: result.recommended.request.name if result.recommended is not None else "",
             RECOMMENDATION: sentence(result.reason),
             MODEL_COUNT: sum(row.errors is not None for row in result.rows),
-            **self.save(parameters, common.REPORT, context, feedback, lambda path: _save_report(path, result, notices)),
+            **run.save(common.REPORT, lambda path: _save_report(path, result, notices)),
         }
 
 

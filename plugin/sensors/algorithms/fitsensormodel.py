@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFileDestination,
@@ -21,7 +19,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import SensorModelError
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.models import registry
@@ -107,34 +105,30 @@ class FitSensorModel(SensorAlgorithm):
             CONDITION: tr("Condition number"),
         })
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from .. import point_tables
         from ..measure.adjustment import adjust
         from ..measure.control_coverage import control_coverage, coverage_warnings
 
         image = self._image()
-        request = self._request(parameters, context, feedback, image)
-        points = self._points(parameters, context, feedback, image, request)
-        done = adjust(request, points, self.parameterAsBool(parameters, sensor_parameters.ROBUST, context))
+        request = self._request(run, image)
+        points = self._points(run, image, request)
+        done = adjust(request, points, run.flag(sensor_parameters.ROBUST))
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
         notices = self._notices(done) + coverage_warnings(coverage)
-        tell(feedback, *notices)
-        feedback.setProgress(60)
+        run.tell(*notices)
+        run.progress(0.6)
         crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
         if not crs.isValid():
             crs = QgsCoordinateReferenceSystem(points.wkt)
-        sink, output = self.sink(
-            parameters, OUTPUT, context, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs
-        )
-        self.write(sink, point_tables.residual_features(done))
+        sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)
+        run.write(sink, point_tables.residual_features(done))
         domain = self._domain(image, points)
         def write_rpc(path: Path) -> bool:
             notice, written = self._save_rpc(done, domain, path)
             notices.append(notice)
-            tell(feedback, notice)
+            run.tell(notice)
             return written
 
         def write_report(path: Path) -> None:
@@ -146,36 +140,30 @@ class FitSensorModel(SensorAlgorithm):
         for name, write in (
             (MODEL_FILE, partial(self._save_model, done, domain)), (RPC, write_rpc), (common.REPORT, write_report)
         ):
-            results.update(self.save(parameters, name, context, feedback, write))
+            results.update(run.save(name, write))
         control, check = done.control, done.check
         for group, errors in (("CHECK", check), ("CONTROL", control)):
             for name, value in zip(_ERRORS, (errors.rmse_x, errors.rmse_y, errors.max_x, errors.max_y)):
                 results[f"{group}_{name}"] = value
             if errors.count:
-                feedback.pushInfo(_errors_told(group, errors))
+                run.inform(_errors_told(group, errors))
         condition = done.fitted.condition
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
         return results
 
-    def _request(
-        self,
-        parameters: dict[str, Any],
-        context: QgsProcessingContext,
-        feedback: QgsProcessingFeedback,
-        image: OpenRaster | None,
-    ) -> ModelRequest:
-        kind = registry.KINDS[self.parameterAsString(parameters, MODEL, context)]
+    def _request(self, run: Run, image: OpenRaster | None) -> ModelRequest:
+        kind = registry.KINDS[run.text(MODEL)]
         rpc = None
         if kind.corrects_rpc:
-            rpc = self._rpc(parameters, sensor_parameters.IMAGE_RPC, context, feedback, image)
+            rpc = self._rpc(run, sensor_parameters.IMAGE_RPC, image)
             if rpc is None:
                 raise SensorModelError(messages.NO_RPC())
         return kind.request(
-            str(self.parameterAsInt(parameters, ORDER, context)),
-            self.parameterAsString(parameters, BIAS, context),
-            "xy" if self.parameterAsBool(parameters, DLT_XY, context) else "",
-            orbit_height_m=self._orbit_height_m(parameters, context, image),
+            str(run.whole(ORDER)),
+            run.text(BIAS),
+            "xy" if run.flag(DLT_XY) else "",
+            orbit_height_m=self._orbit_height_m(run, image),
             size=(float(image.columns), float(image.rows)) if image is not None else None,
             rpc=rpc,
         )

@@ -5,8 +5,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterCrs,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFile,
@@ -17,7 +15,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import SensorModelError, SettingsError
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.feedback import tell
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits, messages
 from . import sensor_parameters
@@ -100,54 +98,52 @@ class Orthorectify(SensorAlgorithm):
             UNCOVERED: tr("Share of the image without terrain heights"),
         })
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+    def check(self, run: Run) -> None:
         from ..measure.sensor_images import open_image
 
-        open_image(common.required_raster(parameters, sensor_parameters.IMAGE, context))
-        given = parameters.get(HEIGHT) not in (None, "")
-        if given == bool(parameters.get(sensor_parameters.DEM)):
+        open_image(run.required_raster(sensor_parameters.IMAGE))
+        given = run.parameters.get(HEIGHT) not in (None, "")
+        if given == bool(run.parameters.get(sensor_parameters.DEM)):
             raise SettingsError(messages.DEM_AND_HEIGHT() if given else messages.NO_DEM())
 
-    def execute(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
+    def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit.layers import box_extent, system_wkt
         from ..measure.orthorectification import OrthoRequest, orthorectify
 
-        self.check(parameters, context)
+        self.check(run)
         assert self._image_ref is not None
         image = self._image()
         assert image is not None
-        model, wkt, domain = self._model(parameters, context, feedback, image)
-        target = self.parameterAsCrs(parameters, CRS, context)
+        model, wkt, domain = self._model(run, image)
+        target = run.crs(CRS)
         extent = None
-        if parameters.get(EXTENT):
+        if run.parameters.get(EXTENT):
             if not target.isValid():
-                target = self.parameterAsExtentCrs(parameters, EXTENT, context)
+                target = run.extent_crs(EXTENT)
             if not target.isValid():
                 raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
-            extent = box_extent(self.parameterAsExtent(parameters, EXTENT, context, target))
-        size = parameters.get(PIXEL_SIZE)
-        height = parameters.get(HEIGHT)
-        output = Path(self.parameterAsOutputLayer(parameters, OUTPUT, context))
+            extent = box_extent(run.extent(EXTENT, target))
+        size = run.parameters.get(PIXEL_SIZE)
+        height = run.parameters.get(HEIGHT)
+        output = Path(run.layer_path(OUTPUT))
         request = OrthoRequest(
             self._image_ref,
             model,
             wkt,
             domain,
             self._dem,
-            self.parameterAsString(parameters, sensor_parameters.DEM_HEIGHTS, context),
-            None if height in (None, "") else self.parameterAsDouble(parameters, HEIGHT, context),
+            run.text(sensor_parameters.DEM_HEIGHTS),
+            None if height in (None, "") else run.real(HEIGHT),
             output,
             system_wkt(target),
-            None if size in (None, "") else self.parameterAsDouble(parameters, PIXEL_SIZE, context),
+            None if size in (None, "") else run.real(PIXEL_SIZE),
             extent,
-            self.parameterAsString(parameters, RESAMPLING, context),
-            self.parameterAsString(parameters, FORMAT, context),
+            run.text(RESAMPLING),
+            run.text(FORMAT),
         )
-        made = orthorectify(request, lambda share: feedback.setProgress(100 * share), feedback.isCanceled)
-        tell(feedback, *made.notices)
-        feedback.pushInfo(
+        made = orthorectify(request, run.progress, run.is_cancelled)
+        run.tell(*made.notices)
+        run.inform(
             tr(
                 "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."
             ).format(
@@ -156,25 +152,19 @@ class Orthorectify(SensorAlgorithm):
         )
         return {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
 
-    def _model(
-        self,
-        parameters: dict[str, Any],
-        context: QgsProcessingContext,
-        feedback: QgsProcessingFeedback,
-        image: OpenRaster,
-    ) -> tuple[SensorModel, str, Domain]:
+    def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain]:
         """The model in the image's own pixels, the system it is in, and where it is used."""
         from ..measure.ground_system import WGS84
         from ..measure.models.model_file import load_model
         from ..measure.orthorectification import rpc_domain
 
-        path = self.parameterAsFile(parameters, MODEL_FILE, context)
-        if path and self.parameterAsFile(parameters, RPC, context):
+        path = run.path(MODEL_FILE)
+        if path and run.path(RPC):
             raise SettingsError(messages.MODEL_AND_RPC())
         if path:
             file = load_model(Path(path))
             return file.model, file.wkt, file.domain
-        rpc = self._rpc(parameters, RPC, context, feedback, image)
+        rpc = self._rpc(run, RPC, image)
         if rpc is None:
             raise SensorModelError(messages.NO_RPC())
         return rpc, WGS84, rpc_domain(rpc, image.raster)

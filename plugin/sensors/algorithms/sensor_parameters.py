@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterCrs,
     QgsProcessingParameterFeatureSource,
@@ -21,8 +19,8 @@ from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.feedback import tell
 from ...toolkit.algorithms.parameters import Described
+from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits, messages
 
@@ -97,45 +95,38 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             given[GCPS] = QgsVectorLayer("Point?crs=EPSG:4326", "points", "memory")
         return given
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        self._image_ref = common.raster(parameters, IMAGE, context)
-        self._dem = common.raster(parameters, DEM, context)
+    def prepare(self, run: Run) -> None:
+        self._image_ref = run.raster(IMAGE)
+        self._dem = run.raster(DEM)
 
     def _image(self) -> OpenRaster | None:
         from ..measure.sensor_images import open_image
 
         return open_image(self._image_ref) if self._image_ref is not None else None
 
-    def _points(
-        self,
-        parameters: dict[str, Any],
-        context: QgsProcessingContext,
-        feedback: QgsProcessingFeedback,
-        image: OpenRaster | None,
-        request: ModelRequest | None = None,
-    ) -> Points:
+    def _points(self, run: Run, image: OpenRaster | None, request: ModelRequest | None = None) -> Points:
         """The points with roles, and heights where the model (None: any model) needs them."""
         from ...toolkit.layers import system_wkt
         from .. import point_tables
         from ..measure.point_heights import with_heights
         from ..measure.points import choose_check_points
 
-        path, with_roles = _points_path(parameters.get(GCPS)), False
+        path, with_roles = _points_path(run.parameters.get(GCPS)), False
         if path:
-            wkt = system_wkt(self.parameterAsCrs(parameters, GCPS_CRS, context))
+            wkt = system_wkt(run.crs(GCPS_CRS))
             points, notices = point_tables.file_points(path, wkt, image)
         else:
-            points, with_roles, notices = point_tables.layer_points(self.source(parameters, GCPS, context))
-        tell(feedback, *notices)
+            points, with_roles, notices = point_tables.layer_points(run.source(GCPS))
+        run.tell(*notices)
         if request is None or request.needs_heights:
-            datum, dem_datum = (self.parameterAsString(parameters, name, context) for name in (HEIGHTS, DEM_HEIGHTS))
+            datum, dem_datum = (run.text(name) for name in (HEIGHTS, DEM_HEIGHTS))
             points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))
-            tell(feedback, *notices)
+            run.tell(*notices)
         if not len(points):
             raise SettingsError(messages.NO_POINTS())
         if with_roles:
             return points
-        total, share = len(points), self.parameterAsDouble(parameters, CHECK_SHARE, context)
+        total, share = len(points), run.real(CHECK_SHARE)
         points = choose_check_points(points, share)
         count = total - int(points.check.sum())
         if request is not None and count < request.variant.fewest <= total:
@@ -145,32 +136,23 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             )
         return points
 
-    def _rpc(
-        self,
-        parameters: dict[str, Any],
-        name: str,
-        context: QgsProcessingContext,
-        feedback: QgsProcessingFeedback,
-        image: OpenRaster | None,
-    ) -> Rational | None:
+    def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
         from ..measure.models.rpc_files import own_rpc, read_rpc, rpc_of_image_part
         from ..measure.sensor_images import rpc_metadata
 
-        path = self.parameterAsFile(parameters, name, context)
+        path = run.path(name)
         rpc = read_rpc(Path(path)) if path else own_rpc(image) if image is not None else None
         if rpc is None or image is None or (not path and rpc_metadata(image)):
             return rpc
         rpc, notice = rpc_of_image_part(rpc, image.raster)
         if notice is not None:
-            tell(feedback, notice)
+            run.tell(notice)
         return rpc
 
-    def _orbit_height_m(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, image: OpenRaster | None
-    ) -> float:
+    def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
         """As given, else by the satellite that the image's metadata name, else the default."""
-        given = self.parameterAsDouble(parameters, ORBIT_HEIGHT, context)
+        given = run.real(ORBIT_HEIGHT)
         if given > 0:
             return given * 1000
         from ..measure.sensor_images import satellite_name

@@ -50,9 +50,7 @@ class Comparison:
     reason: Message
 
 
-def all_requests(
-    rpc: Rational | None, orbit_height_m: float, size: tuple[float, float] | None
-) -> list[ModelRequest]:
+def all_requests(rpc: Rational | None, orbit_height_m: float, size: tuple[float, float] | None) -> list[ModelRequest]:
     """Every form of every model, in the paper's order; those that correct a vendor's RPC only where there is one."""
     return [
         kind.request(variant.name, orbit_height_m=orbit_height_m, size=size, rpc=rpc)

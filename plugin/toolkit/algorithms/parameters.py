@@ -5,11 +5,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeatureSource,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
@@ -17,17 +13,13 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
-    QgsProperty,
 )
 
 from ...imagery import limits as imagery_limits
-from ...imagery.errors import RasterError
-from .. import messages
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
-    from ...imagery.rasters import RasterRef
+    pass
 
 Parameters = dict[str, Any]
 Described = tuple[QgsProcessingParameterDefinition, str]
@@ -138,56 +130,3 @@ def report(description: str, filters: str = "HTML (*.html)", by_default: bool = 
 
 def _file(name: str, title: str, filters: str, by_default: bool) -> QgsProcessingParameterDefinition:
     return QgsProcessingParameterFileDestination(name, title, filters, optional=True, createByDefault=by_default)
-
-
-def raster_value(parameters: Parameters, name: str, context: QgsProcessingContext) -> object:
-    """A raster parameter as it was given: a layer, a layer's id, or a path."""
-    value = parameters.get(name)
-    return value.valueAsString(context.expressionContext())[0] if isinstance(value, QgsProperty) else value
-
-
-def raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef | None:
-    """The file of a raster parameter, to be asked in its layer's thread; None when it is not given."""
-    from ..layers import raster_ref
-
-    value = raster_value(parameters, name, context)
-    return raster_ref(value, context) if value else None
-
-
-def required_raster(parameters: Parameters, name: str, context: QgsProcessingContext) -> RasterRef:
-    """The same for one that has to be there: raises RasterError when it is not given."""
-    ref = raster(parameters, name, context)
-    if ref is None:
-        raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
-    return ref
-
-
-def raster_values(parameters: Parameters, name: str, context: QgsProcessingContext) -> list[object]:
-    """A parameter of several rasters as it was given; nothing is loaded."""
-    value: object = raster_value(parameters, name, context)
-    if value is None or value == "":
-        return []
-    return list(value) if isinstance(value, (list, tuple)) else [value]
-
-
-def raster_refs(
-    parameters: Parameters, name: str, context: QgsProcessingContext
-) -> tuple[list[RasterRef], list[Message]]:
-    """The files of a parameter of several rasters, and why others have none; to be asked in their layers' thread."""
-    from ..layers import raster_ref
-
-    refs: list[RasterRef] = []
-    left_out: list[Message] = []
-    for value in raster_values(parameters, name, context):
-        try:
-            refs.append(raster_ref(value, context))
-        except RasterError as error:
-            left_out.append(error.message.as_warning())
-    return refs, left_out
-
-
-def transform(
-    source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
-) -> QgsCoordinateTransform:
-    """From the reference system of a layer to another one."""
-    return QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())

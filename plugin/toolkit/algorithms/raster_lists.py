@@ -2,12 +2,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsProcessing,
-    QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterMultipleLayers,
 )
@@ -16,9 +14,8 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from .. import messages
 from ..translation import tr
-from . import parameters as common
 from .base import SeamInspectorAlgorithm
-from .feedback import tell
+from .run import Run
 from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
@@ -32,12 +29,12 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
 
     RASTER_LISTS: tuple[str, ...] = (RASTERS,)
 
-    def check(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        if not common.raster_values(parameters, RASTERS, context):
+    def check(self, run: Run) -> None:
+        if not run.raster_values(RASTERS):
             raise SettingsError(messages.NO_RASTERS())
 
-    def prepare(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        given = {name: common.raster_refs(parameters, name, context) for name in self.RASTER_LISTS}
+    def prepare(self, run: Run) -> None:
+        given = {name: run.raster_refs(name) for name in self.RASTER_LISTS}
         self.refs = {name: refs for name, (refs, _) in given.items()}
         """The rasters by parameter."""
         self.left_out = [why for _, left_out in given.values() for why in left_out]
@@ -65,23 +62,21 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
             why = tuple(self.left_out[: imagery_limits.MAX_REASONS])
             raise SettingsError(messages.NO_RASTER_USABLE(why=why) if why else messages.NO_RASTERS())
 
-    def drawn_windows(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> list[DrawnWindow] | None:
+    def drawn_windows(self, run: Run) -> list[DrawnWindow] | None:
         """The windows that were given, those without a usable outline named in the log; None when none were."""
         from ...imagery.drawn_windows import DrawnWindow
         from .. import layers
 
-        if not parameters.get(WINDOWS):
+        if not run.parameters.get(WINDOWS):
             return None
-        source = self.source(parameters, WINDOWS, context)
+        source = run.source(WINDOWS)
         wkt = layers.system_wkt(source.sourceCrs())
         windows = []
-        for window in WindowFeatures(source, source.sourceCrs(), context).windows():
+        for window in WindowFeatures(source, source.sourceCrs(), run).windows():
             if window.extent is not None:
                 windows.append(DrawnWindow(window.window_id, window.extent, wkt))
             elif window.reason is not None:
-                tell(feedback, imagery_messages.ABOUT(what=window.window_id, why=window.reason).as_warning())
+                run.tell(imagery_messages.ABOUT(what=window.window_id, why=window.reason).as_warning())
         if not windows:
             raise SettingsError(messages.NO_WINDOWS())
         return windows

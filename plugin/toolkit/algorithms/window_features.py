@@ -8,7 +8,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsFeature,
     QgsGeometry,
-    QgsProcessingContext,
     QgsProcessingFeatureSource,
 )
 
@@ -16,7 +15,7 @@ from ...imagery.errors import WindowError
 from ...imagery.grids import WindowOutline
 from ...imagery.message import Message
 from ..attribute_values import text, whole_number
-from . import parameters as common
+from .run import Run
 
 _LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
 
@@ -32,14 +31,12 @@ class WindowFeature(WindowOutline):
 class WindowFeatures:
     """All of them; what a result needs of a window is kept until it is taken."""
 
-    def __init__(
-        self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, context: QgsProcessingContext
-    ) -> None:
+    def __init__(self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run) -> None:
         self.count = source.featureCount()
         self.renumbered = 0
         """How many windows had no number of their own."""
         self._source = source
-        self._transform = common.transform(source, crs, context)
+        self._transform = run.transform(source, crs)
         self._names = set(source.fields().names())
         self._waiting: dict[int, tuple[QgsGeometry | None, str | None]] = {}
         self._numbers = self._given_numbers()

@@ -1,36 +1,40 @@
 """A message is told by its level: in the log of a run, in the message bar and in the log messages."""
 from __future__ import annotations
 
-from qgis.core import Qgis, QgsApplication
+from qgis.core import Qgis, QgsApplication, QgsProcessingContext
 from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.message import Level, Message
-from seam_inspector.plugin.toolkit.algorithms.feedback import TellOnce, tell
+from seam_inspector.plugin.toolkit.algorithms.run import Run
 from seam_inspector.plugin.toolkit.message_bar import bar_level, write_log
 
-from tests.qgis.runs import Log
+from tests.qgis.runs import Log, algorithm
 
 TOLD = {level: Message(f"{level.value} {{number}}.", level)(number=1) for level in Level}
 
 
+def run_with(log: Log) -> Run:
+    return Run(algorithm("minimumheight"), {}, QgsProcessingContext(), log)
+
+
 def test_a_run_is_told_by_level(qgis_app: QgsApplication) -> None:
     log = Log()
-    tell(log, *TOLD.values())
+    run_with(log).tell(*TOLD.values())
     assert (log.infos, log.warnings, log.errors) == (["information 1."], ["warning 1."], ["error 1."])
 
 
 def test_a_reason_is_told_at_the_level_of_the_message_around_it(qgis_app: QgsApplication) -> None:
     log = Log()
     reason = imagery_messages.ABOUT(what=3, why=TOLD[Level.ERROR])
-    tell(log, reason, reason.as_warning())
+    run_with(log).tell(reason, reason.as_warning())
     assert (log.infos, log.warnings, log.errors) == (["3: error 1."], ["3: error 1."], [])
 
 
 def test_what_was_told_is_not_repeated(qgis_app: QgsApplication) -> None:
     log = Log()
-    once = TellOnce(log)
+    run = run_with(log)
     warning = Message("{number} is left out.", Level.WARNING)
-    once.tell([warning(number=1), warning(number=2), warning(number=1)])
-    once.tell([warning(number=2), warning(number=3)])
+    run.tell_once([warning(number=1), warning(number=2), warning(number=1)])
+    run.tell_once([warning(number=2), warning(number=3)])
     assert log.warnings == ["1 is left out.", "2 is left out.", "3 is left out."]
 
 

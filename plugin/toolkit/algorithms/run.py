@@ -1,0 +1,279 @@
+"""One run of an algorithm: what its parameters hold, and where its results and messages go."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Optional
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsFeature,
+    QgsFeatureSink,
+    QgsMapLayer,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeatureSource,
+    QgsProcessingFeedback,
+    QgsProcessingLayerPostProcessorInterface,
+    QgsProperty,
+    QgsRectangle,
+    QgsVectorLayer,
+)
+from qgis.PyQt import sip
+
+from ...imagery.errors import RasterError, SettingsError
+from ...imagery.message import Level
+from .. import messages
+from ..translation import sentence, tr
+from . import parameters as common
+
+if TYPE_CHECKING:
+    from ...imagery.message import Message
+    from ...imagery.rasters import Raster, RasterRef
+
+Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
+
+
+class Run:
+    """What QGIS hands to an algorithm, read by the parameters' names."""
+
+    def __init__(
+        self,
+        algorithm: QgsProcessingAlgorithm,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback | None = None,
+    ) -> None:
+        self.parameters, self.context = parameters, context
+        self.feedback = feedback or QgsProcessingFeedback()
+        self._algorithm = algorithm
+        self._sinks: list[QgsFeatureSink] = []
+        self._told: set[str] = set()
+
+    def close(self) -> None:
+        """Make layers whole: they are so without their sinks only, which a frame or a cycle may still hold."""
+        while self._sinks:
+            sip.delete(self._sinks.pop())
+
+    # values
+
+    def text(self, name: str) -> str:
+        return str(self._algorithm.parameterAsString(self.parameters, name, self.context))
+
+    def word(self, name: str) -> str:
+        """Of a choice."""
+        return str(self._algorithm.parameterAsEnumString(self.parameters, name, self.context))
+
+    def whole(self, name: str) -> int:
+        return int(self._algorithm.parameterAsInt(self.parameters, name, self.context))
+
+    def real(self, name: str) -> float:
+        return float(self._algorithm.parameterAsDouble(self.parameters, name, self.context))
+
+    def flag(self, name: str) -> bool:
+        return bool(self._algorithm.parameterAsBool(self.parameters, name, self.context))
+
+    def crs(self, name: str) -> QgsCoordinateReferenceSystem:
+        return self._algorithm.parameterAsCrs(self.parameters, name, self.context)
+
+    def extent(self, name: str, crs: QgsCoordinateReferenceSystem) -> QgsRectangle:
+        """In a reference system."""
+        return self._algorithm.parameterAsExtent(self.parameters, name, self.context, crs)
+
+    def extent_crs(self, name: str) -> QgsCoordinateReferenceSystem:
+        return self._algorithm.parameterAsExtentCrs(self.parameters, name, self.context)
+
+    def path(self, name: str) -> str:
+        """Of an input file."""
+        return str(self._algorithm.parameterAsFile(self.parameters, name, self.context))
+
+    def decomposition(self) -> tuple[str, int]:
+        """The values of WAVELET and LEVELS."""
+        return self.text(common.WAVELET), self.whole(common.LEVELS)
+
+    # rasters, to be asked in their layers' thread
+
+    def raster_value(self, name: str) -> object:
+        """A raster parameter as it was given: a layer, a layer's id, or a path."""
+        value = self.parameters.get(name)
+        return value.valueAsString(self.context.expressionContext())[0] if isinstance(value, QgsProperty) else value
+
+    def raster(self, name: str) -> RasterRef | None:
+        """The file of a raster parameter; None when it is not given."""
+        from ..layers import raster_ref
+
+        value = self.raster_value(name)
+        return raster_ref(value, self.context) if value else None
+
+    def required_raster(self, name: str) -> RasterRef:
+        """The same for one that has to be there: raises RasterError when it is not given."""
+        ref = self.raster(name)
+        if ref is None:
+            raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
+        return ref
+
+    def raster_values(self, name: str) -> list[object]:
+        """A parameter of several rasters as it was given; nothing is loaded."""
+        value = self.raster_value(name)
+        if value is None or value == "":
+            return []
+        return list(value) if isinstance(value, (list, tuple)) else [value]
+
+    def raster_refs(self, name: str) -> tuple[list[RasterRef], list[Message]]:
+        """The files of a parameter of several rasters, and why others have none."""
+        from ..layers import raster_ref
+
+        refs: list[RasterRef] = []
+        left_out: list[Message] = []
+        for value in self.raster_values(name):
+            try:
+                refs.append(raster_ref(value, self.context))
+            except RasterError as error:
+                left_out.append(error.message.as_warning())
+        return refs, left_out
+
+    def mosaic(self) -> Raster:
+        """The raster of the parameter MOSAIC."""
+        from ...imagery.open_raster import describe_mosaic
+
+        return describe_mosaic(self.required_raster(common.MOSAIC))
+
+    def north_up(self, name: str) -> Raster:
+        """The raster of a parameter, which may lie anywhere."""
+        from ...imagery.open_raster import describe_north_up
+
+        return describe_north_up(self.required_raster(name))
+
+    # features
+
+    def vector_layer(self, name: str) -> QgsVectorLayer | None:
+        return self._algorithm.parameterAsVectorLayer(self.parameters, name, self.context)
+
+    def source(self, name: str) -> QgsProcessingFeatureSource:
+        """The features of a parameter that has to be there."""
+        source = self._algorithm.parameterAsSource(self.parameters, name, self.context)
+        if source is None:
+            raise QgsProcessingException(self._algorithm.invalidSourceError(self.parameters, name))
+        return source
+
+    def transform(
+        self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem
+    ) -> QgsCoordinateTransform:
+        """From the reference system of a layer to another one."""
+        return QgsCoordinateTransform(source.sourceCrs(), crs, self.context.transformContext())
+
+    # results
+
+    def sink(self, name: str, *layout: Any) -> Sink:
+        """Where features go, and its destination; ``layout``: fields, and geometry type and reference system if any."""
+        sink, destination = self._algorithm.parameterAsSink(self.parameters, name, self.context, *layout)
+        if sink is None:
+            raise QgsProcessingException(self._algorithm.invalidSinkError(self.parameters, name))
+        self._sinks.append(sink)
+        return sink, destination
+
+    def optional_sink(self, name: str, *layout: Any) -> Sink:
+        """Like ``sink``; nothing when the output is not wanted."""
+        return self.sink(name, *layout) if self.parameters.get(name) else (None, None)
+
+    @staticmethod
+    def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:
+        """Add features at once, so that they stay whatever comes after."""
+        if sink is None:
+            return
+        for feature in features:
+            if not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert):
+                raise QgsProcessingException(sink.lastError() or tr("A result can't be written; is the disk full?"))
+
+    def style(self, destination: str | None, style: str) -> None:
+        """Give a layer that will be loaded a style."""
+        if destination and self.context.willLoadLayerOnCompletion(destination):
+            self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
+
+    def layer_path(self, name: str) -> str:
+        """Where an output raster goes."""
+        return str(self._algorithm.parameterAsOutputLayer(self.parameters, name, self.context))
+
+    def file_path(self, name: str) -> Path | None:
+        """Where an output file goes; None when it is not wanted."""
+        wanted = self.parameters.get(name)
+        path = self._algorithm.parameterAsFileOutput(self.parameters, name, self.context) if wanted else ""
+        return Path(path) if path else None
+
+    def check_chart(self) -> None:
+        """Raise SettingsError for a chart whose ending can't be drawn."""
+        path = self.file_path(common.CHART)
+        if path is not None:
+            from ..charts.figure_files import check_figure_path
+
+            check_figure_path(path)
+
+    def save(self, name: str, write: Callable[[Path], object]) -> dict[str, Any]:
+        """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.
+
+        There is none when ``write`` says False, having nothing to write, or when the file can't be written; that is
+        told, and does not cost what was measured.
+        """
+        path = self.file_path(name)
+        try:
+            if path is not None and write(path) is not False:
+                return {name: str(path)}
+        except SettingsError as error:
+            self.feedback.reportError(sentence(error.message))
+        return {}
+
+    # telling
+
+    def tell(self, *messages: Message) -> None:
+        """Tell messages as information, warnings or errors; the run goes on."""
+        to = self.feedback
+        push = {Level.INFO: to.pushInfo, Level.WARNING: to.pushWarning, Level.ERROR: to.reportError}
+        for message in messages:
+            push[message.level](sentence(message))
+
+    def tell_once(self, messages: Iterable[Message]) -> None:
+        """Tell those that were not told so before: a raster that can't be compared is not named in every window."""
+        for message in messages:
+            if (text := str(message)) not in self._told:
+                self.tell(message)
+            self._told.add(text)
+
+    def inform(self, text: str) -> None:
+        """Tell a fact, translated already."""
+        self.feedback.pushInfo(text)
+
+    def is_cancelled(self) -> bool:
+        return bool(self.feedback.isCanceled())
+
+    def progress(self, share: float) -> None:
+        """How much is done, 0 to 1."""
+        self.feedback.setProgress(100 * share)
+
+
+class _Styler(QgsProcessingLayerPostProcessorInterface):
+    """Gives a layer its style once it is there."""
+
+    def __init__(self, style: str) -> None:
+        super().__init__()
+        self._style = style
+
+    def postProcessLayer(
+        self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> None:
+        layer.loadNamedStyle(self._style)
+        layer.triggerRepaint()
+
+
+_stylers: set[_Styler] = set()
+
+
+def _styler(style: str) -> _Styler:
+    """A new one for each layer: QGIS deletes it with the context of its run, and until then does not keep it alive."""
+    for one in list(_stylers):
+        if sip.isdeleted(one):
+            _stylers.discard(one)
+    styler = _Styler(style)
+    _stylers.add(styler)
+    return styler
