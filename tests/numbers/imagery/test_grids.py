@@ -58,6 +58,8 @@ def test_standard_side_counts_metres_on_the_ground() -> None:
     in_degrees = grid(1e-6, metres_x=68678.0, metres_y=111258.0)  # at 52 degrees north
     assert standard_side_px(in_degrees) == 2048  # 1456 px of 0.0687 m, the shorter side
     assert in_degrees.ground_sample_distance == pytest.approx(0.068678)
+    assert Grid(0, 0, 0.3, 0.2, 10, 10, 1.0, 2.0).ground_sample_distance == 0.3
+    assert Grid(0, 0, 0.3, 0.2, 10, 10).ground_sample_distance == 0.2  # the shorter side
 
 
 @given(st.floats(0.01, 10), st.floats(0.1, 1000))

@@ -126,6 +126,26 @@ def test_the_part_of_a_stranger_does_not_take_part() -> None:
     assert find_shift(np.where(known, image, stranger), reference, ~known) is None
 
 
+def test_a_small_part_has_its_own_shift_though_the_rest_is_seen_better() -> None:
+    (part, reference), (rest, _) = pair(3.4, -0.7), pair(-0.8, 0.9)
+    where = np.zeros((256, 256), bool)
+    where[:, :80] = True
+    assert_shift(np.where(where, part, rest), reference, 3.4, -0.7, where=where)
+    assert_shift(np.where(where, part, rest), reference, -0.8, 0.9)  # the most of it
+
+
+def test_a_tile_that_lies_elsewhere_does_not_lower_the_peak() -> None:
+    (most, reference), (other, _) = pair(2.3, -1.1, 512), pair(-4.2, 3.4, 512)
+    alone = find_shift(most, reference)
+    mosaic = most.copy()
+    mosaic[256:, 256:] = other[256:, 256:]
+    found = find_shift(mosaic, reference)
+    assert alone is not None
+    assert found is not None
+    assert (found.x, found.y) == pytest.approx((2.3, -1.1), abs=ACCURACY)
+    assert found.peak == pytest.approx(alone.peak, abs=0.05)
+
+
 @pytest.mark.parametrize("share", [0.0, 0.001])
 def test_too_little_room_has_no_shift(share: float) -> None:
     image, reference = pair(0.6, 1.1)

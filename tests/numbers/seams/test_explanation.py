@@ -1,14 +1,21 @@
 """What one window's explanation says of places: shifts on the ground, and parts that lie elsewhere."""
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 from scipy import ndimage
+from seam_inspector.plugin.imagery.band_curves import measure_bands
 from seam_inspector.plugin.imagery.band_names import LUMINANCE
 from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
 from seam_inspector.plugin.imagery.rasters import Raster
+from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.causes import Cause
+from seam_inspector.plugin.seams.measure.explanation import explain
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import Scene, explained, whole_values
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of
@@ -63,3 +70,59 @@ def test_a_part_is_misregistered_when_moving_a_source_explains_half_of_it(
         shift = found.changes[1][LUMINANCE].shift
         assert shift is not None
         assert (shift.x, shift.y) == pytest.approx((3, 0), abs=0.1)
+
+
+# --- where cells say what was taken from which source ----------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def sharp_and_soft() -> tuple[np.ndarray, np.ndarray]:
+    """Two sources of one scene, the second of them blurred."""
+    rng = np.random.default_rng(8)
+    scene = orthoimage((256, 256)).astype(np.float32)
+    soft = ndimage.gaussian_filter(scene, (0, 1, 1))
+    first, second = (whole_values(one + rng.normal(0, 1.5, one.shape)) for one in (scene, soft))
+    return first, second
+
+
+def detail_of_composite(mosaic: Raster, bands: np.ndarray, sources: Sequence[np.ndarray], labels: np.ndarray) -> Curve:
+    """The composite's curve where labels are known."""
+    measured = [measure_bands(one, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS) for one in (bands, *sources)]
+    clips = [(Clip(mosaic, one, 0.0), curves) for one, (curves, _) in zip(sources, measured[1:])]
+    found = explain(Clip(mosaic, bands, 0.0), *measured[0], clips, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
+    return found.curves[LUMINANCE]
+
+
+def test_pixels_that_no_cell_covers_follow_what_they_show(
+    mosaic: Raster, sharp_and_soft: tuple[np.ndarray, np.ndarray]
+) -> None:
+    east = np.arange(256) >= 128
+    bands = np.where(east, sharp_and_soft[1], sharp_and_soft[0])
+    known = np.full((256, 256), UNKNOWN, np.uint8)
+    known[:, :100] = 0
+    found = detail_of_composite(mosaic, bands, sharp_and_soft, known)
+    expected = measure_bands(bands, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS)[0][LUMINANCE]
+    assert found.detail == pytest.approx(expected.detail, rel=0.01)
+
+
+def test_cells_are_believed_even_where_the_mosaic_shows_another_source(
+    mosaic: Raster, sharp_and_soft: tuple[np.ndarray, np.ndarray]
+) -> None:
+    first, second = sharp_and_soft
+    known = np.where(np.arange(256) < 128, 1, 0) + np.zeros((256, 1), np.uint8)
+    found = detail_of_composite(mosaic, first, sharp_and_soft, known.astype(np.uint8))
+    cut = np.where(known == 1, second, first)
+    expected = measure_bands(cut, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS)[0][LUMINANCE]
+    assert found.detail[0] == pytest.approx(expected.detail[0], rel=0.03)
+
+
+def test_luminance_is_as_clipped_as_the_band_that_is_most(
+    mosaic: Raster, sharp_and_soft: tuple[np.ndarray, np.ndarray]
+) -> None:
+    source, bands = sharp_and_soft[0], sharp_and_soft[0].copy()
+    bands[0] = np.minimum(bands[0], np.quantile(bands[0], 0.95))
+    share = float(((bands[0] == bands[0].max()) & (source[0] < source[0].max())).mean())
+    place = Scene(PixelWindow(0, 0, 256, 256), np.zeros((256, 256), np.uint8), (Clip(mosaic, source, 0.0),), mosaic)
+    change = explained(place, bands)[0].changes[-1]
+    assert share > 0.03
+    assert (change[LUMINANCE].clipped, change["red"].clipped, change["green"].clipped) == (share, share, 0)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -92,6 +93,11 @@ def test_tones_do_not_change_what_is_followed(sources: list[np.ndarray], labels:
     assert found.mixed_share < MIN_MIXED_SHARE
 
 
+def test_what_is_kept_is_fine_contrast(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    found = followed(0.6 * cut(labels, sources) + 20, sources)
+    assert found.kept == pytest.approx(0.6, abs=0.01)
+
+
 @pytest.mark.parametrize("sigma", [6.7, 13.3])
 def test_a_feather_is_found_as_a_mixture(sources: list[np.ndarray], labels: np.ndarray, sigma: float) -> None:
     found = followed(feather(labels, sources, sigma), sources)
@@ -180,6 +186,14 @@ def test_a_pixel_stays_with_a_source_that_equals_the_mosaic_too(
     own = mosaic + np.float32(off * mosaic.std())  # whole grey values are off by up to 4 % of the standard deviation
     found = refined(rough, mosaic, {0: own, 1: mosaic})
     assert (found.labels == (1 if moves else 0)).all()
+
+
+def test_squares_that_no_source_wins_clearly_do_not_count(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    found = followed(cut(labels, sources), sources)
+    clear = found.clear & (np.arange(SHAPE[0]) < 160)[:, np.newaxis]
+    whole = follows_at(replace(found, clear=clear), 0, 3)
+    assert whole[:20].any()
+    assert not whole[20:].any()
 
 
 def test_the_levelled_composite_has_the_mosaics_grey_values(sources: list[np.ndarray], labels: np.ndarray) -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal
+from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
@@ -19,6 +19,7 @@ from seam_inspector.plugin.seams.measure.inspection import (
     make_block,
     window_request,
 )
+from seam_inspector.plugin.seams.measure.seam_cells import Cell
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
 from tests.numbers.seams.inspecting import (
@@ -222,6 +223,16 @@ def test_strangers_make_no_composite_to_be_judged_against(make_raster: MakeRaste
     judgement = inspect(block, reference="composite").judgement
     assert judgement.verdict is Verdict.NOT_COMPARABLE
     assert "No source explains" in str(judgement.reason)
+
+
+def test_cells_say_how_a_mosaic_was_cut_that_no_source_explains(make_raster: MakeRaster) -> None:
+    mosaic = mosaic_of(make_raster, orthoimage(SIZE, 3))
+    stranger = make_raster("stranger.tif", orthoimage(SIZE, 3)[:, ::-1, ::-1].copy())
+    xmin, ymin, xmax, ymax = mosaic.extent
+    box = ogr.CreateGeometryFromWkt(f"POLYGON(({xmin} {ymin},{xmax} {ymin},{xmax} {ymax},{xmin} {ymax},{xmin} {ymin}))")
+    cell = Cell("stranger.tif", bytes(box.ExportToWkb()), mosaic.extent)
+    block, _ = make_block(mosaic, [RasterRef(stranger)], cells=[cell])
+    assert inspect(block, reference="composite").judgement.verdict is not Verdict.NOT_COMPARABLE
 
 
 def test_the_settings_are_those_of_the_request(make_raster: MakeRaster) -> None:

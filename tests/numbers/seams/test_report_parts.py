@@ -37,6 +37,17 @@ def test_the_blurred_part_is_found(row: int, column: int) -> None:
     assert np.abs(np.subtract(found, (row, column))).max() <= 16
 
 
+def test_neither_darkness_nor_what_one_source_alone_shows_is_a_loss() -> None:
+    scene = 120 + 30 * texture((512, 512), 1.2)
+    random = np.random.default_rng(2)
+    sources = [scene + random.normal(0, 1, scene.shape) for _ in range(2)]
+    sources[1][:160, :160] += random.normal(0, 60, (160, 160))  # of the second source alone: the mosaic has the first's
+    mosaic = sources[0].copy()
+    mosaic[:160, 352:] -= 90
+    mosaic[352:, 100:260] = gaussian_filter(mosaic, 0.6)[352:, 100:260]
+    assert np.abs(np.subtract(greatest_loss(mosaic, sources, 160), (352, 100))).max() <= 16
+
+
 @given(st.integers(64, 300), st.integers(64, 300), st.integers(64, 160), st.booleans())
 def test_the_part_lies_inside(rows: int, columns: int, side: int, with_source: bool) -> None:
     random = np.random.default_rng(rows)

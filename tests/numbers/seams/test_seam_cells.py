@@ -87,6 +87,17 @@ def test_cells_with_holes_and_several_parts() -> None:
     np.testing.assert_array_equal(found, expected)
 
 
+@pytest.mark.parametrize("corners", [(-9, 0, 0, 48), (64, 0, 70, 48), (0, -9, 64, 0), (0, 48, 64, 60)])
+def test_a_cell_that_touches_a_rectangle_at_any_side_is_not_over_it(corners: tuple[float, ...]) -> None:
+    extent = GRID.window_extent(WINDOW)
+    rounded = [tuple(round(value, 6) for value in one) for one in (extent, box("west", *corners).extent)]
+    beside = Cell("west", b"", rounded[1])
+    assert cells_over([beside], rounded[0]) == ()
+    left, top, right, bottom = corners
+    overlapping = box("west", left - 1, top - 1, right + 1, bottom + 1)
+    assert cells_over([overlapping], rounded[0]) == (overlapping,)
+
+
 def test_only_cells_over_a_rectangle_matter() -> None:
     over, beside = box("west", 10, 10, 20, 20), box("west", 64, 0, 80, 48)  # touches it
     far = box("east", 300, 300, 310, 310)

@@ -42,13 +42,16 @@ def test_the_area_is_mann_whitneys(visible: list[float], invisible: list[float])
 @given(VALUES, VALUES)
 def test_no_threshold_beats_the_best_one(visible: list[float], invisible: list[float]) -> None:
     verdicts = Verdicts("ratio_1", tuple(visible), tuple(invisible))
-    best = calibrate(verdicts).best
+    found = calibrate(verdicts)
+    best = found.best
     tried = [step_at(verdicts, threshold) for threshold in np.linspace(-0.025, 2.025, 83)]
     highest = max(step.youden for step in tried)
     assert (best.youden if best else 0) == pytest.approx(max(highest, 0))
     if best:
         at_best = step_at(verdicts, best.threshold)
         assert (at_best.flagged_visible, at_best.flagged_invisible) == (best.flagged_visible, best.flagged_invisible)
+        assert found.best_range is not None
+        assert found.best_range[0] <= best.threshold <= found.best_range[1]
 
 
 def test_of_thresholds_that_are_as_good_the_one_that_flags_least_is_taken() -> None:
