@@ -13,7 +13,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal, ogr
 from scipy import ndimage
-from seam_inspector.plugin.imagery.band_curves import measure_bands
+from seam_inspector.plugin.imagery.band_curves import measure_clip
 from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
@@ -22,7 +22,7 @@ from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
+from seam_inspector.plugin.seams.measure.explanation import Explanation, MeasuredClip, explain
 from seam_inspector.plugin.seams.measure.inspection import Block, make_block
 
 STEP_PX = 24
@@ -244,11 +244,9 @@ def truths(pixel_m: float) -> list[Truth]:
 
 def explained(scene: Scene, bands: np.ndarray) -> tuple[Explanation, Mapping[str, Curve], list[Mapping[str, Curve]]]:
     """What the measurement says of a mosaic in the scene's window: explanation, its curves and its sources'."""
-    curves, coarse = measure_bands(bands, scene.mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS)
-    sources = [
-        (clip, measure_bands(clip.bands, clip.raster.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS)[0])
-        for clip in scene.sources
-    ]
-    clip = Clip(scene.mosaic, bands, 0.0)
-    found = explain(clip, curves, coarse, sources, DEFAULT_WAVELET, DEFAULT_LEVELS)
-    return found, curves, [one for _, one in sources]
+    mosaic, *sources = (
+        MeasuredClip(clip, *measure_clip(clip, DEFAULT_WAVELET, DEFAULT_LEVELS))
+        for clip in (Clip(scene.mosaic, bands, 0.0), *scene.sources)
+    )
+    found = explain(mosaic, sources, DEFAULT_WAVELET, DEFAULT_LEVELS)
+    return found, mosaic.curves, [one.curves for one in sources]

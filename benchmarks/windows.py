@@ -21,7 +21,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.measure.explanation import explain
+from seam_inspector.plugin.seams.measure.explanation import MeasuredClip, explain
 from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
     Source,
@@ -78,12 +78,12 @@ def measured_only(request: WindowRequest) -> list[Curves]:
     settings = request.settings
     refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
     clips = [read_clip(ref, request.mosaic, request.window) for ref in refs]
-    return [curves for curves, _ in measure_clips(clips, settings.wavelet, settings.levels)]
+    return [one.curves for one in measure_clips(clips, settings.wavelet, settings.levels)]
 
 
-def measure_clips(clips: Sequence[Clip], wavelet: str, levels: int) -> list[tuple[Curves, dict[str, np.ndarray]]]:
+def measure_clips(clips: Sequence[Clip], wavelet: str, levels: int) -> list[MeasuredClip]:
     """Curves and coarse components of each."""
-    return [measure_clip(clip, wavelet, levels) for clip in clips]
+    return [MeasuredClip(clip, *measure_clip(clip, wavelet, levels)) for clip in clips]
 
 
 def check(requests: Sequence[WindowRequest]) -> None:
@@ -140,11 +140,10 @@ def run_explanation(ground: Ground, quick: bool) -> list[Goal]:
             refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
             clips = [read_clip(ref, request.mosaic, window) for ref in refs]
             wavelet, levels = request.settings.wavelet, request.settings.levels
-            (curves, coarse), *others = measure_clips(clips, wavelet, levels)
-            sources = [(clip, own) for clip, (own, _) in zip(clips[1:], others)]
+            mosaic, *sources = measure_clips(clips, wavelet, levels)
             calls = (
                 partial(measure_clips, clips, wavelet, levels),
-                partial(explain, clips[0], curves, coarse, sources, wavelet, levels),
+                partial(explain, mosaic, sources, wavelet, levels),
             )
             timings.append(interleaved(calls, repetitions))
         of_curves, explanation = map(joined, zip(*timings))

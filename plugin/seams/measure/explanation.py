@@ -5,7 +5,7 @@ position and mixture (Pyka 2010, section 3, names the causes).
 """
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
@@ -78,12 +78,25 @@ class Explanation:
 
 
 @dataclass(frozen=True, eq=False)
+class MeasuredClip:
+    """A clip with what was measured in it, by band name."""
+
+    clip: Clip
+    curves: dict[str, Curve]
+    coarse: dict[str, np.ndarray]
+
+
+@dataclass(frozen=True, eq=False)
 class _Image:
     """A clip reduced to the bands that all have, with what is looked at more than once."""
 
     bands: np.ndarray
     names: tuple[str, ...]
     coarse: dict[str, np.ndarray]
+    """Means of squares of 2^R px, by band."""
+    curves: Mapping[str, Curve]
+    offset: tuple[float, float] = (0.0, 0.0)
+    """How its pixel grid lies beside the mosaic's, px."""
 
     @property
     def band_names(self) -> tuple[str, ...]:
@@ -107,75 +120,56 @@ class _Image:
 
 
 def explain(
-    mosaic: Clip,
-    curves: Mapping[str, Curve],
-    coarse: Mapping[str, np.ndarray],
-    sources: Sequence[tuple[Clip, Mapping[str, Curve]]],
+    mosaic: MeasuredClip,
+    sources: Sequence[MeasuredClip],
     wavelet: str,
     levels: int,
     labels: np.ndarray | None = None,
 ) -> Explanation:
-    """Explain one window from its clips and their curves, at least one source; ``coarse`` are the mosaic's coarse
-    components by band.
+    """Explain one window by at least one source.
 
     ``labels``, (rows, columns) uint8, says which source each pixel was taken from where that is known, else
-    ``cells.UNKNOWN``.
+    ``seam_cells.UNKNOWN``.
     """
-    clips = [mosaic, *(clip for clip, _ in sources)]
-    names = tuple(name for name in mosaic.raster.band_names if all(name in c.raster.band_names for c in clips))
-    image, *images = (_image(clip, names, levels) for clip in clips)
-    shape = image.bands.shape[1:]
-    following = _follow(image, images)
-    if labels is not None:
-        following = _decided(following, labels)
-    whole = np.ones((shape[0] >> levels, shape[1] >> levels), bool)
-    followed = [follows_at(following, i, levels) if i in following.followed else whole for i in range(len(images))]
-    tones = [_tones(image, other, where) for other, where in zip(images, followed)]
-    following = refined(following, image.plane, _levelled_planes(images, tones, following))
-    if labels is not None:
-        following = _decided(following, labels)
-    composite = make_composite([other.bands for other in images], names, following, tones)
-    reference = _image_of(composite, levels)
-    levelled_curves, levelled_coarse = measure_bands(composite.levelled, names, wavelet, levels)
-    plain_curves, _ = measure_bands(composite.bands, names, wavelet, levels)
-    shifts = [_shift(image, other, clip, following, i) for i, (other, (clip, _)) in enumerate(zip(images, sources))]
-    unmixed = coarse_means(following.clear, levels) > 1 - 1e-6
-    reference_tones = _tones(image, reference, unmixed if unmixed.sum() >= MIN_UNMIXED_SQUARES else whole)
-    reference_shift = find_shift(image.spectra, reference.spectra)
-    changes = [
-        _changes(image, other, curves, of_source, tone, shift)
-        for other, (_, of_source), tone, shift in zip(images, sources, tones, shifts)
-    ]
-    changes.append(_changes(image, reference, curves, plain_curves, reference_tones, reference_shift))
+    image, *images = _on_common_bands((mosaic, *sources), levels)
+    following = _decided(_follow(image, images), labels)
+    tones = [_tones(image, other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
+    following = _decided(refined(following, image.plane, _levelled_planes(images, tones, following)), labels)
+    shifts = [_shift(image, other, following, i) for i, other in enumerate(images)]
+    composite = make_composite([other.bands for other in images], image.names, following, tones)
+    curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
+    against_composite = _composite_changes(image, composite, following, wavelet, levels)
     return Explanation(
-        find_cause(_evidence(changes[-1], shifts, following)),
-        levelled_curves,
-        {name: curve_ratios(curves[name], curve) for name, curve in levelled_curves.items()},
-        {name: correlation(coarse[name], own) for name, own in levelled_coarse.items()},
-        tuple(changes),
-        expected_ratios(feathers([other.plane for other in images], wavelet, levels), levels),
-        following.unclear_share,
-        following.mixed_share,
-        _apart(images, following),
+        cause=find_cause(_evidence(against_composite, shifts, following)),
+        curves=curves,
+        ratios={name: curve_ratios(mosaic.curves[name], curve) for name, curve in curves.items()},
+        similarity={name: correlation(mosaic.coarse[name], own) for name, own in coarse.items()},
+        changes=(*(_changes(image, *compared) for compared in zip(images, tones, shifts)), against_composite),
+        expected=expected_ratios(feathers([other.plane for other in images], wavelet, levels), levels),
+        unclear_share=following.unclear_share,
+        mixed_share=following.mixed_share,
+        apart=_apart(images, following),
     )
 
 
-def _image(clip: Clip, names: tuple[str, ...], levels: int) -> _Image:
-    order = [clip.raster.band_names.index(name) for name in names]
-    bands = clip.bands if order == list(range(len(clip.bands))) else clip.bands[order]
-    return _with_coarse(bands, names, levels)
+def _on_common_bands(measured: Sequence[MeasuredClip], levels: int) -> Iterator[_Image]:
+    """The mosaic and its sources, reduced to the bands that all of them have."""
+    held = [one.clip.raster.band_names for one in measured]
+    names = tuple(name for name in held[0] if all(name in others for others in held))
+    for one, own in zip(measured, held):
+        order = [own.index(name) for name in names]
+        bands = one.clip.bands if order == list(range(len(one.clip.bands))) else one.clip.bands[order]
+        yield _image(bands, names, one.curves, levels, (one.clip.offset_x, one.clip.offset_y))
 
 
-def _image_of(composite: Composite, levels: int) -> _Image:
-    return _with_coarse(composite.bands, composite.names, levels)
-
-
-def _with_coarse(bands: np.ndarray, names: tuple[str, ...], levels: int) -> _Image:
+def _image(
+    bands: np.ndarray, names: tuple[str, ...], curves: Mapping[str, Curve], levels: int, offset: tuple[float, float]
+) -> _Image:
     coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
     if has_colours(names):
         weighted = sum(weight * coarse[name] for weight, name in zip(imagery_limits.LUMINANCE_WEIGHTS, names))
         coarse = {LUMINANCE: np.asarray(weighted), **coarse}
-    return _Image(bands, names, coarse)
+    return _Image(bands, names, coarse, curves, offset)
 
 
 def _follow(image: _Image, images: Sequence[_Image]) -> FollowedSource:
@@ -217,11 +211,19 @@ def _merged(following: FollowedSource, source_of: Sequence[int], count: int) -> 
     return replace(following, labels=np.array(source_of, np.uint8)[following.labels], shares=tuple(shares.tolist()))
 
 
-def _decided(following: FollowedSource, labels: np.ndarray) -> FollowedSource:
+def _decided(following: FollowedSource, labels: np.ndarray | None) -> FollowedSource:
     """What is known of where pixels were taken from goes before the estimate."""
+    if labels is None:
+        return following
     labels = np.where(labels == UNKNOWN, following.labels, labels)
     shares = np.bincount(labels.ravel(), minlength=len(following.shares)) / labels.size
     return replace(following, labels=labels, shares=tuple(shares.tolist()))
+
+
+def _where_followed(following: FollowedSource, source: int, levels: int) -> np.ndarray:
+    """Squares of 2^R px from which a source's tone is taken; all of one that is not followed."""
+    where = follows_at(following, source, levels)
+    return where if source in following.followed else np.ones_like(where)
 
 
 def _tones(image: _Image, other: _Image, where: np.ndarray) -> dict[str, Tone | None]:
@@ -243,29 +245,36 @@ def _levelled_planes(
     return planes
 
 
-def _shift(image: _Image, other: _Image, clip: Clip, following: FollowedSource, source: int) -> Shift | None:
+def _shift(image: _Image, other: _Image, following: FollowedSource, source: int) -> Shift | None:
     """On the ground: where the source's pixel grid lies beside the mosaic's, that is taken into account."""
     where = following.labels == source if source in following.followed else None
     shift = find_shift(image.spectra, other.spectra, where)
     if shift is None:
         return None
-    return replace(shift, x=shift.x + clip.offset_x, y=shift.y + clip.offset_y)
+    return replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1])
+
+
+def _composite_changes(
+    image: _Image, composite: Composite, following: FollowedSource, wavelet: str, levels: int
+) -> dict[str, Change]:
+    """Against the sources' pixels as they are; tones from where one source is followed, if there is enough of that."""
+    curves, _ = measure_bands(composite.bands, composite.names, wavelet, levels)
+    reference = _image(composite.bands, composite.names, curves, levels, (0.0, 0.0))
+    unmixed = coarse_means(following.clear, levels) > 1 - 1e-6
+    where = unmixed if unmixed.sum() >= MIN_UNMIXED_SQUARES else np.ones_like(unmixed)
+    shift = find_shift(image.spectra, reference.spectra)
+    return _changes(image, reference, _tones(image, reference, where), shift)
 
 
 def _changes(
-    image: _Image,
-    other: _Image,
-    curves: Mapping[str, Curve],
-    others: Mapping[str, Curve],
-    tones: Mapping[str, Tone | None],
-    shift: Shift | None,
+    image: _Image, other: _Image, tones: Mapping[str, Tone | None], shift: Shift | None
 ) -> dict[str, Change]:
     clipped = {name: clipped_share(image.band(name), other.band(name)) for name in image.names}
     gains = [tone.gain for tone in (tones.get(name) for name in COLOURS) if tone is not None]
     colours = colour_shift(gains) if len(gains) == len(COLOURS) else None
     clipped[LUMINANCE] = max(clipped.values())
     return {
-        name: Change(tones[name], _contrast(curves[name], others[name]), clipped[name], colours, shift)
+        name: Change(tones[name], _contrast(image.curves[name], other.curves[name]), clipped[name], colours, shift)
         for name in image.band_names
     }
 

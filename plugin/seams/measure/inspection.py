@@ -4,8 +4,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
 from ...imagery import limits as imagery_limits
 from ...imagery.band_curves import correlation, measure_clip
 from ...imagery.clips import Clip, read_clip
@@ -16,7 +14,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.wavelets import Curve, check_decomposition
 from . import messages
 from .causes import Cause
-from .explanation import Change, Explanation, explain
+from .explanation import Change, Explanation, MeasuredClip, explain
 from .seam_cells import UNKNOWN, Cell, cell_labels, cells_over
 from .source_images import Source, gather_sources, sources_over
 from .verdicts import Judgement, Ratios, Verdict, check_max_ratio, curve_ratios, judge
@@ -195,7 +193,7 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     if not sources and refused and mosaic.curves[band].variance > 0:
         why = refused[: imagery_limits.MAX_REASONS]
         judgement = Judgement(judgement.verdict, judgement.ratios, messages.NO_SOURCE_COMPARABLE(why=why))
-    clips = [mosaic.result("mosaic"), *(one.result("source") for one in sources)]
+    clips = [_clip_result(mosaic, "mosaic"), *(_clip_result(one, "source") for one in sources)]
     if judgement.verdict is Verdict.NOT_COMPARABLE:
         pairs = [pair for one in sources for pair in _pairs(mosaic, one, {})]
         return WindowResult(
@@ -212,27 +210,19 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     )
 
 
-@dataclass(frozen=True, eq=False)
-class _Measured:
-    """A clip with what was measured in it, by band name."""
-
-    clip: Clip
-    curves: dict[str, Curve]
-    coarse: dict[str, np.ndarray]
-
-    def result(self, role: str) -> ClipResult:
-        return ClipResult(self.clip.raster.ref.name, role, self.curves)
-
-
-def _measured(ref: RasterRef, request: WindowRequest) -> _Measured:
+def _measured(ref: RasterRef, request: WindowRequest) -> MeasuredClip:
     assert request.window is not None
     clip = read_clip(ref, request.mosaic, request.window)
-    return _Measured(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
+    return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
 
 
-def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[_Measured], list[Message], list[Message]]:
+def _clip_result(measured: MeasuredClip, role: str) -> ClipResult:
+    return ClipResult(measured.clip.raster.ref.name, role, measured.curves)
+
+
+def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[MeasuredClip], list[Message], list[Message]]:
     """Sources that can be compared, why others can't, and which do not cover the window."""
-    sources: list[_Measured] = []
+    sources: list[MeasuredClip] = []
     notices: list[Message] = []
     not_covering: list[Message] = []
     for source in request.sources:
@@ -248,21 +238,13 @@ def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[_Measur
     return sources, notices, not_covering
 
 
-def _explain(request: WindowRequest, mosaic: _Measured, sources: Sequence[_Measured]) -> Explanation:
+def _explain(request: WindowRequest, mosaic: MeasuredClip, sources: Sequence[MeasuredClip]) -> Explanation:
     labels = None
     if request.cells and request.window is not None:
         names = [one.clip.raster.ref.name for one in sources]
         known = cell_labels(request.cells, names, request.mosaic.grid, request.window)
         labels = known if (known != UNKNOWN).any() else None
-    return explain(
-        mosaic.clip,
-        mosaic.curves,
-        mosaic.coarse,
-        [(one.clip, one.curves) for one in sources],
-        request.settings.wavelet,
-        request.settings.levels,
-        labels,
-    )
+    return explain(mosaic, sources, request.settings.wavelet, request.settings.levels, labels)
 
 
 def _against_composite(
@@ -275,7 +257,7 @@ def _against_composite(
     return replace(judgement, verdict=against.verdict, reason=against.reason)
 
 
-def _pairs(mosaic: _Measured, source: _Measured, changes: Mapping[str, Change]) -> list[PairResult]:
+def _pairs(mosaic: MeasuredClip, source: MeasuredClip, changes: Mapping[str, Change]) -> list[PairResult]:
     return [
         PairResult(
             source.clip.raster.ref.name,
