@@ -8,7 +8,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsWkbType
 
 from ..imagery.errors import PhotoError
 from ..imagery.rasters import GeoTransform
-from ..toolkit.attribute_values import attributes, is_known, is_true
+from ..toolkit.attribute_values import attributes, is_known, is_true, number, text
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
@@ -71,7 +71,7 @@ def given_positions(
         raise PhotoError(messages.POSITIONS_WITHOUT_MARK())
     made: dict[str, GivenPosition] = {}
     for row in attributes(rows, names):
-        name, asked, point = row.text(MARK), row.value(MEASURE), _point(row.feature)
+        name, asked, point = text(row[MARK]), row[MEASURE], _point(row.feature)
         if not name or point is None:
             continue
         if name in made:
@@ -93,15 +93,15 @@ def compared_marks(rows: Iterable[QgsFeature], names: Sequence[str], layer: str)
     photo = PHOTO if PHOTO in names else "layer"
     made = []
     for row in attributes(rows, names):
-        name, column, line = row.text(MARK), row.number("column"), row.number("row")
+        name, column, line = text(row[MARK]), number(row["column"]), number(row["row"])
         point = None if {"column", "row"} <= set(names) else _point(row.feature)
         if point is not None:
             column, line = point.x(), -point.y()
         if not name or column is None or line is None:
             continue
-        x_mm, y_mm = row.number("x_mm"), row.number("y_mm")
+        x_mm, y_mm = number(row["x_mm"]), number(row["y_mm"])
         calibrated = None if x_mm is None or y_mm is None else (x_mm, y_mm)
-        made.append(ComparedMark(row.text(photo), name, (column, line), calibrated))
+        made.append(ComparedMark(text(row[photo]), name, (column, line), calibrated))
     return made
 
 

@@ -11,7 +11,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsProcess
 from ..imagery.errors import SensorModelError
 from ..imagery.message import Message
 from ..imagery.open_raster import OpenRaster
-from ..toolkit.attribute_values import Attributes, attributes
+from ..toolkit.attribute_values import Attributes, attributes, number, text
 from ..toolkit.layers import features, system_wkt
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
@@ -36,8 +36,8 @@ def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list
     rows: list[tuple[str, list[float], str]] = []
     notices: list[Message] = []
     for row in attributes(features(source), names):
-        name = row.text("id") or str(row.feature.id())
-        role = row.text("role").lower()
+        name = text(row["id"]) or str(row.feature.id())
+        role = text(row["role"]).lower()
         numbers = _numbers(row)
         if role not in ("", CONTROL, CHECK):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_ROLE_UNKNOWN(role=role)))
@@ -87,9 +87,8 @@ def _numbers(row: Attributes) -> list[float]:
     if not geometry.isNull() and not geometry.isEmpty() and geometry.type() == QgsWkbTypes.GeometryType.PointGeometry:
         vertex = geometry.vertexAt(0)
         x, y, height = vertex.x(), vertex.y(), vertex.z() if vertex.is3D() else math.nan
-    column, line, z, sigma = (
-        math.nan if found is None else found for found in map(row.number, ("column", "row", "z", "sigma"))
-    )
+    found = (number(row[name]) for name in ("column", "row", "z", "sigma"))
+    column, line, z, sigma = (math.nan if value is None else value for value in found)
     return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 

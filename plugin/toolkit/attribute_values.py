@@ -55,21 +55,8 @@ class Attributes:
         self.feature = feature
         self._values = values
 
-    def value(self, name: str) -> object:
-        """As the field holds it."""
+    def __getitem__(self, name: str) -> object:
         return self._values.get(name)
-
-    def text(self, name: str) -> str:
-        """See the function of this name."""
-        return text(self._values.get(name))
-
-    def number(self, name: str) -> float | None:
-        """See the function of this name."""
-        return number(self._values.get(name))
-
-    def whole_number(self, name: str) -> int | None:
-        """See the function of this name."""
-        return whole_number(self._values.get(name))
 
 
 def attributes(rows: Iterable[QgsFeature], names: Sequence[str]) -> Iterator[Attributes]:

@@ -31,9 +31,7 @@ class Column(Generic[Result]):
     def values(self, result: Result, levels: int) -> Sequence[object]:
         """Of the fields."""
         found = self.value(result)
-        if not self.by_level:
-            return [found]
-        return [None] * levels if found is None else found
+        return ([None] * levels if found is None else found) if self.by_level else [found]
 
 
 def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFields:
@@ -41,27 +39,15 @@ def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFiel
     return table_fields(*((name, column.kind) for column in columns for name in column.names(levels)))
 
 
-def column_names(columns: Iterable[Column[Result]], levels: int = 0) -> list[str]:
-    """The names of their fields."""
-    return [name for column in columns for name in column.names(levels)]
-
-
 def column_values(columns: Iterable[Column[Result]], result: Result, levels: int = 0) -> list[object]:
     """What a result has in these columns, field by field."""
     return [value for column in columns for value in column.values(result, levels)]
 
 
-def column_feature(
-    columns: Sequence[Column[Result]], result: Result, levels: int = 0, geometry: QgsGeometry | None = None
-) -> QgsFeature:
-    """The row of one result."""
-    return feature(column_fields(columns, levels), column_values(columns, result, levels), geometry)
-
-
 def column_features(
     columns: Sequence[Column[Result]], results: Iterable[Result], levels: int = 0
 ) -> Iterator[QgsFeature]:
-    """The rows of many results."""
+    """The rows of results."""
     fields = column_fields(columns, levels)
     for result in results:
         yield feature(fields, column_values(columns, result, levels))

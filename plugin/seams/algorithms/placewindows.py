@@ -76,7 +76,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ...imagery.lines.seamlines import find_seams
         from ...imagery.open_raster import OpenRaster
         from ...toolkit import layers
-        from ...toolkit.table_fields import column_feature, column_fields
+        from ...toolkit.table_fields import column_fields, column_values, feature
         from ..measure.window_placing import place_windows
         from ..tables.result_tables import PLACED_COLUMNS
 
@@ -95,12 +95,13 @@ class PlaceWindows(SeamInspectorAlgorithm):
         placement = place_windows(seams, mosaic.grid, *self._measures(run), is_valid)
         if not run.is_cancelled():
             run.tell(*placement.dropped)
-        sink, destination = run.sink(OUTPUT, column_fields(PLACED_COLUMNS), QgsWkbTypes.Type.Polygon, crs)
+        fields = column_fields(PLACED_COLUMNS)
+        sink, destination = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
         for done, placed in enumerate(placement.windows, 1):
             if run.is_cancelled():
                 break
             geometry = layers.rectangle(mosaic.grid.window_extent(placed.window))
-            run.write(sink, [column_feature(PLACED_COLUMNS, placed, geometry=geometry)])
+            run.write(sink, [feature(fields, column_values(PLACED_COLUMNS, placed), geometry)])
             run.progress(done / len(placement.windows))
         run.inform(
             tr("{windows} windows placed along {seams} seams.").format(

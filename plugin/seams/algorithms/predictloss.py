@@ -84,7 +84,7 @@ class PredictLoss(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from ...toolkit.executors import open_executor
-        from ...toolkit.table_fields import column_feature, column_fields
+        from ...toolkit.table_fields import column_fields, column_values, feature
         from ..measure.loss_forecast import forecast_window, not_foretold
         from ..measure.window_runs import in_order
         from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS, forecast_pair_features
@@ -101,15 +101,15 @@ class PredictLoss(SeamInspectorAlgorithm):
 
         count = not_comparable = 0
         with open_executor() as (executor, ahead):
-            polygons = column_fields(FORECAST_COLUMNS, levels), QgsWkbTypes.Type.Polygon, crs
-            output, output_id = run.sink(OUTPUT, *polygons)
+            fields = column_fields(FORECAST_COLUMNS, levels)
+            output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
             table = column_fields(FORECAST_PAIR_COLUMNS, levels)
             pairs, pairs_id = run.optional_sink(PAIRS, table)
             for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, run.is_cancelled):
                 geometry, _observer = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
                     geometry = layers.rectangle(forecast.extent)
-                run.write(output, [column_feature(FORECAST_COLUMNS, forecast, levels, geometry)])
+                run.write(output, [feature(fields, column_values(FORECAST_COLUMNS, forecast, levels), geometry)])
                 run.write(pairs, forecast_pair_features(forecast))
                 run.tell_once(forecast.notices)
                 if forecast.reason is not None:

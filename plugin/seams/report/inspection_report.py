@@ -120,12 +120,8 @@ def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
 
 def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
     """As many as a report can show, the lowest ratios first chosen, in the order of their numbers."""
-    worst = sorted(flagged, key=lambda one: math.inf if (ratio := _ratio(one)) is None else ratio)
+    worst = sorted(flagged, key=lambda one: math.inf if one.ratio is None else one.ratio)
     return sorted(worst[: MAX_REPORT_DETAILS], key=lambda one: one.window_id)
-
-
-def _ratio(record: WindowRecord) -> float | None:
-    return record.ratios[0] if record.ratios else None
 
 
 # The page's head
@@ -169,7 +165,7 @@ def _counts(records: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[ob
     """Windows, those of each verdict and of each of the observer's words, and their median ratio."""
     counts = Counter(one.verdict for one in records)
     words = Counter(one.observer for one in records)
-    ratios = [ratio for one in records if (ratio := _ratio(one)) is not None]
+    ratios = [one.ratio for one in records if one.ratio is not None]
     median = f"{statistics.median(ratios):.2f}" if ratios else ""
     return [len(records), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], median]
 
@@ -200,7 +196,7 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
 
 def _shape(record: WindowRecord, detailed: bool) -> SketchShape:
     assert record.extent is not None
-    ratio = _ratio(record)
+    ratio = record.ratio
     tip = tr("window {number}: {verdict}").format(number=record.window_id, verdict=verdict_word(record.verdict))
     tip += "" if ratio is None else tr(", ratio 1: {ratio:.2f}").format(ratio=ratio)
     link = anchor(record.window_id) if detailed else ""

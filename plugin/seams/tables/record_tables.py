@@ -3,14 +3,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ...imagery.band_names import judged_band
 from ...imagery.errors import SettingsError
-from ...toolkit.attribute_values import Attributes, attributes
+from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
 from ..measure import messages
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
@@ -35,13 +35,13 @@ def read_windows(
 
     One without a number of its own is ``unnumbered``. Raises WindowError when an outline can't be transformed.
     """
-    read = {"text": Attributes.text, "real": Attributes.number, "integer": Attributes.whole_number}
+    read: dict[str, Callable[[object], Any]] = {"text": text, "real": number, "integer": whole_number}
     levels = [(f"{one.name}s", level_names(one.name, names)) for one in WINDOW_COLUMNS if one.by_level]
     single = [(one.name, read[one.kind]) for one in WINDOW_COLUMNS if not one.by_level]
     found = []
     for row in attributes(rows, names):
-        values: dict[str, Any] = {name: value(row, name) for name, value in single}
-        values.update((name, tuple(map(row.number, fields))) for name, fields in levels)
+        values: dict[str, Any] = {name: value(row[name]) for name, value in single}
+        values.update((name, tuple([number(row[field]) for field in fields])) for name, fields in levels)
         if values["window_id"] is None:
             values["window_id"] = unnumbered
         values["observer"] = values["observer"].lower()
@@ -56,9 +56,9 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
             raise SettingsError(messages.PAIRS_WITHOUT_FIELD(field=name))
     found: dict[int, list[PairRecord]] = {}
     for row in attributes(rows, names):
-        window_id = row.whole_number("window_id")
+        window_id = whole_number(row["window_id"])
         if window_id is not None:
-            pair = PairRecord(row.text("source"), row.text("band"), row.number("ratio_1"), row.number("contrast_1"))
+            pair = PairRecord(text(row["source"]), text(row["band"]), number(row["ratio_1"]), number(row["contrast_1"]))
             found.setdefault(window_id, []).append(pair)
     return found
 
@@ -74,17 +74,17 @@ def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, l
             raise SettingsError(messages.CURVES_WITHOUT_FIELD(field=name))
     windows: dict[int, dict[str, list[_Components]]] = {}
     for row in attributes(rows, names):
-        window_id, level = row.whole_number("window_id"), row.whole_number("level")
+        window_id, level = whole_number(row["window_id"]), whole_number(row["level"])
         if window_id is None or level is None:
             continue
-        raster, role, band = map(row.text, ("raster", "role", "band"))
-        place = level if row.text("component") == "detail" else _BACKGROUND
+        raster, role, band = (text(row[name]) for name in ("raster", "role", "band"))
+        place = level if text(row["component"]) == "detail" else _BACKGROUND
         curves = windows.setdefault(window_id, {}).setdefault(band, [])
         own = [one for one in curves if (one.raster, one.role) == (raster, role)]
         if not own or place in own[-1].shares:
             own.append(_Components(raster, role, {}))
             curves.append(own[-1])
-        share = row.number("relative_variance")
+        share = number(row["relative_variance"])
         own[-1].shares[place] = math.nan if share is None else share
     return {
         window_id: [curve for found in bands[judged_band(bands)] if (curve := found.curve()) is not None]

@@ -12,7 +12,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 from ...imagery.message import Message
 from ...imagery.shifts import Shift
 from ...imagery.wavelets import Curve
-from ...toolkit.table_fields import Column, column_feature, column_features, column_fields
+from ...toolkit.table_fields import Column, column_features, column_fields, column_values, feature
 from ...toolkit.translation import sentence
 from ..measure.explanation import Change
 from ..measure.inspection import ClipResult, PairResult, WindowResult
@@ -34,32 +34,13 @@ class _CurveRow(NamedTuple):
 
 
 class _PairRow(NamedTuple):
-    """The mosaic against a source in a window."""
+    """The mosaic against a source in a window, and what became of the source's grey values where that is known."""
 
     window_id: int
     pair: PairResult
-
-    @property
-    def change(self) -> Change | None:
-        """What became of the source's grey values, where that is known."""
-        return self.pair.change
-
-    @property
-    def tone(self) -> Tone | None:
-        """Of that change."""
-        return self.pair.change.tone if self.pair.change else None
-
-    @property
-    def shift(self) -> Shift | None:
-        """Of that change."""
-        return self.pair.change.shift if self.pair.change else None
-
-
-class _ForecastPairRow(NamedTuple):
-    """A pair of sources."""
-
-    forecast: Forecast
-    pair: ForecastPair
+    change: Change | None
+    tone: Tone | None
+    shift: Shift | None
 
 
 WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
@@ -118,16 +99,16 @@ FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (
 )
 """OUTPUT of ``predictloss``: one polygon per window."""
 
-FORECAST_PAIR_COLUMNS: tuple[Column[_ForecastPairRow], ...] = (
-    Column("window_id", "integer", lambda row: row.forecast.window_id),
-    Column("source", "text", lambda row: row.pair.source),
-    Column("other", "text", lambda row: row.pair.other),
-    Column("band", "text", lambda row: row.forecast.band),
-    Column("rho", "real", lambda row: row.pair.feather.rho, by_level=True),
-    Column("ratio", "real", lambda row: row.pair.feather.ratios, by_level=True),
-    Column("shift_x", "real", lambda row: row.pair.shift and row.pair.shift.x),
-    Column("shift_y", "real", lambda row: row.pair.shift and row.pair.shift.y),
-    Column("resampled", "integer", lambda row: int(row.pair.resampled)),
+FORECAST_PAIR_COLUMNS: tuple[Column[tuple[Forecast, ForecastPair]], ...] = (
+    Column("window_id", "integer", lambda row: row[0].window_id),
+    Column("source", "text", lambda row: row[1].source),
+    Column("other", "text", lambda row: row[1].other),
+    Column("band", "text", lambda row: row[0].band),
+    Column("rho", "real", lambda row: row[1].feather.rho, by_level=True),
+    Column("ratio", "real", lambda row: row[1].feather.ratios, by_level=True),
+    Column("shift_x", "real", lambda row: row[1].shift and row[1].shift.x),
+    Column("shift_y", "real", lambda row: row[1].shift and row[1].shift.y),
+    Column("resampled", "integer", lambda row: int(row[1].resampled)),
 )
 """PAIRS of ``predictloss``: one row per window and pair of sources."""
 
@@ -146,7 +127,8 @@ def window_fields(levels: int) -> QgsFields:
 
 def window_feature(result: WindowResult, geometry: QgsGeometry | None, observer: str | None) -> QgsFeature:
     """The row of OUTPUT for a result."""
-    row = column_feature(WINDOW_COLUMNS, result, len(result.judgement.ratios.detail), geometry)
+    levels = len(result.judgement.ratios.detail)
+    row = feature(window_fields(levels), column_values(WINDOW_COLUMNS, result, levels), geometry)
     row["observer"] = observer
     return row
 
@@ -158,13 +140,17 @@ def curve_features(result: WindowResult) -> Iterator[QgsFeature]:
 
 def pair_features(result: WindowResult) -> Iterator[QgsFeature]:
     """The rows of PAIRS for a result: each source, then their composite."""
-    rows = (_PairRow(result.window_id, pair) for pair in (*result.pairs, *result.composite_pairs))
+    rows = (
+        _PairRow(result.window_id, pair, change, change.tone if change else None, change.shift if change else None)
+        for pair in (*result.pairs, *result.composite_pairs)
+        for change in (pair.change,)
+    )
     return column_features(PAIR_COLUMNS, rows, len(result.judgement.ratios.detail))
 
 
 def forecast_pair_features(forecast: Forecast) -> Iterator[QgsFeature]:
     """The rows of PAIRS for a forecast."""
-    rows = (_ForecastPairRow(forecast, pair) for pair in forecast.pairs)
+    rows = ((forecast, pair) for pair in forecast.pairs)
     return column_features(FORECAST_PAIR_COLUMNS, rows, len(forecast.expected))
 
 

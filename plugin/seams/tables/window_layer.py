@@ -26,7 +26,7 @@ from ...imagery.errors import WindowLayerError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.layer_editing import edit_step
 from ...toolkit.resources import style_path
-from ...toolkit.table_fields import column_fields, column_names, column_values
+from ...toolkit.table_fields import column_fields, column_values
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.inspection import WindowResult
@@ -162,7 +162,7 @@ def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) ->
     with edit_step(layer, tr("Inspect windows")):
         for fid, result in results.items():
             levels = len(result.judgement.ratios.detail)
-            values = zip(column_names(measured, levels), column_values(measured, result, levels))
+            values = zip(column_fields(measured, levels).names(), column_values(measured, result, levels))
             _change(layer, fid, {**nothing, **dict(values)})
 
 

@@ -73,8 +73,8 @@ def test_fields_of_a_layer_may_be_missing_or_of_any_type(qgis_app: object) -> No
         count=("string", ["3.0", ""]), large=("int8", [HUGE, None]),
     )  # fmt: skip
     first, second = attributes(made.getFeatures(), made.fields().names())
-    assert (first.text("name"), first.number("ratio"), first.whole_number("count")) == ("2019", 0.25, 3)
-    assert first.whole_number("large") == HUGE
+    assert (text(first["name"]), number(first["ratio"]), whole_number(first["count"])) == ("2019", 0.25, 3)
+    assert whole_number(first["large"]) == HUGE
     assert not first.feature.geometry().isNull()
-    assert (second.text("name"), second.number("ratio"), second.whole_number("count")) == ("", None, None)
-    assert (first.text("other"), first.number("other"), first.whole_number("other")) == ("", None, None)
+    assert (text(second["name"]), number(second["ratio"]), whole_number(second["count"])) == ("", None, None)
+    assert (text(first["other"]), number(first["other"]), whole_number(first["other"])) == ("", None, None)

@@ -12,8 +12,9 @@ from ....toolkit.translation import tr
 from ...cause_words import cause_word
 from ...measure.causes import Cause
 from ...verdict_words import VERDICTS, observer_word, verdict_word
+from .windows_columns import CAUSE, Column
 from .windows_filter import WindowsFilter
-from .windows_model import Column, ColumnKind, WindowsModel
+from .windows_model import WindowsModel
 
 Widths = tuple[int, int, int]
 """Of a column, px: with words cut short, with all of them, with air."""
@@ -94,14 +95,14 @@ class WindowsTable(QTableView):
         shown = [section for section in range(len(widths)) if section not in hidden]
         if shown[-1] == len(widths) - 1:  # the reasons take what is left
             shown.pop()
-        cause = self._windows.columns.index(Column(ColumnKind.CAUSE))
+        cause = self._windows.columns.index(CAUSE)
         least, natural, airy = (sum(sizes) for sizes in zip(*(widths[section] for section in shown)))
         for section in shown:
             smallest, normal, largest = widths[section]
             if room < natural and cause in shown:  # that alone gives way
                 size = normal if section != cause else room - natural + normal
             elif room < least:  # the verdict's word ends in an ellipsis; its chip is still seen
-                size = smallest - (least - room) * (self._windows.columns[section].kind is ColumnKind.VERDICT)
+                size = smallest - (least - room) * (self._windows.columns[section].name == "verdict")
             elif room < natural:
                 size = smallest + (room - least) / (natural - least) * (normal - smallest)
             else:
@@ -116,7 +117,7 @@ class WindowsTable(QTableView):
         """
         columns = self._windows.columns
         reason = len(columns) - 1
-        cause = columns.index(Column(ColumnKind.CAUSE))
+        cause = columns.index(CAUSE)
         long, brief = (self._all_widths(metrics, short) for short in (False, True))
 
         def needed(widths: list[Widths], size: int, without: set[int]) -> int:
@@ -182,20 +183,20 @@ class WindowsTable(QTableView):
         def width(*texts: str) -> int:
             return max(map(metrics.horizontalAdvance, texts)) + margins
 
-        if column.kind is ColumnKind.REASON:
+        if column.name == "reason":
             return 20 * em, 20 * em, 20 * em
-        if column.kind is ColumnKind.VERDICT:
+        if column.name == "verdict":
             words = [verdict_word(verdict) for verdict in VERDICTS]
             changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
             least, natural, airy = chip + width(words[0]), chip + width(*words), chip + width(*changed)
-        elif column.kind is ColumnKind.CAUSE:
+        elif column.name == "cause":
             natural = width(*(cause_word(cause.value) for cause in Cause))
             least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
-        elif column.kind is ColumnKind.OBSERVER:
+        elif column.name == "observer":
             natural = width(observer_word("visible"), observer_word("invisible"))
             least, airy = natural, natural + em
         else:
-            natural = width({ColumnKind.ID: "000", ColumnKind.SOURCES: "00"}.get(column.kind, "0.00"))
+            natural = width({"window_id": "000", "sources": "00"}.get(column.name, "0.00"))
             least, airy = natural, natural + em
         return max(least, title), max(natural, title), max(airy, title) + em
 

@@ -10,7 +10,7 @@ from qgis.PyQt.QtCore import QItemSelectionModel, QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 from seam_inspector.plugin.seams.desk.windows.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.windows.windows_model import Column, ColumnKind
+from seam_inspector.plugin.seams.desk.windows.windows_columns import WINDOW_ID
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.toolkit.translation import percent
 
@@ -193,7 +193,7 @@ def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) 
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])
     titles = [column.title() for column in panel._windows.columns]
     assert titles == ["id", "verdict", "ratio 1", "2", "cause", "sources", "observer", "reason"]
-    assert panel._windows.sorted_by == Column(ColumnKind.ID)
+    assert panel._windows.sorted_by == WINDOW_ID
     assert panel.table.horizontalHeader().sortIndicatorSection() == ID
 
 
