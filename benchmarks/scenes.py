@@ -18,7 +18,7 @@ from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
-from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.causes import Cause
@@ -139,7 +139,7 @@ def _scene(block: Block, window: PixelWindow, labels: np.ndarray, names: Sequenc
     places = np.zeros(256, np.uint8)
     for source in block.sources_over(window):
         try:
-            clip = read_clip(source.ref, block.mosaic, window)
+            clip = read_clip(OpenRaster(source.ref), block.mosaic, window)
         except NotCoveredError:
             continue
         places[names.index(source.ref.name) + 1] = len(clips)

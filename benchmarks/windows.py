@@ -18,7 +18,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.band_curves import measure_clip
 from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import describe
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.explanation import MeasuredClip, explain
@@ -69,7 +69,7 @@ def clips_only(request: WindowRequest) -> list[np.ndarray]:
     """The clips of a window's rasters, without their curves."""
     assert request.window is not None
     refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
-    return [read_clip(ref, request.mosaic, request.window).bands for ref in refs]
+    return [read_clip(OpenRaster(ref), request.mosaic, request.window).bands for ref in refs]
 
 
 def measured_only(request: WindowRequest) -> list[Curves]:
@@ -77,7 +77,7 @@ def measured_only(request: WindowRequest) -> list[Curves]:
     assert request.window is not None
     settings = request.settings
     refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
-    clips = [read_clip(ref, request.mosaic, request.window) for ref in refs]
+    clips = [read_clip(OpenRaster(ref), request.mosaic, request.window) for ref in refs]
     return [one.curves for one in measure_clips(clips, settings.wavelet, settings.levels)]
 
 
@@ -138,7 +138,7 @@ def run_explanation(ground: Ground, quick: bool) -> list[Goal]:
             assert request.window is not None
             window = replace(request.window, width=side, height=side)
             refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
-            clips = [read_clip(ref, request.mosaic, window) for ref in refs]
+            clips = [read_clip(OpenRaster(ref), request.mosaic, window) for ref in refs]
             wavelet, levels = request.settings.wavelet, request.settings.levels
             mosaic, *sources = measure_clips(clips, wavelet, levels)
             calls = (

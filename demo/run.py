@@ -23,7 +23,7 @@ from seam_inspector.plugin.imagery import grids
 from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.clips import read_clip, read_overview
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
-from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.provider import SeamInspectorProvider
 from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
@@ -273,7 +273,7 @@ def draw_pictures(axes: Any, window: Inspected, curves: list[ChartCurve], mosaic
     middle = grids.PixelWindow(
         whole.column + (whole.width - width) // 2, whole.row + (whole.height - height) // 2, width, height
     )
-    clips = [read_clip(RasterRef(str(file)), mosaic, middle) for file in (job.mosaic, files[source])]
+    clips = [read_clip(OpenRaster(RasterRef(str(file))), mosaic, middle) for file in (job.mosaic, files[source])]
     images = [np.moveaxis(clip.bands[[0, 1, 2] if clip.raster.has_luminance else [0, 0, 0]], 0, -1) for clip in clips]
     gap = np.full((4, width, 3), 255, dtype=np.uint8)
     axes.imshow(np.concatenate([stretched(images[0]), gap, stretched(images[1])]), interpolation="nearest")

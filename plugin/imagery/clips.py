@@ -12,7 +12,7 @@ from .errors import NotCoveredError
 from .gdal_calls import gdal_call
 from .grids import Extent, Grid, PixelWindow
 from .open_raster import Block, OpenRaster, placed
-from .rasters import Raster, RasterRef
+from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
 
 MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
@@ -36,7 +36,7 @@ class Clip:
     """Whether the pixels had to be warped to the mosaic's grid."""
 
 
-def read_clip(ref: RasterRef, mosaic: Raster, window: PixelWindow) -> Clip:
+def read_clip(source: OpenRaster, mosaic: Raster, window: PixelWindow) -> Clip:
     """The pixels of a raster under a window of the mosaic.
 
     They are read as they are when the pixel sizes agree to 1 % and the axes are parallel, since resampling
@@ -46,7 +46,6 @@ def read_clip(ref: RasterRef, mosaic: Raster, window: PixelWindow) -> Clip:
     Raises NotCoveredError when more than 0.1 % of the pixels are invalid, RasterError when the raster can't
     be read.
     """
-    source = OpenRaster(ref)
     raster = placed(source.raster)
     if raster.is_north_up and _on_mosaic_system(raster.wkt, mosaic) and _same_pixel_size(raster.grid, mosaic.grid):
         return _clip_as_it_is(source, mosaic.grid.window_extent(window), window)

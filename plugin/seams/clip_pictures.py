@@ -13,6 +13,7 @@ import numpy as np
 
 from ..imagery.clips import Clip, read_clip
 from ..imagery.errors import RasterError
+from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import RasterRef
 from .measure.inspection import WindowRequest
 
@@ -87,7 +88,7 @@ def _clips(request: WindowRequest, cancelled: Callable[[], bool]) -> Iterator[tu
         if cancelled():
             return
         with suppress(RasterError):
-            yield read_clip(ref, request.mosaic, request.window), i == 0
+            yield read_clip(OpenRaster(ref), request.mosaic, request.window), i == 0
 
 
 def _shown_bands(clip: Clip) -> np.ndarray:

@@ -9,6 +9,7 @@ import numpy as np
 from osgeo import gdal, osr
 from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.synthetic import ORIGIN, UTM33
@@ -22,7 +23,7 @@ YELLOW, CYAN = gdal.GCI_YellowBand, gdal.GCI_CyanBand
 
 
 def clip_of(path: str, mosaic: Raster, window: PixelWindow = WINDOW, system: str = "") -> Clip:
-    return read_clip(RasterRef(path, system), mosaic, window)
+    return read_clip(OpenRaster(RasterRef(path, system)), mosaic, window)
 
 
 def inside(array: np.ndarray, window: PixelWindow = WINDOW) -> np.ndarray:

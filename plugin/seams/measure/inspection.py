@@ -10,6 +10,7 @@ from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
+from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.wavelets import Curve, check_decomposition
 from . import messages
@@ -212,7 +213,7 @@ def inspect_window(request: WindowRequest) -> WindowResult:
 
 def _measured(ref: RasterRef, request: WindowRequest) -> MeasuredClip:
     assert request.window is not None
-    clip = read_clip(ref, request.mosaic, request.window)
+    clip = read_clip(OpenRaster(ref), request.mosaic, request.window)
     return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
 
 

@@ -18,7 +18,7 @@ from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import NotCoveredError, RasterError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
-from ...imagery.open_raster import describe_placed
+from ...imagery.open_raster import OpenRaster, placed
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on
 from ...imagery.shifts import Shift, Spectra, find_shift
@@ -95,17 +95,17 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     """
     if request.extent is None:
         return not_foretold(request, request.reason)
-    rasters, unreadable = _described(request.sources)
-    band = _most_common_band(rasters)
+    sources, unreadable = _opened(request.sources)
+    band = _most_common_band(sources)
     try:
-        place, unfit = _place(request, [raster for raster in rasters if raster.judged_band == band])
+        place, unfit = _place(request, [source for source in sources if source.raster.judged_band == band])
     except WindowError as error:
         return replace(not_foretold(request, error.message), notices=tuple(unreadable))
     if place is None:
         why = tuple([*unreadable, *unfit][: imagery_limits.MAX_REASONS])
         reason = messages.NO_SOURCE_COMPARABLE(why=why) if why else messages.NO_SOURCES()
         return replace(not_foretold(request, reason), notices=tuple(unreadable))
-    clips, refused = _comparable_clips(place, rasters, band)
+    clips, refused = _comparable_clips(place, sources, band)
     notices = (*unreadable, *refused)
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     found = feathers(planes, request.wavelet, request.levels)
@@ -143,34 +143,36 @@ class _ForecastPlace:
         return self.mosaic.grid.window_extent(self.window)
 
 
-def _described(sources: Sequence[Source]) -> tuple[list[Raster], list[Message]]:
-    rasters: list[Raster] = []
+def _opened(sources: Sequence[Source]) -> tuple[list[OpenRaster], list[Message]]:
+    opened: list[OpenRaster] = []
     notices: list[Message] = []
     for source in sources:
         try:
-            rasters.append(describe_placed(source.ref))
+            one = OpenRaster(source.ref)
+            placed(one.raster)
+            opened.append(one)
         except RasterError as error:
             notices.append(error.message.as_warning())
-    return rasters, notices
+    return opened, notices
 
 
-def _most_common_band(rasters: Sequence[Raster]) -> str | None:
+def _most_common_band(sources: Sequence[OpenRaster]) -> str | None:
     """The band that most sources are judged by, so that one of other bands does not cost all the others."""
-    counts = Counter(raster.judged_band for raster in rasters)
+    counts = Counter(source.raster.judged_band for source in sources)
     return counts.most_common(1)[0][0] if counts else None
 
 
-def _place(request: ForecastRequest, rasters: Sequence[Raster]) -> tuple[_ForecastPlace | None, list[Message]]:
+def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[_ForecastPlace | None, list[Message]]:
     """The window on the first of the finest sources that covers it north-up, and why those before it did not do.
 
     Raises WindowError when the window can't be measured on that grid.
     """
     unfit: list[Message] = []
-    finest = min((raster.ground_sample_distance for raster in rasters), default=0.0)
+    finest = min((source.raster.ground_sample_distance for source in sources), default=0.0)
     alike = (1 + imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE) * finest
-    for raster in sorted(rasters, key=lambda one: max(one.ground_sample_distance, alike)):
+    for source in sorted(sources, key=lambda one: max(one.raster.ground_sample_distance, alike)):
         try:
-            place = _place_on(raster, request)
+            place = _place_on(source, request)
         except RasterError as error:
             unfit.append(error.message)
         else:
@@ -178,26 +180,26 @@ def _place(request: ForecastRequest, rasters: Sequence[Raster]) -> tuple[_Foreca
     return None, unfit
 
 
-def _place_on(raster: Raster, request: ForecastRequest) -> _ForecastPlace:
+def _place_on(source: OpenRaster, request: ForecastRequest) -> _ForecastPlace:
     assert request.extent is not None
-    grid = raster.grid
+    raster, grid = source.raster, source.raster.grid
     extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
     if not covers(raster.extent, extent, grid.pixel_width, grid.pixel_height):
         raise NotCoveredError(imagery_messages.NOT_COVERED(name=raster.ref.name))
     window = snap_window(grid, extent, request.levels)
-    return _ForecastPlace(raster, window, read_clip(raster.ref, raster, window))
+    return _ForecastPlace(raster, window, read_clip(source, raster, window))
 
 
 def _comparable_clips(
-    place: _ForecastPlace, rasters: Sequence[Raster], band: str | None
+    place: _ForecastPlace, sources: Sequence[OpenRaster], band: str | None
 ) -> tuple[list[Clip], list[Message]]:
     """The clips of the sources that cover the window, and why others that do can't be compared."""
     clips: list[Clip] = []
     notices: list[Message] = []
-    for raster in rasters:
-        own = raster.ref == place.mosaic.ref
+    for source in sources:
+        own = source.ref == place.mosaic.ref
         try:
-            clip = place.clip if own else read_clip(raster.ref, place.mosaic, place.window)
+            clip = place.clip if own else read_clip(source, place.mosaic, place.window)
             _check_comparable(clip, band)
         except NotCoveredError:
             continue

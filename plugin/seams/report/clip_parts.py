@@ -12,6 +12,7 @@ from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
+from ...imagery.open_raster import OpenRaster
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss
@@ -87,7 +88,7 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
     try:
         window = snap_window(block.mosaic.grid, job.extent, levels=0)
         searched = _middle(window)
-        clips = [read_clip(block.mosaic.ref, block.mosaic, searched)]
+        clips = [read_clip(OpenRaster(block.mosaic.ref), block.mosaic, searched)]
     except SeamInspectorError as error:
         return WindowParts(problem=error.message)
     sources = _ordered(block.sources_over(window), job.names)
@@ -97,7 +98,7 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
             break
         shown += 1
         try:
-            clips.append(read_clip(source.ref, block.mosaic, searched))
+            clips.append(read_clip(OpenRaster(source.ref), block.mosaic, searched))
         except RasterError:  # the inspection has said so
             continue
     side = min(REPORT_CLIP_PX, searched.width, searched.height)

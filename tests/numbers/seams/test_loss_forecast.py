@@ -13,7 +13,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.clips import read_clip
 from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
 from seam_inspector.plugin.imagery.message import Message
-from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
@@ -157,7 +157,7 @@ def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_fo
         if one.reason is not None:
             continue
         assert one.extent == pytest.approx(extent)
-        clips = [read_clip(RasterRef(path), mosaic, window).bands for path in paths]
+        clips = [read_clip(OpenRaster(RasterRef(path)), mosaic, window).bands for path in paths]
         planes = [luminance(bands) for bands in clips]
         both, *own = (
             np.array([np.sum(part**2) for part in decompose(plane).details]) for plane in (sum(planes) / 2, *planes)
