@@ -132,10 +132,11 @@ def _created(
 
 
 def _files_beside(path: Path) -> set[str]:
-    """Names of the files that go with a raster and are called like it."""
-    with gdal_silenced(), suppress(RuntimeError):
+    """Names of the files that GDAL takes for a raster's own and that are called like it."""
+    found = {path.name + ending for ending in (".aux.xml", ".msk", ".ovr")}
+    with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
         dataset = gdal.OpenEx(str(path), gdal.OF_RASTER) if path.is_file() else None
         if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
-            names = {Path(file).name for file in dataset.GetFileList() or ()}
-            return {name for name in names if name != path.name and name.startswith(f"{path.stem}.")}
-    return set()
+            names = {Path(file).name for file in dataset.GetFileList() or ()} - {path.name}
+            found |= {name for name in names if name.startswith(path.stem)}
+    return found

@@ -15,7 +15,7 @@ from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.value_ranges import is_range_known, value_range
 
-from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_raster
+from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_plain, write_raster
 
 MakeRaster = Callable[..., str]
 
@@ -40,6 +40,23 @@ def test_a_picture_without_a_place_and_a_rotated_one(make_raster: MakeRaster, tm
     assert not describe(RasterRef(rotated)).is_north_up
     with pytest.raises(RasterError, match="rotated"):
         describe(RasterRef(rotated)).grid  # noqa: B018
+
+
+@pytest.mark.parametrize("system", ["", "EPSG:4326"])
+def test_pixels_without_a_place_are_no_degrees(tmp_path: Path, system: str) -> None:
+    image = describe(RasterRef(write_plain(tmp_path / "scan.bmp", orthoimage((64, 64), 1)[0]), system))
+    assert (image.wkt, image.has_place, image.ground_sample_distance) == (system, False, 1.0)
+    assert image.grid == Grid(0, 0, 1, 1, 64, 64)
+
+
+@pytest.mark.parametrize("geotransform", [(0, 1, 0, 0, 0, -1), (7, 0, 0, 8, 0, -0.1), (7, 0.1, 0, 8, 0, 0)])
+def test_a_geotransform_that_says_nothing_is_no_place(
+    make_raster: MakeRaster, geotransform: tuple[float, ...]
+) -> None:
+    """That of pixels themselves, or one that lays all of them on a line."""
+    image = describe(RasterRef(make_raster("a.tif", orthoimage((64, 64)), geotransform=geotransform, system=None)))
+    assert not image.has_place
+    assert image.grid == Grid(0, 0, 1, 1, 64, 64)
 
 
 @pytest.mark.parametrize("array", [np.zeros((8, 8), np.complex64)])

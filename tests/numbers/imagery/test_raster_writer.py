@@ -19,6 +19,9 @@ from tests.numbers.disks import full_disk
 from tests.numbers.synthetic import orthoimage, write_plain, write_raster
 
 PIXELS = orthoimage((300, 400))
+RPC_NAMES = [f"{axis}_{kind}" for axis in ("LINE", "SAMP", "LAT", "LONG", "HEIGHT") for kind in ("OFF", "SCALE")]
+RPC_NAMES += [f"{axis}_{part}_COEFF_{number}" for axis in ("LINE", "SAMP") for part in ("NUM", "DEN")
+              for number in range(1, 21)]
 
 
 @pytest.fixture(params=[False, True], ids=["errors as results", "errors as exceptions"], autouse=True)
@@ -49,6 +52,7 @@ def folder(tmp_path: Path) -> Path:
     dataset.BuildOverviews("NEAREST", [2])
     dataset.GetRasterBand(1).ComputeStatistics(False)
     del dataset
+    (made / "out_RPC.TXT").write_text("".join(f"{name}: 1\n" for name in RPC_NAMES))
     (made / "out_2.tif").write_text("another")
     (made / "out.txt").write_text("notes")
     return made
@@ -83,9 +87,16 @@ def test_a_mask_comes_along_and_is_read_again(tmp_path: Path, like: Raster) -> N
 
 
 def test_an_older_raster_takes_its_own_files_with_it_and_no_others(folder: Path, like: Raster) -> None:
-    assert {"out.tif.msk", "out.tif.ovr", "out.tif.aux.xml"} <= contents(folder).keys()
+    assert {"out.tif.msk", "out.tif.ovr", "out.tif.aux.xml", "out_RPC.TXT"} <= contents(folder).keys()
     write(folder / "out.tif", like)
     assert sorted(os.listdir(folder)) == ["out.tif", "out.txt", "out_2.tif"]
+    assert OpenRaster(RasterRef(str(folder / "out.tif"))).read(like.whole).invalid is None
+
+
+def test_an_older_file_that_is_no_raster_any_more_is_replaced(folder: Path, like: Raster) -> None:
+    (folder / "out.tif").write_text("damaged")
+    write(folder / "out.tif", like)
+    assert not {"out.tif.msk", "out.tif.ovr", "out.tif.aux.xml"} & contents(folder).keys()
     assert OpenRaster(RasterRef(str(folder / "out.tif"))).read(like.whole).invalid is None
 
 
