@@ -47,7 +47,7 @@ class Run:
         feedback: QgsProcessingFeedback | None = None,
     ) -> None:
         self.parameters, self.context = parameters, context
-        self.feedback = feedback or QgsProcessingFeedback()
+        self.feedback = QgsProcessingFeedback() if feedback is None else feedback
         self._algorithm = algorithm
         self._sinks: list[QgsFeatureSink] = []
         self._told: set[str] = set()

@@ -4,16 +4,17 @@ from __future__ import annotations
 from qgis.core import Qgis, QgsApplication, QgsProcessingContext
 from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.message import Level, Message
+from seam_inspector.plugin.toolkit.algorithms.base import SeamInspectorAlgorithm
 from seam_inspector.plugin.toolkit.algorithms.run import Run
 from seam_inspector.plugin.toolkit.message_bar import bar_level, write_log
 
-from tests.qgis.runs import Log, algorithm
+from tests.qgis.runs import Log
 
 TOLD = {level: Message(f"{level.value} {{number}}.", level)(number=1) for level in Level}
 
 
 def run_with(log: Log) -> Run:
-    return Run(algorithm("minimumheight"), {}, QgsProcessingContext(), log)
+    return Run(SeamInspectorAlgorithm(), {}, QgsProcessingContext(), log)
 
 
 def test_a_run_is_told_by_level(qgis_app: QgsApplication) -> None:
