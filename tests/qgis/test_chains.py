@@ -10,9 +10,10 @@ from typing import Any
 
 import pytest
 from qgis.core import QgsFeatureSink, QgsVectorLayer
+from seam_inspector.plugin.toolkit.algorithms.run import Run
 
 from tests.qgis.chains import CHAINS, KINDS
-from tests.qgis.runs import Log, algorithm, run_unchecked
+from tests.qgis.runs import Log, run_unchecked
 from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
 
 SAID_BY_THE_SCENE = {
@@ -55,9 +56,8 @@ class UnexpectedError(Exception):
 def test_a_layer_is_whole_however_the_algorithm_ends(
     scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: str
 ) -> None:
-    job = type(algorithm("inspectwindows"))
     held: list[QgsFeatureSink] = []  # as a frame of a traceback would
-    plain, written = job.write, []
+    plain, written = Run.write, []
 
     def write(sink: QgsFeatureSink, features: Any) -> None:
         plain(sink, features)
@@ -69,7 +69,7 @@ def test_a_layer_is_whole_however_the_algorithm_ends(
             log.cancel()
 
     log = Log()
-    monkeypatch.setattr(job, "write", staticmethod(write))
+    monkeypatch.setattr(Run, "write", staticmethod(write))
     output = tmp_path / "inspected.gpkg"
     try:
         run_unchecked(

@@ -77,7 +77,7 @@ def refuse_overwriting(
                 path, first = output.place.path, other.title
                 raise SettingsError(messages.OUTPUTS_ARE_ONE(path=path, first=first, second=output.title))
         outputs.append(output)
-    if not any(_may_exist(file) for output in outputs for file in output.files.values()):
+    if not any(os.path.exists(file) or file.startswith("/vsi") for one in outputs for file in one.files.values()):
         return  # what is not there yet is no input: most runs need no look at them
     for place in _inputs(algorithm, parameters, context):
         for output in outputs:
@@ -117,11 +117,10 @@ def _inputs(
     """Each file of each input."""
     seen: set[_Identity] = set()
     for definition in algorithm.parameterDefinitions():
-        if definition.isDestination() or definition.type() in _OF_WORDS_AND_NUMBERS:
+        name, kind = definition.name(), definition.type()
+        if definition.isDestination() or kind in _OF_WORDS_AND_NUMBERS:
             continue
-        name = definition.name()
-        provider = "ogr" if definition.type() in ("source", "vector") else "gdal"
-        for place in _places(parameters.get(name), provider, context):
+        for place in _places(parameters.get(name), "ogr" if kind in ("source", "vector") else "gdal", context):
             yield place
             yield from _parts(place.path, seen)
         if name.upper() == common.SOURCE_INDEX and parameters.get(name):
@@ -186,7 +185,7 @@ def _parts(path: str, seen: set[_Identity]) -> Iterator[_Place]:
 
 def _dataset_files(path: str, flags: int = 0) -> list[str]:
     """All files that GDAL counts to a dataset, but for databases, of which other tables may be written."""
-    dataset = _opened(path, flags) if _may_exist(path) and not _is_database(path) else None
+    dataset = None if _is_database(path) else _opened(path, flags)
     files = (dataset.GetFileList() or []) if dataset is not None else []
     return [file for file in files if not _is_database(file)]
 
@@ -211,10 +210,6 @@ def _is_sidecar(file: str, path: str) -> bool:
     name = os.path.basename(file).lower()
     worlds = {ending + "w", ending[:2] + ending[-1:] + "w"}  # .tifw, .tfw
     return any(name == start + end for start in (stem, stem + ending) for end in _SIDECARS | worlds)
-
-
-def _may_exist(path: str) -> bool:
-    return os.path.exists(path) or ":" in path or path.startswith("/vsi")
 
 
 def _identity(path: str) -> _Identity:
