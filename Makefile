@@ -13,7 +13,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-core test-qgis test-desktop demo benchmark benchmark-detection translate package icon clean
+.PHONY: help install link lint test test-numbers test-qgis test-desktop demo benchmark benchmark-detection translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -34,9 +34,9 @@ lint: link ## Check style and types
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py))
 
-test: lint test-core test-qgis test-desktop ## Check style and types, then run all tests
+test: lint test-numbers test-qgis test-desktop ## Check style and types, then run all tests
 
-test-core: link ## Run the tests of the numbers, without QGIS
+test-numbers: link ## Run the tests of the numbers, without QGIS
 	$(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
