@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.imagery.band_curves import measure_bands
+from seam_inspector.plugin.imagery.band_curves import measure_bands, measure_clip
 from seam_inspector.plugin.imagery.band_names import LUMINANCE
 from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
@@ -14,7 +14,7 @@ from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.explanation import explain
+from seam_inspector.plugin.seams.measure.explanation import MeasuredClip, explain
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import Scene, explained, whole_values
@@ -87,9 +87,9 @@ def sharp_and_soft() -> tuple[np.ndarray, np.ndarray]:
 
 def detail_of_composite(mosaic: Raster, bands: np.ndarray, sources: Sequence[np.ndarray], labels: np.ndarray) -> Curve:
     """The composite's curve where labels are known."""
-    measured = [measure_bands(one, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS) for one in (bands, *sources)]
-    clips = [(Clip(mosaic, one, 0.0), curves) for one, (curves, _) in zip(sources, measured[1:])]
-    found = explain(Clip(mosaic, bands, 0.0), *measured[0], clips, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
+    clips = [Clip(mosaic, one, 0.0) for one in (bands, *sources)]
+    own, *others = (MeasuredClip(clip, *measure_clip(clip, DEFAULT_WAVELET, DEFAULT_LEVELS)) for clip in clips)
+    found = explain(own, others, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
     return found.curves[LUMINANCE]
 
 
