@@ -7,16 +7,8 @@ from typing import Callable
 from qgis.core import QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import QSize, Qt
-from qgis.PyQt.QtGui import QIcon, QKeySequence, QResizeEvent
-from qgis.PyQt.QtWidgets import (
-    QAction,
-    QProgressBar,
-    QSplitter,
-    QTabWidget,
-    QToolBar,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtGui import QKeySequence, QResizeEvent
+from qgis.PyQt.QtWidgets import QAction, QProgressBar, QSplitter, QTabWidget, QToolBar, QVBoxLayout, QWidget
 
 from ...toolkit.desk.scroll_body import ScrollBody
 from ...toolkit.desk.tabs import DeskTab
@@ -99,43 +91,26 @@ class InspectionDock(ToolDock):
 
     def _make_actions(self) -> None:
         self.place = self._action(
-            QgsApplication.getThemeIcon("/mActionMultiEdit.svg"),
-            tr("Place"),
-            tr("Place windows along the seamlines"),
-            self._place,
+            "MultiEdit", tr("Place"), tr("Place windows along the seamlines"), self.session.place_windows
         )
         self.inspect = self._action(
-            QgsApplication.getThemeIcon("/mActionStart.svg"),
-            tr("Inspect"),
-            tr("Inspect all windows that are not inspected yet or have changed"),
-            self._inspect_pending,
-        )
+            "Start", tr("Inspect"), tr("Inspect all windows that are not inspected yet or have changed"),
+            self.session.inspect_pending,
+        )  # fmt: skip
         self.inspect_selected = self._action(
-            QgsApplication.getThemeIcon("/mActionRefresh.svg"),
-            tr("Again"),
-            tr("Inspect the selected windows again"),
-            self._inspect_selected,
+            "Refresh", tr("Again"), tr("Inspect the selected windows again"), self._inspect_selected
         )
-        self.stop = self._action(
-            QgsApplication.getThemeIcon("/mActionStop.svg"), tr("Stop"), tr("Stop; what is done stays"), self._stop
-        )
+        self.stop = self._action("Stop", tr("Stop"), tr("Stop; what is done stays"), self.session.stop)
         self.report = self._action(
-            QgsApplication.getThemeIcon("/mActionNewReport.svg"),
-            tr("Report"),
-            tr("Write a report of the inspected windows, one HTML page that opens anywhere"),
-            self._report,
-        )
-        self.undo = self._action(
-            QgsApplication.getThemeIcon("/mActionUndo.svg"),
-            tr("Undo"),
-            tr("Undo the last change of the windows (Ctrl+Z)"),
-            self._undo,
-        )
+            "NewReport", tr("Report"), tr("Write a report of the inspected windows, one HTML page that opens anywhere"),
+            self.reports.ask,
+        )  # fmt: skip
+        self.undo = self._action("Undo", tr("Undo"), tr("Undo the last change of the windows (Ctrl+Z)"), self._undo)
         self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
         self.undo.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
 
-    def _action(self, icon: QIcon, text: str, tip: str, slot: Callable[..., None]) -> QAction:
-        action = QAction(icon, text, self)
+    def _action(self, icon: str, text: str, tip: str, slot: Callable[..., None]) -> QAction:
+        action = QAction(QgsApplication.getThemeIcon(f"/mAction{icon}.svg"), text, self)
         action.setToolTip(tip)
         action.triggered.connect(slot)
         return action
@@ -158,17 +133,13 @@ class InspectionDock(ToolDock):
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))
         tabs.setDocumentMode(True)
-        list_side, list_layout = QWidget(), QVBoxLayout()
-        list_layout.setContentsMargins(0, 0, 0, 0)
-        list_layout.addWidget(self.windows, 1)
-        list_side.setLayout(list_layout)
         chart_side, chart_layout = QWidget(), QVBoxLayout()
         chart_layout.setContentsMargins(0, 0, 0, 0)
         chart_layout.addWidget(tabs, 1)
         chart_layout.addWidget(self.judge)
         chart_side.setLayout(chart_layout)
         self._splitter = QSplitter(Qt.Orientation.Vertical)
-        self._splitter.addWidget(list_side)
+        self._splitter.addWidget(self.windows)
         self._splitter.addWidget(chart_side)
         self._splitter.setStretchFactor(0, 2)
         self._splitter.setStretchFactor(1, 3)
@@ -184,20 +155,8 @@ class InspectionDock(ToolDock):
         body.addActions([*self.judge.actions_for_dock(), self.undo])
         self.setWidget(ScrollBody(body))
 
-    def _place(self) -> None:
-        self.session.place_windows()
-
-    def _inspect_pending(self) -> None:
-        self.session.inspect_pending()
-
-    def _stop(self) -> None:
-        self.session.stop()
-
     def _inspect_selected(self) -> None:
         self.session.inspect(self.session.selected())
-
-    def _report(self) -> None:
-        self.reports.ask()
 
     def _undo(self) -> None:
         layer = self.session.window_layer()
@@ -205,20 +164,19 @@ class InspectionDock(ToolDock):
             layer.undoStack().undo()
 
     def _enable_actions(self) -> None:
-        ready = self.session.mosaic_grid() is not None
+        ready, windows = self.session.mosaic_grid() is not None, self.session.windows()
         self.draw.setEnabled(ready)
         self.place.setEnabled(ready and bool(self.session.inputs.seamlines))
-        self.inspect.setEnabled(ready and bool(self.session.windows()))
-        self.inspect_selected.setEnabled(ready and bool(self.session.windows()))
+        for action in (self.inspect, self.inspect_selected):
+            action.setEnabled(ready and bool(windows))
         self.stop.setEnabled(self.session.is_busy)
-        self.report.setEnabled(any(row.verdict for row in self.session.windows()))
+        self.report.setEnabled(any(row.verdict for row in windows))
         layer = self.session.window_layer()
         self.undo.setEnabled(layer is not None and layer.isEditable() and layer.undoStack().canUndo())
 
     def _repaint_windows(self) -> None:
         """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""
-        layer = self.session.window_layer()
-        if layer is not None:
+        if (layer := self.session.window_layer()) is not None:
             layer.triggerRepaint()
 
     def _show_progress(self, done: int, asked: int) -> None:

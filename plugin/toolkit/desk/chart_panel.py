@@ -1,11 +1,12 @@
 """What the tabs with a chart have in common. matplotlib is loaded in the background."""
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QEvent, Qt, QTimer
+from qgis.PyQt.QtCore import QEvent, Qt
 from qgis.PyQt.QtGui import QPalette, QShowEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from ..charts.chart_loader import ChartLoader
+from .timers import single_shot
 
 _RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
 
@@ -17,9 +18,7 @@ class ChartPanel(QWidget):
         super().__init__(parent)
         self._loader = ChartLoader()
         self._loader.start()
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.timeout.connect(self._refresh)
+        self._timer = single_shot(self, self._refresh)
         self._text = QLabel()
         self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._text.setWordWrap(True)

@@ -2,10 +2,6 @@
 from __future__ import annotations
 
 from html import escape
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    pass
 
 
 def rich_tip(text: str, *lines: str) -> str:

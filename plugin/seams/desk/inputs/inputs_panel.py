@@ -2,9 +2,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
+from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
@@ -17,7 +19,7 @@ from ....toolkit.translation import sentence, tr
 from ...measure.window_placing import window_side_px
 from ...tables.source_index import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value, vectors_without
-from .source_list import SourceList, Sources, file_rasters, overlapping
+from .source_list import SourceList, file_rasters, overlapping
 
 if TYPE_CHECKING:
     from ..session import Session
@@ -29,6 +31,9 @@ _Filter = QgsMapLayerProxyModel.Filter
 class InputsPanel(QWidget):
     """Shows the session's inputs and changes them."""
 
+    _chosen = pyqtSignal(str, object)
+    """The name of a field of ``Inputs`` and its new value."""
+
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
@@ -36,23 +41,23 @@ class InputsPanel(QWidget):
         self._may_fold = True  # until it was folded once, or the operator did it
         self._had_mosaic = False
         self._is_wide: bool | None = None
-        self._is_closed = False
         self._table_fields()
         self._lay_out()
-        session.inputsChanged.connect(self.refresh)
-        QgsProject.instance().layersAdded.connect(self._take_layers)
-        QgsProject.instance().layersRemoved.connect(self._layers_removed)
-        QApplication.instance().focusChanged.connect(self._focus_moved)
+        self._connections: list[tuple[Any, Callable[..., None]]] = [
+            (session.inputsChanged, self.refresh),
+            (QgsProject.instance().layersAdded, self._take_layers),
+            (QgsProject.instance().layersRemoved, self._layers_removed),
+            (QApplication.instance().focusChanged, self._focus_moved),
+        ]
+        for signal, slot in self._connections:
+            signal.connect(slot)
         self.refresh()
 
     def close(self) -> bool:
         """Stop following session, project and focus."""
-        if not self._is_closed:
-            self._is_closed = True
-            self._session.inputsChanged.disconnect(self.refresh)
-            QgsProject.instance().layersAdded.disconnect(self._take_layers)
-            QgsProject.instance().layersRemoved.disconnect(self._layers_removed)
-            QApplication.instance().focusChanged.disconnect(self._focus_moved)
+        while self._connections:
+            signal, slot = self._connections.pop()
+            signal.disconnect(slot)
         return bool(super().close())
 
     def refresh(self) -> None:
@@ -80,6 +85,9 @@ class InputsPanel(QWidget):
 
     # What the operator changes
 
+    def _take(self, field: str, value: object) -> None:
+        self._change(**{field: value})
+
     def _change(self, **changes: Any) -> None:
         if not self._is_following:
             self._session.set_inputs(replace(self._session.inputs, **changes))
@@ -92,24 +100,6 @@ class InputsPanel(QWidget):
         suggested = overlapping(layer_id, file_rasters())
         kept = tuple(source for source in inputs.sources if source != layer_id)
         self._change(mosaic=layer_id, sources=kept if not layer_id or set(kept) & set(suggested) else suggested)
-
-    def _choose_sources(self, sources: Sources) -> None:
-        self._change(sources=sources)
-
-    def _choose_index(self, layer_id: str) -> None:
-        self._change(source_index=layer_id)
-
-    def _choose_seamlines(self, layer_id: str) -> None:
-        self._change(seamlines=layer_id)
-
-    def _choose_windows(self, layer_id: str) -> None:
-        self._change(windows=layer_id)
-
-    def _change_side(self, metres: float) -> None:
-        self._change(side_m=metres)
-
-    def _change_more(self, name: str, value: object) -> None:
-        self._change(**{name: value})
 
     # Following the project
 
@@ -216,12 +206,13 @@ class InputsPanel(QWidget):
         self.more = MoreBox(self.box)
         self.box.foldedByHand.connect(self._folded_by_hand)
         self.mosaic.chosen.connect(self._choose_mosaic)
-        self.sources.changed.connect(self._choose_sources)
-        self.index.chosen.connect(self._choose_index)
-        self.seamlines.chosen.connect(self._choose_seamlines)
-        self.windows.chosen.connect(self._choose_windows)
-        self.side.valueChanged.connect(self._change_side)
-        self.more.changed.connect(self._change_more)
+        self.sources.changed.connect(partial(self._chosen.emit, "sources"))
+        self.index.chosen.connect(partial(self._chosen.emit, "source_index"))
+        self.seamlines.chosen.connect(partial(self._chosen.emit, "seamlines"))
+        self.windows.chosen.connect(partial(self._chosen.emit, "windows"))
+        self.side.valueChanged.connect(partial(self._chosen.emit, "side_m"))
+        self.more.changed.connect(self._chosen)
+        self._chosen.connect(self._take)
 
     def _lay_out(self) -> None:
         self._grid = QGridLayout(self.box)

@@ -5,8 +5,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from qgis.core import QgsMapLayer, QgsProject, QgsVectorLayer
-from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 
+from ....toolkit.desk.timers import single_shot
 from .project_inputs import Inputs
 
 _TOGETHER_MS = 500  # edits that come within this time are one
@@ -26,7 +27,8 @@ class InputsWatch(QObject):
         super().__init__(parent)
         self._project = project
         self._followed: tuple[dict[str, QgsMapLayer], str, str, str, str] = ({}, "", "", "", "")
-        self._index_timer, self._seamlines_timer = self._timer(self.indexEdited), self._timer(self.seamlinesEdited)
+        self._index_timer = single_shot(self, self.indexEdited, _TOGETHER_MS)
+        self._seamlines_timer = single_shot(self, self.seamlinesEdited, _TOGETHER_MS)
 
     def follow(self, inputs: Inputs) -> None:
         """Follow the layers of these inputs that are there, and no others."""
@@ -65,13 +67,6 @@ class InputsWatch(QObject):
             *_edits(layers.get(cells), self._index_edited),
             *_edits(layers.get(seamlines), self._seamlines_edited),
         ]
-
-    def _timer(self, signal: Any) -> QTimer:
-        timer = QTimer(self)
-        timer.setSingleShot(True)
-        timer.setInterval(_TOGETHER_MS)
-        timer.timeout.connect(signal)
-        return timer
 
     def _changed(self, *_: object) -> None:
         self.layersChanged.emit()

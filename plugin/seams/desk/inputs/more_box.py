@@ -1,6 +1,7 @@
 """The inputs that are seldom changed: spacing, wavelet, levels, limit, what the verdict is against, seam cells."""
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
@@ -76,12 +77,12 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         add_field(layout, 4, tr("Verdict &against"), self.reference)
         add_field(layout, 5, tr("Seam &cells"), self.cells)
         self.setCollapsed(True)
-        self.spacing.valueChanged.connect(self._change_spacing)
+        self.spacing.valueChanged.connect(partial(self.changed.emit, "spacing_m"))
         self.wavelet.activated.connect(self._choose_wavelet)
-        self.levels.valueChanged.connect(self._change_levels)
-        self.max_ratio.valueChanged.connect(self._change_max_ratio)
+        self.levels.valueChanged.connect(partial(self.changed.emit, "levels"))
+        self.max_ratio.valueChanged.connect(partial(self.changed.emit, "max_ratio"))
         self.reference.activated.connect(self._choose_reference)
-        self.cells.chosen.connect(self._choose_cells)
+        self.cells.chosen.connect(partial(self.changed.emit, "cells"))
 
     def fields(self) -> tuple[QWidget, ...]:
         """In tab order."""
@@ -97,23 +98,11 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         self.cells.leave_out(vectors_without(CELL_FIELD))
         self.cells.show_layer(inputs.cells)
 
-    def _change_spacing(self, metres: float) -> None:
-        self.changed.emit("spacing_m", metres)
-
     def _choose_wavelet(self, _index: int) -> None:
         self.changed.emit("wavelet", self.wavelet.currentText())
 
-    def _change_levels(self, levels: int) -> None:
-        self.changed.emit("levels", levels)
-
-    def _change_max_ratio(self, ratio: float) -> None:
-        self.changed.emit("max_ratio", ratio)
-
     def _choose_reference(self, _index: int) -> None:
         self.changed.emit("reference", self.reference.currentData())
-
-    def _choose_cells(self, layer_id: str) -> None:
-        self.changed.emit("cells", layer_id)
 
 
 def vectors_without(field: str) -> list[QgsVectorLayer]:

@@ -17,7 +17,7 @@ from qgis.core import (
 from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QRect, QRectF, Qt
-from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtGui import QColor, QPolygonF
 from qgis.PyQt.QtWidgets import QLabel
 
 _CASING = QColor(0, 0, 0, 170)  # around the outline, so that it shows on bright ground as well as on dark
@@ -166,14 +166,6 @@ def _write(label: QLabel, text: str, box: str, room: int) -> None:
 
 def _on_screen(canvas: QgsMapCanvas, rectangle: QgsRectangle) -> QRectF:
     """The canvas pixels of a rectangle on the map, which may be turned."""
+    xs, ys = (rectangle.xMinimum(), rectangle.xMaximum()), (rectangle.yMinimum(), rectangle.yMaximum())
     to_pixel = canvas.getCoordinateTransform()
-    corners = (
-        (rectangle.xMinimum(), rectangle.yMinimum()),
-        (rectangle.xMinimum(), rectangle.yMaximum()),
-        (rectangle.xMaximum(), rectangle.yMinimum()),
-        (rectangle.xMaximum(), rectangle.yMaximum()),
-    )
-    points = [to_pixel.transform(QgsPointXY(*corner)) for corner in corners]
-    left, top = min(point.x() for point in points), min(point.y() for point in points)
-    right, bottom = max(point.x() for point in points), max(point.y() for point in points)
-    return QRectF(left, top, right - left, bottom - top)
+    return QPolygonF([to_pixel.transform(x, y).toQPointF() for x in xs for y in ys]).boundingRect()

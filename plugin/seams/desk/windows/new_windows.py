@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from qgis.core import QgsApplication, QgsProject
-from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
 from ....imagery.grids import PixelWindow
 from ....toolkit import layer_editing, layers
 from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.desk.timers import single_shot
 from ....toolkit.message_bar import write_log
 from ....toolkit.translation import tr
 from ... import jobs
@@ -52,9 +53,7 @@ class NewWindows(QObject):
         self._background = background
         self._waiting: deque[Iterator[None]] = deque()
         self._is_at_work = False
-        self._clock = QTimer(self)
-        self._clock.setSingleShot(True)
-        self._clock.timeout.connect(self._go_on)
+        self._clock = single_shot(self, self._go_on)
 
     @property
     def is_busy(self) -> bool:
@@ -105,10 +104,8 @@ class NewWindows(QObject):
         write_log(placement.dropped)
         if windows:
             dropped, count = len(placement.dropped), len(windows)
-            self.told.emit(
-                messages.WINDOWS_PLACED_IN_PART(count=count, notes=dropped)
-                if dropped else messages.WINDOWS_PLACED(count=count)
-            )
+            in_part = messages.WINDOWS_PLACED_IN_PART(count=count, notes=dropped)
+            self.told.emit(in_part if dropped else messages.WINDOWS_PLACED(count=count))
         else:
             self.told.emit(placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED())
 

@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
-from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
 from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
 from ...measure.inspection import WindowResult
@@ -37,10 +38,7 @@ class WindowResults(QObject):
         self._results: dict[int, WindowResult] = {}
         self._unwritten: dict[int, tuple[WindowResult, Version]] = {}
         self._waiting: dict[int, Version] = {}
-        self._writer = QTimer(self)
-        self._writer.setSingleShot(True)
-        self._writer.setInterval(_WRITE_MS)
-        self._writer.timeout.connect(self.write)
+        self._writer = single_shot(self, self.write, _WRITE_MS)
         background.progressChanged.connect(self._progress)
 
     def result(self, window_id: int) -> WindowResult | None:
@@ -117,8 +115,7 @@ class WindowResults(QObject):
             del self._waiting[number]
         if not self._writer.isActive():
             self._writer.start()
-        fid = self._watch.fid(number)
-        if fid is not None:
+        if (fid := self._watch.fid(number)) is not None:
             self.arrived.emit(fid)
 
     def _progress(self, done: int, asked: int) -> None:

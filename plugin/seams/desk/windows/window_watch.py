@@ -7,10 +7,11 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from qgis.core import QgsMapLayer, QgsVectorLayer
-from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import Extent
 from ....toolkit import layer_editing
+from ....toolkit.desk.timers import single_shot
 from ...measure.window_records import WindowRecord
 from ...tables import window_layer
 from ...tables.window_layer import UNNUMBERED
@@ -40,9 +41,7 @@ class WindowWatch(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._layer: QgsVectorLayer | None = None
-        self._notifier = QTimer(self)
-        self._notifier.setSingleShot(True)
-        self._notifier.timeout.connect(self._notify)
+        self._notifier = single_shot(self, self._notify)
         self._told: set[int] | None = set()  # the selection
         self._forget()
 
