@@ -32,11 +32,7 @@ def inspection_job(requests: Iterable[WindowRequest], count: int) -> Job:
 
 def seams_job(lines: Iterable[bytes | None], pixel_size: float) -> Job:
     """Finds the seams of a layer of lines or polygons; yields the SeamIndex of them."""
-
-    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        yield 1.0, SeamIndex(find_seams(lines, pixel_size))
-
-    return job
+    return lambda _cancelled: iter([(1.0, SeamIndex(find_seams(lines, pixel_size)))])
 
 
 def placing_job(
@@ -59,8 +55,4 @@ def placing_job(
 
 def pictures_job(request: WindowRequest) -> Job:
     """Reads the clips of one window as pictures; yields the list of them."""
-
-    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        yield 1.0, make_pictures(request, cancelled)
-
-    return job
+    return lambda cancelled: iter([(1.0, make_pictures(request, cancelled))])

@@ -45,34 +45,26 @@ def cause_numbers(found: Explanation) -> list[str]:
     change = judged_change(found)
     lines = [tr("Against the composite of the sources:")]
     if change.tone is not None:
-        lines.append(
-            tr("gain {gain}, bias {bias}, gamma {gamma}").format(
-                gain=shown_number(change.tone.gain),
-                bias=shown_number(change.tone.bias, 1),
-                gamma=shown_number(change.tone.gamma),
-            )
-        )
+        tone, words = change.tone, tr("gain {gain}, bias {bias}, gamma {gamma}")
+        gain, bias, gamma = shown_number(tone.gain), shown_number(tone.bias, 1), shown_number(tone.gamma)
+        lines.append(words.format(gain=gain, bias=bias, gamma=gamma))
     if change.contrast[0] is not None:
         lines.append(tr("contrast at level 1: {percent} %").format(percent=percent(change.contrast[0])))
     if change.sharpness[0] is not None:
         lines.append(tr("sharpness at level 1: {percent} %").format(percent=percent(change.sharpness[0])))
     lines.append(tr("clipped: {percent} %").format(percent=percent(change.clipped)))
     if change.colour_shift is not None:
-        lines.append(tr("gains of the colours differ by a factor of {factor}").format(
-            factor=shown_number(change.colour_shift)
-        ))
+        factor = shown_number(change.colour_shift)
+        lines.append(tr("gains of the colours differ by a factor of {factor}").format(factor=factor))
     if change.shift is not None:
         lines.append(tr("shift: {length} px").format(length=shown_number(change.shift.length)))
     if found.apart is not None:
         lines.append(tr("the sources lie {length} px apart").format(length=shown_number(found.apart)))
     if found.expected and found.expected[0] is not None:
-        lines.append(tr("half of each source would leave {percent} % at level 1").format(
-            percent=percent(found.expected[0])
-        ))
-    lines.append(tr("mixed or unclear: {percent} % of the pixels").format(
-        percent=percent(max(found.mixed_share, found.unclear_share))
-    ))
-    return lines
+        left = percent(found.expected[0])
+        lines.append(tr("half of each source would leave {percent} % at level 1").format(percent=left))
+    mixed = percent(max(found.mixed_share, found.unclear_share))
+    return [*lines, tr("mixed or unclear: {percent} % of the pixels").format(percent=mixed)]
 
 
 def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 from qgis.core import QgsCoordinateReferenceSystem
 
 from ...imagery.errors import SettingsError
+from ...imagery.message import Message
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
 from ..measure import messages
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
     from ...imagery.rasters import Raster, RasterRef
     from ..measure.inspection import Block
     from ..measure.seam_cells import Cell
@@ -47,7 +47,20 @@ def given_sources(run: Run) -> GivenSources:
     return GivenSources(tuple(refs), tuple(left_out), layer_path(index) if index is not None else "")
 
 
-def indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceSystem) -> list[Source]:
+def gathered_sources(
+    run: Run, given: GivenSources, crs: QgsCoordinateReferenceSystem, wkt: str, mosaic: RasterRef | None = None
+) -> list[Source]:
+    """All sources, each once, with their footprints in a reference system; warns of those left out."""
+    from ..measure.source_images import gather_sources
+
+    indexed = _indexed_sources(run, given, crs)
+    run.tell_once(given.left_out)
+    sources, notices = gather_sources(given.refs, indexed, wkt, mosaic)
+    run.tell_once(notices)
+    return sources
+
+
+def _indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceSystem) -> list[Source]:
     """The orthoimages of SOURCE_INDEX with their footprints in a reference system; none where it is not given.
 
     Raises SettingsError when the layer is no such index.
@@ -65,10 +78,7 @@ def indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceSy
 def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[Cell] = ()) -> Block:
     """Mosaic and sources; warns of those left out. Raises SettingsError when none is named at all."""
     from ...toolkit.layers import mosaic_crs
-    from ..measure.inspection import make_block
+    from ..measure.inspection import Block
 
-    indexed = indexed_sources(run, given, mosaic_crs(mosaic))
-    run.tell_once(given.left_out)
-    block, notices = make_block(mosaic, given.refs, indexed, cells)
-    run.tell_once(notices)
-    return block
+    sources = gathered_sources(run, given, mosaic_crs(mosaic), mosaic.wkt, mosaic.ref)
+    return Block(mosaic, tuple(sources), tuple(cells))

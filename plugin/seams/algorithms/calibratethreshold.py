@@ -4,11 +4,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsProcessing,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFeatureSource,
-)
+from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink, QgsProcessingParameterFeatureSource
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import SettingsError
@@ -17,10 +13,10 @@ from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
+from ..measure.window_records import WindowRecord, contrast_of
 
 if TYPE_CHECKING:
     from ..measure.threshold_calibration import ThresholdCalibration, Verdicts
-    from ..measure.window_records import WindowRecord
 
 WINDOWS, PAIRS, OUTPUT = "WINDOWS", "PAIRS", "OUTPUT"
 MAX_RATIO, AUC, AUC_LOW, AUC_HIGH = "MAX_RATIO", "AUC", "AUC_LOW", "AUC_HIGH"
@@ -98,7 +94,6 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     def _verdicts(self, run: Run) -> list[Verdicts]:
         """The measures that are there, ratio_1 first, in the judged windows."""
         from ...toolkit import layers
-        from ..measure.window_records import contrast_of
         from ..tables.record_tables import check_inspected, read_pairs, read_windows
 
         windows = run.source(WINDOWS)
@@ -131,8 +126,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
 
         known = [(window.observer, value) for window, value in values if value is not None]
         if len(known) < len(values):
-            missing = len(values) - len(known)
-            run.tell(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=missing))
+            run.tell(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=len(values) - len(known)))
         groups = (tuple(value for word, value in known if word == one) for one in ("visible", "invisible"))
         return Verdicts(measure, *groups)
 

@@ -32,8 +32,7 @@ if TYPE_CHECKING:
     from ..measure.inspection import Block, InspectionSettings, WindowRequest
     from ..measure.seam_cells import Cell
 
-WINDOWS, CELLS, REFERENCE = "WINDOWS", "CELLS", "REFERENCE"
-SCHEDULER = "SCHEDULER"
+WINDOWS, CELLS, REFERENCE, SCHEDULER = "WINDOWS", "CELLS", "REFERENCE", "SCHEDULER"
 OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
 
@@ -65,12 +64,8 @@ class InspectWindows(SeamInspectorAlgorithm):
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
         self.addDescribed(
-            common.choice(
-                REFERENCE,
-                tr("Verdict against"),
-                REFERENCES,
-                optional=True,  # else QGIS would refuse models that were drawn before there was this choice
-            ),
+            # Optional, or QGIS would refuse models that were drawn before there was this choice.
+            common.choice(REFERENCE, tr("Verdict against"), REFERENCES, optional=True),
             tr(
                 "sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the "
                 "sources, each pixel from the one that the mosaic follows; fairer across a seam."
@@ -143,12 +138,10 @@ class InspectWindows(SeamInspectorAlgorithm):
         verdicts: Counter[Verdict] = Counter()
         with open_executor(run.text(SCHEDULER)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
-            output, output_id = run.sink(
-                OUTPUT, result_tables.window_fields(settings.levels), QgsWkbTypes.Type.Polygon, crs
-            )
-            curve_fields = column_fields(result_tables.CURVE_COLUMNS)
+            fields = result_tables.window_fields(settings.levels)
+            output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
+            curves, curves_id = run.optional_sink(CURVES, column_fields(result_tables.CURVE_COLUMNS))
             pair_fields = column_fields(result_tables.PAIR_COLUMNS, settings.levels)
-            curves, curves_id = run.optional_sink(CURVES, curve_fields)
             pairs, pairs_id = run.optional_sink(PAIRS, pair_fields)
             for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, run.is_cancelled):
                 geometry, observer = drawn.taken(result.window_id)
@@ -178,11 +171,7 @@ class InspectWindows(SeamInspectorAlgorithm):
     def _settings(self, run: Run) -> InspectionSettings:
         from ..measure.inspection import InspectionSettings
 
-        return InspectionSettings(
-            *run.decomposition(),
-            run.real(common.MAX_RATIO),
-            run.text(REFERENCE),
-        )
+        return InspectionSettings(*run.decomposition(), run.real(common.MAX_RATIO), run.text(REFERENCE))
 
     def _cells(self, run: Run) -> list[Cell]:
         from ...toolkit import layers
@@ -193,8 +182,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         cells = run.source(CELLS)
         if "source" not in cells.fields().names():
             raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
-        crs = layers.mosaic_crs(self._mosaic)
-        transform = run.transform(cells, crs)
+        transform = run.transform(cells, layers.mosaic_crs(self._mosaic))
         return seam_cell_layer.seam_cells(layers.features(cells), transform)
 
     @staticmethod

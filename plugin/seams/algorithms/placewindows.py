@@ -58,9 +58,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         )
         self.addDescribed(*common.levels())
         self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                OUTPUT, tr("Windows"), QgsProcessing.SourceType.TypeVectorPolygon
-            ),
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Windows"), polygon),
             tr("The windows, with the number of their seam and their station along it in metres."),
         )
 
@@ -80,13 +78,11 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ..measure.window_placing import place_windows
         from ..tables.result_tables import PLACED_COLUMNS
 
-        seamlines = run.source(SEAMLINES)
-        mosaic = self._mosaic
+        seamlines, mosaic = run.source(SEAMLINES), self._mosaic
         crs = layers.mosaic_crs(mosaic)
         transform = run.transform(seamlines, crs)
-        seams = find_seams(
-            (layers.line_wkb(feature, transform) for feature in layers.features(seamlines)), mosaic.grid.pixel_width
-        )
+        lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
+        seams = find_seams(lines, mosaic.grid.pixel_width)
         source = OpenRaster(mosaic.ref)
 
         def is_valid(window: PixelWindow) -> bool:
@@ -104,17 +100,11 @@ class PlaceWindows(SeamInspectorAlgorithm):
             run.write(sink, [feature(fields, column_values(PLACED_COLUMNS, placed), geometry)])
             run.progress(done / len(placement.windows))
         run.inform(
-            tr("{windows} windows placed along {seams} seams.").format(
-                windows=len(placement.windows), seams=len(seams)
-            )
+            tr("{windows} windows placed along {seams} seams.").format(windows=len(placement.windows), seams=len(seams))
         )
         run.style(destination, style_path("placed_windows"))
         return {OUTPUT: destination}
 
     def _measures(self, run: Run) -> tuple[float, float, int]:
         """Side and spacing in metres, and the levels."""
-        return (
-            run.real(SIDE),
-            run.real(SPACING),
-            run.whole(common.LEVELS),
-        )
+        return run.real(SIDE), run.real(SPACING), run.whole(common.LEVELS)

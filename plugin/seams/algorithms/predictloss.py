@@ -25,7 +25,7 @@ from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import messages
-from .block_parameters import check_sources, given_sources, indexed_sources
+from .block_parameters import check_sources, gathered_sources, given_sources
 
 if TYPE_CHECKING:
     from ..measure.loss_forecast import ForecastRequest
@@ -95,7 +95,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         if windows.featureCount() == 0:
             raise SettingsError(toolkit_messages.NO_WINDOWS())
         crs, wkt = self._system(windows, run)
-        sources = self._sources(run, crs, wkt)
+        sources = gathered_sources(run, self._given, crs, wkt)
         drawn = WindowFeatures(windows, crs, run)
         requests = self._requests(drawn, sources, wkt, wavelet, levels)
 
@@ -103,8 +103,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         with open_executor() as (executor, ahead):
             fields = column_fields(FORECAST_COLUMNS, levels)
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
-            table = column_fields(FORECAST_PAIR_COLUMNS, levels)
-            pairs, pairs_id = run.optional_sink(PAIRS, table)
+            pairs, pairs_id = run.optional_sink(PAIRS, column_fields(FORECAST_PAIR_COLUMNS, levels))
             for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, run.is_cancelled):
                 geometry, _observer = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
@@ -136,15 +135,6 @@ class PredictLoss(SeamInspectorAlgorithm):
             index = run.source(common.SOURCE_INDEX)
             crs = index.sourceCrs() if index.sourceCrs().isValid() else crs
         return crs, layers.system_wkt(crs)
-
-    def _sources(self, run: Run, crs: QgsCoordinateReferenceSystem, wkt: str) -> list[Source]:
-        from ..measure.source_images import gather_sources
-
-        indexed = indexed_sources(run, self._given, crs)
-        run.tell_once(self._given.left_out)
-        sources, notices = gather_sources(self._given.refs, indexed, wkt)
-        run.tell_once(notices)
-        return sources
 
     @staticmethod
     def _requests(

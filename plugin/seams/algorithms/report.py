@@ -1,11 +1,10 @@
 """``seaminspector:report``: an inspection as one HTML page."""
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from qgis.core import (
-    QgsFeature,
     QgsProcessing,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFileDestination,
@@ -24,6 +23,8 @@ from .block_parameters import given_block, given_sources
 
 if TYPE_CHECKING:
     from ..report.inspection_report import ReportRequest
+
+Row = TypeVar("Row")
 
 WINDOWS, CURVES, PAIRS, TITLE, OUTPUT = "WINDOWS", "CURVES", "PAIRS", "TITLE", "OUTPUT"
 
@@ -90,8 +91,7 @@ class Report(SeamInspectorAlgorithm):
         path = run.file_path(OUTPUT)
         if path is None:
             raise SettingsError(messages.NO_REPORT_FILE())
-        request = self._request(run)
-        notices = write_report(path, request, run.progress, run.is_cancelled)
+        notices = write_report(path, self._request(run), run.progress, run.is_cancelled)
         run.tell(*notices or ())
         return {} if notices is None else {OUTPUT: str(path)}
 
@@ -113,13 +113,10 @@ class Report(SeamInspectorAlgorithm):
             transform = run.transform(windows, crs)
         names = windows.fields().names()
         record_tables.check_inspected(names)
-        found = record_tables.read_windows(layers.features(windows), names, transform)
-        curves = self._rows(run, CURVES)
-        pairs = self._rows(run, PAIRS)
         return ReportRequest(
-            tuple(found),
-            curves=record_tables.read_curves(*curves) if curves else {},
-            pairs=record_tables.read_pairs(*pairs) if pairs else {},
+            tuple(record_tables.read_windows(layers.features(windows), names, transform)),
+            curves=self._table(run, CURVES, record_tables.read_curves),
+            pairs=self._table(run, PAIRS, record_tables.read_pairs),
             block=block,
             wkt=layers.system_wkt(crs),
             title=run.text(TITLE).strip(),
@@ -127,11 +124,11 @@ class Report(SeamInspectorAlgorithm):
             max_ratio=run.real(common.MAX_RATIO),
         )
 
-    def _rows(self, run: Run, name: str) -> tuple[Iterator[QgsFeature], list[str]] | None:
-        """The rows of an optional table and its fields."""
+    def _table(self, run: Run, name: str, read: Callable[..., dict[int, list[Row]]]) -> dict[int, list[Row]]:
+        """What an optional table says of each window."""
         from ...toolkit import layers
 
         if not run.parameters.get(name):
-            return None
+            return {}
         table = run.source(name)
-        return layers.features(table), table.fields().names()
+        return read(layers.features(table), table.fields().names())

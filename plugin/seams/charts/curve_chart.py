@@ -70,17 +70,9 @@ def draw_lines(
         if curve.spread:
             low, high = zip(*curve.spread)
             drawn.append(axes.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0, zorder=order - 2))
-        drawn += axes.plot(
-            x,
-            curve.values,
-            color=colour,
-            linestyle=line,
-            linewidth=width * style.scale,
-            marker="o",
-            markersize=size * style.scale,
-            zorder=order,
-            label=curve.label,
-        )
+        look = {"color": colour, "linestyle": line, "linewidth": width * style.scale}
+        points = {"marker": "o", "markersize": size * style.scale}
+        drawn += axes.plot(x, curve.values, **look, **points, zorder=order, label=curve.label)
     return drawn
 
 

@@ -53,7 +53,4 @@ def make_composite(
 
 def follows_at(following: FollowedSource, source: int, levels: int) -> np.ndarray:
     """Squares of 2^R px that follow one source clearly and wholly, (rows / 2^R, columns / 2^R) bool."""
-    whole: np.ndarray = coarse_means((following.labels == source) & following.clear, levels) > 1 - 1e-6
-    return whole
-
-
+    return coarse_means((following.labels == source) & following.clear, levels) > 1 - 1e-6

@@ -93,15 +93,10 @@ class _Image:
     bands: np.ndarray
     names: tuple[str, ...]
     coarse: dict[str, np.ndarray]
-    """Means of squares of 2^R px, by band."""
+    """Means of squares of 2^R px, by band; luminance first where there is one."""
     curves: Mapping[str, Curve]
     offset: tuple[float, float] = (0.0, 0.0)
     """How its pixel grid lies beside the mosaic's, px."""
-
-    @property
-    def band_names(self) -> tuple[str, ...]:
-        """Luminance first where there is one."""
-        return tuple(self.coarse)
 
     @cached_property
     def plane(self) -> np.ndarray:
@@ -113,18 +108,9 @@ class _Image:
         """Of the plane, which is compared with those of several others."""
         return Spectra(self.plane)
 
-    def band(self, name: str) -> np.ndarray:
-        """One band as it is."""
-        band: np.ndarray = self.bands[self.names.index(name)]
-        return band
-
 
 def explain(
-    mosaic: MeasuredClip,
-    sources: Sequence[MeasuredClip],
-    wavelet: str,
-    levels: int,
-    labels: np.ndarray | None = None,
+    mosaic: MeasuredClip, sources: Sequence[MeasuredClip], wavelet: str, levels: int, labels: np.ndarray | None = None
 ) -> Explanation:
     """Explain one window by at least one source.
 
@@ -231,7 +217,7 @@ def _tones(image: _Image, other: _Image, where: np.ndarray) -> dict[str, Tone | 
     if LUMINANCE in other.coarse:
         pixels.insert(0, (other.bands[:3], imagery_limits.LUMINANCE_WEIGHTS))
     mosaic, source = (np.stack(list(one.coarse.values())) for one in (image, other))
-    return dict(zip(image.band_names, fit_tones(mosaic, source, where, pixels)))
+    return dict(zip(image.coarse, fit_tones(mosaic, source, where, pixels)))
 
 
 def _levelled_planes(
@@ -240,7 +226,7 @@ def _levelled_planes(
     """Planes of the followed sources in the mosaic's grey values."""
     planes = {}
     for i in following.followed if len(following.followed) > 1 else ():
-        tone = tones[i][images[i].band_names[0]] or Tone(1.0, 0.0)
+        tone = next(iter(tones[i].values())) or Tone(1.0, 0.0)
         planes[i] = images[i].plane * np.float32(tone.gain) + np.float32(tone.bias)
     return planes
 
@@ -249,9 +235,7 @@ def _shift(image: _Image, other: _Image, following: FollowedSource, source: int)
     """On the ground: where the source's pixel grid lies beside the mosaic's, that is taken into account."""
     where = following.labels == source if source in following.followed else None
     shift = find_shift(image.spectra, other.spectra, where)
-    if shift is None:
-        return None
-    return replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1])
+    return shift and replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1])
 
 
 def _composite_changes(
@@ -266,16 +250,14 @@ def _composite_changes(
     return _changes(image, reference, _tones(image, reference, where), shift)
 
 
-def _changes(
-    image: _Image, other: _Image, tones: Mapping[str, Tone | None], shift: Shift | None
-) -> dict[str, Change]:
-    clipped = {name: clipped_share(image.band(name), other.band(name)) for name in image.names}
+def _changes(image: _Image, other: _Image, tones: Mapping[str, Tone | None], shift: Shift | None) -> dict[str, Change]:
+    clipped = {name: clipped_share(*bands) for name, *bands in zip(image.names, image.bands, other.bands)}
     gains = [tone.gain for tone in (tones.get(name) for name in COLOURS) if tone is not None]
     colours = colour_shift(gains) if len(gains) == len(COLOURS) else None
     clipped[LUMINANCE] = max(clipped.values())
     return {
         name: Change(tones[name], _contrast(image.curves[name], other.curves[name]), clipped[name], colours, shift)
-        for name in image.band_names
+        for name in image.coarse
     }
 
 

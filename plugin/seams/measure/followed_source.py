@@ -24,7 +24,6 @@ MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do no
 MIN_EXPLAINED = 0.5  # of the mosaic's fine detail within 36 px; a source 2 px off explains 0.1, a blur of 1.2 px 0.6
 MIN_UNMIXED_SHARE = 0.05  # of the pixels: fine contrast of less is not taken for that of the window
 
-
 Planes = Callable[[int, int], Sequence[np.ndarray]]
 
 CELL_PX = 4
@@ -162,10 +161,8 @@ def _binomial(band: np.ndarray, spacing: int, axis: int) -> np.ndarray:
     start, end = (band[:, :1], band[:, -1:]) if axis else (band[:1], band[-1:])
     padded = np.concatenate([*[start] * spacing, band, *[end] * spacing], axis=axis)
     length = band.shape[axis]
-    first, middle, last = (
-        padded[:, at : at + length] if axis else padded[at : at + length]
-        for at in (0, spacing, 2 * spacing)
-    )
+    places = (slice(at, at + length) for at in (0, spacing, 2 * spacing))
+    first, middle, last = (padded[:, place] if axis else padded[place] for place in places)
     smooth = first + last
     smooth *= 0.25
     smooth += 0.5 * middle
@@ -243,8 +240,7 @@ def _mixtures(
         both = np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)
         both &= a + b > 0
         np.maximum(explained, np.where(both, (a * product_i + b * product_j) / mosaic, 0), out=explained)
-    mixed = (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN)
-    return mixed, explained
+    return (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN), explained
 
 
 def _together(products: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from ...imagery import limits as imagery_limits
 from ...imagery.band_curves import correlation, measure_clip
-from ...imagery.clips import Clip, read_clip
+from ...imagery.clips import read_clip
 from ...imagery.errors import NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
@@ -206,9 +206,7 @@ def inspect_window(request: WindowRequest) -> WindowResult:
         # What the mosaic does not follow is cut at random, unless the cells say how.
         unknown = found.cause is Cause.UNCLEAR and not request.cells
         judgement = _against_composite(judgement, mosaic.curves[band], found.curves[band], unknown, request.settings)
-    return WindowResult(
-        request.window_id, request.window, judgement, tuple(clips), tuple(pairs), found, tuple(notices)
-    )
+    return WindowResult(request.window_id, request.window, judgement, tuple(clips), tuple(pairs), found, tuple(notices))
 
 
 def _measured(ref: RasterRef, request: WindowRequest) -> MeasuredClip:
@@ -229,7 +227,7 @@ def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[Measure
     for source in request.sources:
         try:
             one = _measured(source.ref, request)
-            _check_comparable(one.clip, one.curves, band)
+            _check_comparable(one, band)
         except NotCoveredError as error:
             not_covering.append(error.message.as_warning())
         except RasterError as error:
@@ -275,12 +273,12 @@ def _pairs(mosaic: MeasuredClip, source: MeasuredClip, changes: Mapping[str, Cha
     ]
 
 
-def _check_comparable(clip: Clip, curves: dict[str, Curve], band: str) -> None:
-    name = clip.raster.ref.name
-    if band not in curves:
-        raise RasterError(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(clip.raster.band_names)))
-    if curves[band].variance == 0:
-        raise RasterError(messages.SOURCE_CONSTANT(name=name))
+def _check_comparable(source: MeasuredClip, band: str) -> None:
+    raster = source.clip.raster
+    if band not in source.curves:
+        raise RasterError(messages.BANDS_DIFFER(name=raster.ref.name, band=band, bands=", ".join(raster.band_names)))
+    if source.curves[band].variance == 0:
+        raise RasterError(messages.SOURCE_CONSTANT(name=raster.ref.name))
 
 
 def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:

@@ -55,8 +55,7 @@ def cell_labels(cells: Sequence[Cell], names: Sequence[str], grid: Grid, window:
             feature.SetGeometry(ogr.CreateGeometryFromWkb(cell.wkb))
             layer.CreateFeature(feature)
             gdal.RasterizeLayer(target, [1], layer, burn_values=[place])
-        labels: np.ndarray = target.ReadAsArray()
-    return labels
+        return target.ReadAsArray()
 
 
 def _stem(name: str) -> str:

@@ -94,15 +94,13 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     invisible verdicts there is a notice and no number.
     """
     visible, invisible = len(verdicts.visible), len(verdicts.invisible)
-    fewest = MIN_VERDICTS
-    if min(visible, invisible) < fewest:
+    if min(visible, invisible) < MIN_VERDICTS:
         too_few = messages.TOO_FEW_VERDICTS(
-            measure=verdicts.measure, visible=visible, invisible=invisible, fewest=fewest
+            measure=verdicts.measure, visible=visible, invisible=invisible, fewest=MIN_VERDICTS
         )
         return ThresholdCalibration(verdicts, notices=(too_few,))
     table = _Table(verdicts, most)
-    area = table.area()
-    best = table.best()
+    area, best = table.area(), table.best()
     wanted = wanted_verdicts(area.value, visible, invisible)
     return ThresholdCalibration(
         verdicts, table.steps(), area, best, table.best_range(best) if best else None, wanted,
@@ -147,8 +145,7 @@ def wanted_verdicts(area: float, visible: int, invisible: int) -> tuple[int, int
     share = visible / (visible + invisible)
 
     def split(total: int) -> tuple[int, int]:
-        fewest = MIN_VERDICTS
-        return max(fewest, round(total * share)), max(fewest, round(total * (1 - share)))
+        return max(MIN_VERDICTS, round(total * share)), max(MIN_VERDICTS, round(total * (1 - share)))
 
     def is_enough(total: int) -> bool:
         low, high = area_interval(area, *split(total))
@@ -171,8 +168,7 @@ def _standard_error(area: float, visible: int, invisible: int) -> float:
 
 
 def _notices(verdicts: Verdicts, table: _Table, area: Interval, best: Step | None) -> list[Message]:
-    name = verdicts.measure
-    found = []
+    name, found = verdicts.measure, []
     if area.low <= 0.5:
         found.append(messages.NO_BETTER_THAN_CHANCE(measure=name, low=area.low, high=area.high))
     if area.value == 1:
@@ -261,5 +257,4 @@ def _best_places(visible: np.ndarray, invisible: np.ndarray, mask: np.ndarray) -
     """The first of the places with the largest Youden index, in whole numbers so that equals are equal."""
     hits, vain = np.cumsum(visible, axis=1), np.cumsum(invisible, axis=1)
     index = hits * invisible.sum(axis=1, keepdims=True) - vain * visible.sum(axis=1, keepdims=True)
-    lowest = np.iinfo(index.dtype).min
-    return np.argmax(np.where(mask, index, lowest), axis=1)
+    return np.argmax(np.where(mask, index, np.iinfo(index.dtype).min), axis=1)

@@ -14,7 +14,6 @@ MIN_TONE_RESIDUAL = 0.05  # grey values: a line that fits the coarse means this 
 MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
 MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
 
-
 _ROUNDS = 6  # of reweighting; it settles in four or five
 _MOST_POINTS = 1024
 _GAMMA_POINTS = 384
@@ -43,8 +42,7 @@ def coarse_means(band: np.ndarray, levels: int) -> np.ndarray:
     side = 2**levels
     rows, columns = band.shape
     across = band.astype(np.float32).reshape(rows, columns // side, side) @ np.full(side, 1 / side, np.float32)
-    means: np.ndarray = across.reshape(rows // side, side, columns // side).mean(axis=1)
-    return means
+    return across.reshape(rows // side, side, columns // side).mean(axis=1)
 
 
 def fit_tones(
@@ -179,29 +177,22 @@ def _bends(x: np.ndarray, y: np.ndarray, linear_spreads: np.ndarray) -> np.ndarr
         right = np.einsum("bpi,bp->bi", weighted, y)
         residuals = y - np.einsum("bpi,bi->bp", terms, (np.linalg.pinv(normal) @ right[..., np.newaxis])[..., 0])
         weights = _weights(residuals)
-    better: np.ndarray = _reach_of(residuals) <= (1 - MIN_GAMMA_GAIN / 2) * linear_spreads
-    return better
+    return _reach_of(residuals) <= (1 - MIN_GAMMA_GAIN / 2) * linear_spreads
 
 
 def _weights(residuals: np.ndarray) -> np.ndarray:
-    scale = np.maximum(_scale_of(residuals), _LEAST_SCALE)[:, np.newaxis]
-    weights: np.ndarray = np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2 + 1e-12
-    return weights
-
-
-def _scale_of(residuals: np.ndarray) -> np.ndarray:
-    return 1.4826 * _median(np.abs(residuals))
+    """Tukey's; their scale is a normal distribution's standard deviation by the median."""
+    scale = np.maximum(1.4826 * _median(np.abs(residuals)), _LEAST_SCALE)[:, np.newaxis]
+    return np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2 + 1e-12
 
 
 def _reach_of(residuals: np.ndarray) -> np.ndarray:
     """Standard deviation by what four fifths stay within: a bend shows in dark and bright parts, which are few."""
     last = int(0.8 * residuals.shape[1])
-    reach: np.ndarray = np.partition(np.abs(residuals), last, axis=1)[:, last] / _FOUR_FIFTHS
-    return reach
+    return np.partition(np.abs(residuals), last, axis=1)[:, last] / _FOUR_FIFTHS
 
 
 def _median(values: np.ndarray) -> np.ndarray:
     """The upper median of each row: a third of the time of numpy's for a few hundred values."""
     middle = values.shape[1] // 2
-    median: np.ndarray = np.partition(values, middle, axis=1)[:, middle]
-    return median
+    return np.partition(values, middle, axis=1)[:, middle]

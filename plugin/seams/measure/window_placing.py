@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Callable
 
@@ -74,9 +74,7 @@ def place_windows(
     metres_x, metres_y = grid.pixel_width * grid.metres_x, grid.pixel_height * grid.metres_y
     if side_px > min(grid.columns, grid.rows):
         too_small = messages.MOSAIC_TOO_SMALL(
-            width=grid.columns * metres_x,
-            height=grid.rows * metres_y,
-            side=side_px * max(metres_x, metres_y),
+            width=grid.columns * metres_x, height=grid.rows * metres_y, side=side_px * max(metres_x, metres_y)
         )
         return Placement((), (too_small.as_warning(),))
     # Half a side apart windows share half of their pixels; one more pixel allows for the snapping.
@@ -134,11 +132,8 @@ def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
     if not (math.isfinite(spacing_m) and spacing_m > 0):
         raise SettingsError(messages.SPACING_NOT_POSITIVE(spacing=spacing_m))
     if not imagery_limits.MIN_LEVELS <= levels <= imagery_limits.MAX_LEVELS:
-        raise SettingsError(
-            imagery_messages.LEVELS_OUT_OF_RANGE(
-                levels=levels, least=imagery_limits.MIN_LEVELS, most=imagery_limits.MAX_LEVELS
-            )
-        )
+        least, most = imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS
+        raise SettingsError(imagery_messages.LEVELS_OUT_OF_RANGE(levels=levels, least=least, most=most))
     fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
     if side_px < fewest:  # both are powers of two, so any longer side is a multiple of 2 ** levels
         raise SettingsError(
@@ -154,11 +149,7 @@ def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
 
 
 def _along(
-    track: _Track,
-    stretches: np.ndarray,
-    spacing_m: float,
-    densest_m: float,
-    is_valid: Callable[[PixelWindow], bool],
+    track: _Track, stretches: np.ndarray, spacing_m: float, densest_m: float, is_valid: Callable[[PixelWindow], bool]
 ) -> tuple[list[tuple[float, PixelWindow]], list[tuple[float, float]], int]:
     """Windows on one seam.
 
@@ -245,18 +236,18 @@ class _Track:
     def nearby(self, fitting: np.ndarray, station: float, first: float, last: float) -> np.ndarray:
         """Stations from first to last that lie in the stretches (k, 2), an eighth of a window apart, nearest first."""
         within = fitting[(fitting[:, 0] <= last) & (fitting[:, 1] >= first)]
-        step = self.side_px * self._grid.ground_sample_distance / 8
-        ends = zip(np.maximum(within[:, 0], first), np.minimum(within[:, 1], last))
-        stations = [np.linspace(start, end, math.ceil((end - start) / step) + 1) for start, end in ends]
-        nearest = np.clip(station, np.maximum(within[:, 0], first), np.minimum(within[:, 1], last))
-        every = np.concatenate([nearest, *stations])
+        starts, ends = np.maximum(within[:, 0], first), np.minimum(within[:, 1], last)
+        every = np.concatenate([np.clip(station, starts, ends), *self._spaced(zip(starts, ends))])
         return every[np.argsort(abs(every - station), kind="stable")]
 
     def pixels_along(self, stretches: np.ndarray) -> np.ndarray:
         """(n, 2) columns and rows along stretches, an eighth of a window apart."""
+        return self._to_pixels(*self._points(np.concatenate(self._spaced(stretches))))
+
+    def _spaced(self, stretches: Iterable[tuple[float, float]]) -> list[np.ndarray]:
+        """Stations along each stretch, an eighth of a window apart."""
         step = self.side_px * self._grid.ground_sample_distance / 8
-        stations = [np.linspace(start, end, math.ceil((end - start) / step) + 1) for start, end in stretches]
-        return self._to_pixels(*self._points(np.concatenate(stations)))
+        return [np.linspace(start, end, math.ceil((end - start) / step) + 1) for start, end in stretches]
 
     def fitting_stretches(self) -> np.ndarray:
         """(k, 2): stations between which a window centred on the seam lies inside the mosaic."""

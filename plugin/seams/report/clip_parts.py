@@ -103,7 +103,8 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
             continue
     side = min(REPORT_CLIP_PX, searched.width, searched.height)
     row, column = greatest_loss(_grey(clips[0]), [_grey(clip) for clip in clips[1:]], side)
-    parts = [_cut(clip, row, column, side, side) for clip in clips]
+    square = np.s_[:, row : row + side, column : column + side]
+    parts = [Clip(clip.raster, clip.bands[square], clip.invalid_share) for clip in clips]
     pictures, first = _encoded(stretched(parts), bytes_each)
     part = PixelWindow(searched.column + column + first, searched.row + row + first, side - 2 * first, side - 2 * first)
     names = [clip.raster.ref.name for clip in clips]
@@ -118,8 +119,7 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
 
 def _middle(window: PixelWindow) -> PixelWindow:
     """The part of a window in which is searched."""
-    most = MAX_SEARCHED_SIDE_PX
-    width, height = min(window.width, most), min(window.height, most)
+    width, height = min(window.width, MAX_SEARCHED_SIDE_PX), min(window.height, MAX_SEARCHED_SIDE_PX)
     column, row = window.column + (window.width - width) // 2, window.row + (window.height - height) // 2
     return PixelWindow(column, row, width, height)
 
@@ -134,10 +134,6 @@ def _ordered(sources: Sequence[Source], names: Sequence[str]) -> list[Source]:
 def _grey(clip: Clip) -> np.ndarray:
     """One band that stands for all: green where there is one."""
     return np.asarray(clip.bands[1 if clip.raster.has_luminance else 0])
-
-
-def _cut(clip: Clip, row: int, column: int, height: int, width: int) -> Clip:
-    return Clip(clip.raster, clip.bands[:, row : row + height, column : column + width], clip.invalid_share)
 
 
 def _encoded(pictures: Sequence[np.ndarray], bytes_each: float) -> tuple[list[bytes], int]:

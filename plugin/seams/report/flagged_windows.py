@@ -93,10 +93,9 @@ class WindowSections:
         curves = self._curves.get(record.window_id, ())
         has_curve = any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic")
         same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)] if has_curve else []
-        title = tr("Window {number}: {verdict}")
         return WindowSection(
             anchor(record.window_id),
-            title.format(number=record.window_id, verdict=verdict_word(record.verdict)),
+            tr("Window {number}: {verdict}").format(number=record.window_id, verdict=verdict_word(record.verdict)),
             list(self._facts(record)),
             *_ratios(record),
             problem,
@@ -108,17 +107,16 @@ class WindowSections:
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """Verdict, cause and observer in words."""
-        ratio = record.ratios[0] if record.ratios else None
-        if ratio is not None:
-            yield tr("Detail at level 1 is {percent:.0f} % of the least sharp source's.").format(percent=100 * ratio)
+        if record.ratio is not None:
+            words = tr("Detail at level 1 is {percent:.0f} % of the least sharp source's.")
+            yield words.format(percent=100 * record.ratio)
         elif record.reason:
             yield record.reason
         facts = []
         if record.cause:
             facts.append(tr("Cause: {cause}.").format(cause=cause_word(record.cause)))
             facts.append(cause_sentence(record.cause))
-        seen = observer_word(record.observer) or tr("not judged")
-        facts.append(tr("Observer: {word}.").format(word=seen))
+        facts.append(tr("Observer: {word}.").format(word=observer_word(record.observer) or tr("not judged")))
         contrast = contrast_of(self._pairs.get(record.window_id, ()))
         if contrast is not None:
             facts.append(tr("Absolute contrast at level 1: {percent:.0f} %.").format(percent=100 * contrast))

@@ -130,8 +130,7 @@ def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
 def _mosaic_of(request: ReportRequest, record: WindowRecord) -> str:
     """The mosaic that a window belongs to."""
     names = (curve.raster for curve in request.curves.get(record.window_id, ()) if curve.role == "mosaic")
-    own = next(names, "")
-    return own or (request.block.mosaic.ref.name if request.block else request.name)
+    return next(names, "") or (request.block.mosaic.ref.name if request.block else request.name)
 
 
 def _by_mosaic(request: ReportRequest) -> dict[str, list[WindowRecord]]:
@@ -155,9 +154,7 @@ def _summary(request: ReportRequest) -> dict[str, object]:
     return {
         "verdicts": [verdict_word(verdict) for verdict in verdicts],
         "mosaics": [(mosaic, _counts(records, verdicts)) for mosaic, records in _by_mosaic(request).items()],
-        "causes": [
-            (mosaic, cause_word(cause), (count, flagged[mosaic, cause])) for (mosaic, cause), count in ordered
-        ],
+        "causes": [(mosaic, cause_word(cause), (count, flagged[mosaic, cause])) for (mosaic, cause), count in ordered],
     }
 
 
@@ -187,18 +184,15 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     return {
         "sketch": map_sketch(shapes, *metres, background=_background(request, shapes, metres)),
         "map_legend": [
-            (shown.colour, f"{verdict_word(word)} ({counts[word]})")
-            for word, shown in VERDICTS.items()
-            if counts[word]
+            (verdict_colour(word), f"{verdict_word(word)} ({counts[word]})") for word in VERDICTS if counts[word]
         ],
     }
 
 
 def _shape(record: WindowRecord, detailed: bool) -> SketchShape:
     assert record.extent is not None
-    ratio = record.ratio
     tip = tr("window {number}: {verdict}").format(number=record.window_id, verdict=verdict_word(record.verdict))
-    tip += "" if ratio is None else tr(", ratio 1: {ratio:.2f}").format(ratio=ratio)
+    tip += "" if record.ratio is None else tr(", ratio 1: {ratio:.2f}").format(ratio=record.ratio)
     link = anchor(record.window_id) if detailed else ""
     return SketchShape(record.extent, verdict_colour(record.verdict), str(record.window_id), tip, link)
 

@@ -86,17 +86,8 @@ def map_sketch(
     frame = _Frame(sketch_extent(shapes, metres_x, metres_y), metres_x, metres_y)
     placed = [(_seen_box(frame, shape), shape) for shape in shapes]
     bar, words = _scale_bar(frame)
-    return Sketch(
-        frame.width,
-        frame.height,
-        _STRIP,
-        _LETTERS,
-        None if background is None else (frame.box(background.extent), background.jpeg),
-        placed,
-        _labels(placed),
-        bar,
-        words,
-    )
+    picture = None if background is None else (frame.box(background.extent), background.jpeg)
+    return Sketch(frame.width, frame.height, _STRIP, _LETTERS, picture, placed, _labels(placed), bar, words)
 
 
 class _Frame:

@@ -60,15 +60,9 @@ def two_digits(value: float | None) -> str:
 
 
 def _found(record: WindowRecord) -> Iterator[str]:
-    ratios = [
-        template.format(ratio=ratios[0])
-        for template, ratios in (
-            (tr("ratio 1: {ratio:.2f}"), record.ratios),
-            (tr("composite: {ratio:.2f}"), record.composite_ratios),
-        )
-        if ratios and ratios[0] is not None
-    ]
-    yield ", ".join([verdict_word(record.verdict), *ratios])
+    ratios = ((tr("ratio 1: {ratio:.2f}"), record.ratio), (tr("composite: {ratio:.2f}"), record.composite_ratio))
+    told = [template.format(ratio=ratio) for template, ratio in ratios if ratio is not None]
+    yield ", ".join([verdict_word(record.verdict), *told])
     if record.reason:
         yield record.reason
     known = []

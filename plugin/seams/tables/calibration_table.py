@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from qgis.core import QgsFeature, QgsFields
 
 from ...imagery import limits as imagery_limits
-from ...toolkit.table_fields import feature
+from ...toolkit.table_fields import feature, table_fields
 from ...toolkit.translation import sentence
-from ...toolkit.version_differences import field
 from ..measure.threshold_calibration import Step, ThresholdCalibration, step_at
 
 SUMMARY, STANDARD, STEP = "summary", "standard", "step"
@@ -37,10 +36,7 @@ _COLUMNS = (
 
 def calibration_fields() -> QgsFields:
     """OUTPUT of ``calibratethreshold``: for each measure a summary, the standard limit, and all steps."""
-    fields = QgsFields()
-    for name, kind in _COLUMNS:
-        fields.append(field(name, kind))
-    return fields
+    return table_fields(*_COLUMNS)
 
 
 def calibration_features(found: ThresholdCalibration) -> Iterator[QgsFeature]:
@@ -49,11 +45,8 @@ def calibration_features(found: ThresholdCalibration) -> Iterator[QgsFeature]:
     summary = {**_threshold_values(found.best), **counts, "note": " ".join(map(sentence, found.notices)) or None}
     if found.area is not None:
         summary.update(auc=found.area.value, auc_low=found.area.low, auc_high=found.area.high)
-    for names, pair in (
-        (("threshold_low", "threshold_high"), found.best_range),
-        (("wanted_visible", "wanted_invisible"), found.wanted),
-    ):
-        summary.update(zip(names, pair or ()))
+    summary.update(zip(("threshold_low", "threshold_high"), found.best_range or ()))
+    summary.update(zip(("wanted_visible", "wanted_invisible"), found.wanted or ()))
     yield _row(found, SUMMARY, summary)
     limit = _STANDARD_LIMITS.get(found.verdicts.measure)
     if found.steps and limit is not None:

@@ -3,11 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from qgis.core import (
-    QgsCoordinateTransform,
-    QgsFeature,
-    QgsGeometry,
-)
+from qgis.core import QgsCoordinateTransform, QgsFeature, QgsGeometry
 
 from ...toolkit.attribute_values import text
 from ...toolkit.layers import _transformed, extent

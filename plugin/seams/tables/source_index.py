@@ -4,11 +4,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 
-from qgis.core import (
-    QgsCoordinateTransform,
-    QgsFeature,
-    QgsGeometry,
-)
+from qgis.core import QgsCoordinateTransform, QgsFeature, QgsGeometry
 
 from ...imagery.errors import SettingsError
 from ...imagery.rasters import RasterRef
