@@ -22,16 +22,8 @@ MARK, PHOTO, MEASURE = "mark", "photo", "measure"
 def mark_fields() -> QgsFields:
     """OUTPUT of ``interiororientation``: one point per mark of the calibration."""
     return table_fields(
-        (MARK, "text"),
-        ("column", "real"),
-        ("row", "real"),
-        ("x_mm", "real"),
-        ("y_mm", "real"),
-        ("residual_x", "real"),
-        ("residual_y", "real"),
-        ("correlation", "real"),
-        ("status", "text"),
-        ("reason", "text"),
+        (MARK, "text"), ("column", "real"), ("row", "real"), ("x_mm", "real"), ("y_mm", "real"),
+        ("residual_x", "real"), ("residual_y", "real"), ("correlation", "real"), ("status", "text"), ("reason", "text"),
     )
 
 

@@ -62,8 +62,7 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
     axes.set_ylabel(tr("Row (px)"))
     axes.xaxis.set_major_locator(MaxNLocator(5))
     axes.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3, frameon=False, fontsize=9, handletextpad=0.2)
-    for side in ("top", "right", "left", "bottom"):
-        axes.spines[side].set_visible(False)
+    axes.spines[["top", "right", "left", "bottom"]].set_visible(False)
     return figure
 
 
@@ -94,8 +93,7 @@ def comparison_chart(result: Comparison) -> Figure:
     axes.set_axisbelow(True)
     if judged:
         axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2, frameon=False, fontsize=9, handletextpad=0.2)
-    for side in ("top", "right", "left"):
-        axes.spines[side].set_visible(False)
+    axes.spines[["top", "right", "left"]].set_visible(False)
     return figure
 
 

@@ -87,19 +87,14 @@ class CompareMarks(SeamInspectorAlgorithm):
         run.write(sink, [mark_tables.statistics_feature(unit, one) for unit, one in made.items()])
         fields = mark_tables.difference_fields()
         rows, rows_id = run.optional_sink(DIFFERENCES, fields)
-        run.write(
-            rows,
-            (
-                table_fields.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance])
-                for one in found
-            ),
-        )
+        run.write(rows, (
+            table_fields.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance])
+            for one in found
+        ))
         results: dict[str, Any] = {OUTPUT: destination, DIFFERENCES: rows_id, "COUNT": len(found)}
         for unit, one in made.items():
-            values = (one.mean, one.standard_deviation, one.maximum, one.minimum)
-            results.update({
-                f"{name}_{unit.upper()}": value for name, value in zip(STATISTICS[1:], values) if not math.isnan(value)
-            })
+            known = zip(STATISTICS[1:], (one.mean, one.standard_deviation, one.maximum, one.minimum))
+            results.update({f"{name}_{unit.upper()}": value for name, value in known if not math.isnan(value)})
             run.inform(
                 tr("{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.").format(
                     count=one.count, mean=one.mean, maximum=one.maximum, minimum=one.minimum, unit=unit

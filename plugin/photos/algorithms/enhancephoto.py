@@ -37,9 +37,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
     RASTER_LISTS = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(
-            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")), tr("Any raster that GDAL reads.")
-        )
+        self.addDescribed(QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")), tr("Any raster that GDAL reads."))
         self.addDescribed(
             common.choice(OPERATION, tr("Operation"), OPERATIONS),
             tr(
@@ -49,7 +47,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterNumber(
-                SIZE, tr("Size (px)"), QgsProcessingParameterNumber.Type.Double, DEFAULT_FILTER_PX,
+                SIZE, tr("Size (px)"), QgsProcessingParameterNumber.Type.Double, DEFAULT_FILTER_PX
             ),
             tr("Side of the mean's square (odd), or standard deviation of the Gaussian; of no meaning to the others."),
         )
@@ -67,9 +65,6 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         from ..measure.enhancement import Operation, enhance
 
         path = run.layer_path(OUTPUT)
-        operation = Operation(run.word(OPERATION))
-        size = run.real(SIZE)
-        enhance(
-            self._photo, path, operation, size, run.is_cancelled, run.progress
-        )
+        operation, size = Operation(run.word(OPERATION)), run.real(SIZE)
+        enhance(self._photo, path, operation, size, run.is_cancelled, run.progress)
         return {OUTPUT: path}

@@ -5,10 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsWkbTypes,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery import messages as imagery_messages
@@ -48,11 +45,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        for definition, description in (
-            *photo_parameters.input_parameters(),
-            *photo_parameters.template_parameters(),
-            *photo_parameters.measuring_parameters(),
-        ):
+        for definition, description in photo_parameters.input_parameters():
             self.addDescribed(definition, description, advanced=definition.name() in photo_parameters.ADVANCED)
         for definition, description in photo_parameters.output_parameters():
             self.addDescribed(definition, description)
@@ -160,18 +153,15 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..measure.orientation import OrientationSettings
         from ..measure.transformations import PlaneModel
 
-        surface, model, tone = (
-            run.word(name)
-            for name in (photo_parameters.SURFACE, photo_parameters.MODEL, photo_parameters.TEMPLATE_TONE)
-        )
+        tone = run.word(photo_parameters.TEMPLATE_TONE)
         return OrientationSettings(
             template=self._template(run),
             shapes=() if run.parameters.get(photo_parameters.TEMPLATE) else self._shapes(run),
             sign={photo_parameters.TONES[1]: 1, photo_parameters.TONES[2]: -1}.get(tone),
             search_mm=run.real(photo_parameters.SEARCH),
             min_correlation=run.real(photo_parameters.MIN_CORRELATION),
-            surface=SurfaceBasis(surface),
-            model=PlaneModel(model),
+            surface=SurfaceBasis(run.word(photo_parameters.SURFACE)),
+            model=PlaneModel(run.word(photo_parameters.MODEL)),
         )
 
     def _template(self, run: Run) -> CutOut | None:
@@ -183,13 +173,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     def _shapes(self, run: Run) -> tuple[MarkShape, ...]:
         from ..measure.mark_templates import chosen_shapes
 
-        kind, direction, centre = (
-            None if word == photo_parameters.AUTOMATIC else word
-            for word in (
-                run.word(name)
-                for name in photo_parameters.FIGURE_CHOICES
-            )
-        )
+        words = (run.word(name) for name in photo_parameters.FIGURE_CHOICES)
+        kind, direction, centre = (None if word == photo_parameters.AUTOMATIC else word for word in words)
         diagonal = None if direction is None else direction == photo_parameters.DIRECTIONS[2]
         interrupted = None if centre is None else centre == photo_parameters.CENTRES[2]
         return chosen_shapes(kind, diagonal, interrupted)

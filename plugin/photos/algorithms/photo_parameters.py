@@ -38,7 +38,7 @@ ADVANCED = {TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE, SURFACE}
 
 
 def input_parameters() -> list[Described]:
-    point = QgsProcessing.SourceType.TypeVectorPoint
+    point, number = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessingParameterNumber
     return [
         (
             QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")),
@@ -72,11 +72,6 @@ def input_parameters() -> list[Described]:
             QgsProcessingParameterBoolean(MEASURE, tr("Measure around the positions"), True),
             tr("Off: the positions were measured by hand and are taken as they are; the other marks are measured."),
         ),
-    ]
-
-
-def template_parameters() -> list[Described]:
-    return [
         (
             common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
             tr("What is drawn to look for, in the size that the photo has it; automatic tries all."),
@@ -93,12 +88,6 @@ def template_parameters() -> list[Described]:
             common.choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES),
             tr("Whether the mark is lighter than its ground, as on most positives, or darker."),
         ),
-    ]
-
-
-def measuring_parameters() -> list[Described]:
-    number = QgsProcessingParameterNumber
-    return [
         (
             number(SEARCH, tr("Search (mm)"), number.Type.Double, limits.DEFAULT_SEARCH_MM, minValue=0.01),
             tr("How far around a position the mark is looked for."),

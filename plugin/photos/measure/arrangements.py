@@ -29,6 +29,7 @@ ARRANGEMENT_LEVEL_PX = 1.5  # a candidate's place at its level
 ARRANGEMENT_PAIRS = 6  # all pairs of four marks, the widest of eight
 TELLING_PIXEL_MM = 0.2  # a ring of 2 mm is ten pixels wide
 
+
 @dataclass(frozen=True)
 class Arrangement:
     """Candidates that lie as the calibration says."""
@@ -195,10 +196,7 @@ def _single(frame: MarkFrame, candidates: Sequence[Peak]) -> Arrangement | None:
 
 def _arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], fitting: Mapping[int, int]) -> Arrangement:
     chosen = {frame.marks[k]: candidates[k][index] for k, index in fitting.items()}
-    source = frame.places[list(fitting)]
-    target = np.array([(candidates[k][index].column, candidates[k][index].row) for k, index in fitting.items()])
+    places = {mark: (peak.column, peak.row) for mark, peak in chosen.items()}
+    source, target = frame.places[list(fitting)], np.array(list(places.values()))
     matrix = fit_transformation(PlaneModel.SIMILARITY, source, target, mirrored=False).matrix[:2]
-    return Arrangement(
-        None, 1, {mark: (peak.column, peak.row) for mark, peak in chosen.items()},
-        {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix,
-    )
+    return Arrangement(None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)

@@ -74,9 +74,7 @@ def check_calibration(calibration: CameraCalibration, model: PlaneModel) -> None
         raise PhotoError(messages.TOO_FEW_CALIBRATED(count=count, model=messages.WORDS[model.value], least=least))
     span = calibration.span
     if not MIN_FRAME_MM <= span <= MAX_FRAME_MM:
-        raise PhotoError(
-            messages.CALIBRATION_UNIT(span=span, least=MIN_FRAME_MM, most=MAX_FRAME_MM)
-        )
+        raise PhotoError(messages.CALIBRATION_UNIT(span=span, least=MIN_FRAME_MM, most=MAX_FRAME_MM))
     for (one, a), (other, b) in combinations(calibration.marks.items(), 2):
         if math.dist(a, b) < MIN_MARK_DISTANCE * span:
             raise PhotoError(messages.MARKS_AT_ONE_PLACE(one=one, other=other))
@@ -87,9 +85,7 @@ def _micmac(content: bytes, name: str) -> CameraCalibration:
     for measure in xml_root(content).iter("OneMesureAF1I"):
         mark = (measure.findtext("NamePt") or "").strip()
         values = [_number(part) for part in (measure.findtext("PtIm") or "").split()]
-        if not mark or len(values) != 2 or None in values:
-            raise PhotoError(messages.CALIBRATION_ROW(name=name, row=mark or len(marks) + 1))
-        _add(marks, mark, values, name)
+        _add(marks, mark, values, name, mark or len(marks) + 1)
     return CameraCalibration(marks)
 
 
@@ -113,29 +109,27 @@ def _table(text: str, name: str) -> CameraCalibration:
             if values[0] is None or (key != FOCAL_LENGTH and values[1] is None):
                 raise PhotoError(messages.CALIBRATION_ROW(name=name, row=number))
             continue
-        if not mark or None in values:
-            raise PhotoError(messages.CALIBRATION_ROW(name=name, row=number))
-        _add(marks, mark, values, name)
+        _add(marks, mark, values, name, number)
     return CameraCalibration(
         marks,
-        _point(special.get(PRINCIPAL_POINT)) or (0.0, 0.0),
+        _point(special.get(PRINCIPAL_POINT, [])) or (0.0, 0.0),
         special[FOCAL_LENGTH][0] if FOCAL_LENGTH in special else None,
-        _point(special.get(DATA_STRIP)),
+        _point(special.get(DATA_STRIP, [])),
     )
 
 
-def _add(marks: dict[str, Point], mark: str, values: list[float | None], name: str) -> None:
+def _add(marks: dict[str, Point], mark: str, values: list[float | None], name: str, row: object) -> None:
+    point = _point(values)
+    if not mark or point is None:
+        raise PhotoError(messages.CALIBRATION_ROW(name=name, row=row))
     if mark in marks:
         raise PhotoError(messages.CALIBRATION_TWICE(name=name, mark=mark))
-    point = _point(values)
-    if point is not None:
-        marks[mark] = point
+    marks[mark] = point
 
 
-def _point(values: list[float | None] | None) -> Point | None:
-    if values is None or values[0] is None or values[1] is None:
-        return None
-    return values[0], values[1]
+def _point(values: list[float | None]) -> Point | None:
+    x, y = values if len(values) == 2 else (None, None)
+    return None if x is None or y is None else (x, y)
 
 
 def _number(text: str | None) -> float | None:

@@ -9,7 +9,6 @@ from scipy import fft
 MIN_LOCAL_CONTRAST = 0.002  # of the grey values' range: half a grey value of 8 bits is rounding
 
 
-
 @dataclass(frozen=True)
 class Peak:
     """A place where a template fits."""
@@ -31,8 +30,7 @@ class CorrelatedImage:
         self._shape = tuple(fft.next_fast_len(n, real=True) for n in self._image.shape)
         self._spectrum = fft.rfft2(self._image.astype(precision), self._shape) if centred.size else None
         self._inverse: dict[tuple[int, int], np.ndarray] = {}
-        high = float(np.ptp(self._image)) if self._image.size else 0.0
-        self._floor = MIN_LOCAL_CONTRAST * high
+        self._floor = MIN_LOCAL_CONTRAST * (float(np.ptp(self._image)) if self._image.size else 0.0)
 
     def correlate(self, template: np.ndarray) -> np.ndarray:
         """Correlation at each place where the template lies wholly inside.
@@ -63,7 +61,7 @@ class CorrelatedImage:
 
 
 def correlate(image: np.ndarray, template: np.ndarray) -> np.ndarray:
-    """Normalised cross correlation of one template; see ``Field.correlate``."""
+    """Normalised cross correlation of one template; see ``CorrelatedImage.correlate``."""
     return CorrelatedImage(image).correlate(template)
 
 

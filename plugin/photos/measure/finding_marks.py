@@ -147,9 +147,7 @@ class _Finder:
     def _search_views(self, frame: MarkFrame) -> list[ReducedView]:
         """The areas of a frame with room for a mark around them, reduced where they are large, all of one size."""
         room = math.ceil(MARK_ROOM * self._calibration.span * frame.scales[1])
-        side = 2 * room + max(
-            math.ceil(max(area.right - area.left, area.bottom - area.top)) for area in frame.areas
-        )
+        side = 2 * room + max(math.ceil(max(area.right - area.left, area.bottom - area.top)) for area in frame.areas)
         step = max(1, math.ceil(side / SEARCH_WINDOW_PX))
         side = step * math.ceil(side / step)
         made: dict[int, ReducedView] = {}

@@ -28,7 +28,8 @@ def fail_misplaced_marks(marks: Sequence[MarkResult], model: PlaneModel) -> tupl
     out: dict[str, Message] = {}
     while len(placed) - len(out) >= 3:
         left = [mark for mark in placed if mark.name not in out]
-        limit = _limit(left)
+        # how far a mark may lie from where a similarity puts it, mm
+        limit = limits.FILM_DEFORMATION * float(np.ptp(_pairs(left)[1], axis=0).max())
         worst = _misfit(left)
         if worst <= limit:
             break
@@ -46,12 +47,6 @@ def fail_misplaced_marks(marks: Sequence[MarkResult], model: PlaneModel) -> tupl
         replace(mark, status=MarkStatus.FAILED, place=None, reason=out[mark.name]) if mark.name in out else mark
         for mark in marks
     ], notices
-
-
-def _limit(marks: Sequence[MarkResult]) -> float:
-    """How far a mark may lie from where a similarity puts it, mm."""
-    points = np.array([mark.calibrated for mark in marks])
-    return float(limits.FILM_DEFORMATION * np.ptp(points, axis=0).max())
 
 
 def _misfit(marks: Sequence[MarkResult]) -> float:
@@ -98,9 +93,7 @@ def fit_marks(
             notices.append(messages.GIVEN_IS_OFF(mark=placed[index].name, worst=shift))
             break
         reason = messages.MARK_OFF(worst=shift, limit=MIN_OUTLIER_MM)
-        marks[marks.index(placed[index])] = replace(
-            placed[index], status=MarkStatus.FAILED, place=None, reason=reason
-        )
+        marks[marks.index(placed[index])] = replace(placed[index], status=MarkStatus.FAILED, place=None, reason=reason)
     residuals = 1000 * (made(source) - target)
     rms = np.sqrt(np.mean(residuals**2, axis=0))
     left_over = redundancy(model, len(placed))

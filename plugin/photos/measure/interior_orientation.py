@@ -65,9 +65,7 @@ def orient_photo(
 def _check_positions(calibration: CameraCalibration, positions: Mapping[str, GivenPosition]) -> None:
     unknown = [name for name in positions if name not in calibration.marks]
     if unknown:
-        raise PhotoError(
-            messages.POSITION_UNKNOWN(mark=unknown[0], marks=", ".join(calibration.marks))
-        )
+        raise PhotoError(messages.POSITION_UNKNOWN(mark=unknown[0], marks=", ".join(calibration.marks)))
     seen: dict[Place, str] = {}
     for name, position in positions.items():
         for place, other in seen.items():

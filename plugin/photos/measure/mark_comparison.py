@@ -56,10 +56,8 @@ class DifferenceStatistics:
 
     def scaled(self, factor: float) -> DifferenceStatistics:
         """The same in a unit of another size."""
-        return DifferenceStatistics(
-            self.count, self.mean * factor, self.standard_deviation * factor, self.maximum * factor,
-            self.minimum * factor,
-        )
+        lengths = (self.mean, self.standard_deviation, self.maximum, self.minimum)
+        return DifferenceStatistics(self.count, *(length * factor for length in lengths))
 
 
 def mark_differences(first: Sequence[ComparedMark], second: Sequence[ComparedMark]) -> list[MarkDifference]:
@@ -70,13 +68,8 @@ def mark_differences(first: Sequence[ComparedMark], second: Sequence[ComparedMar
     """
     by_photo = any(one.photo for one in first) and any(one.photo for one in second)
     known = _by_key(second, by_photo)
-    made = []
-    for key, one in _by_key(first, by_photo).items():
-        other = known.get(key)
-        if other is not None:
-            made.append(MarkDifference(
-                one.photo, one.mark, other.place[0] - one.place[0], other.place[1] - one.place[1]
-            ))
+    both = [(one, known[key].place) for key, one in _by_key(first, by_photo).items() if key in known]
+    made = [MarkDifference(one.photo, one.mark, x - one.place[0], y - one.place[1]) for one, (x, y) in both]
     if not made:
         raise PhotoError(messages.NOTHING_IN_COMMON())
     return made
@@ -96,9 +89,8 @@ def distance_statistics(found: Sequence[MarkDifference]) -> DifferenceStatistics
     """Of the distances, px."""
     distances = np.array([one.distance for one in found])
     spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
-    return DifferenceStatistics(
-        len(distances), float(distances.mean()), spread, float(distances.max()), float(distances.min())
-    )
+    mean, largest, smallest = (float(value) for value in (distances.mean(), distances.max(), distances.min()))
+    return DifferenceStatistics(len(distances), mean, spread, largest, smallest)
 
 
 def pixel_size(marks: Sequence[ComparedMark]) -> float | None:
@@ -111,8 +103,7 @@ def pixel_size(marks: Sequence[ComparedMark]) -> float | None:
     for group in photos.values():
         if len(group) < 2:
             continue
-        source = np.array([one.place for one in group])
-        target = np.array([one.calibrated for one in group])
+        source, target = np.array([one.place for one in group]), np.array([one.calibrated for one in group])
         try:
             matrix = fit_transformation(PlaneModel.SIMILARITY, source, target).matrix
         except PhotoError:

@@ -74,16 +74,8 @@ Scene = Callable[[MarkFrame], Sequence[Sequence[ReducedView]]]
 
 def whole_photo_views(image: np.ndarray, factor: int) -> Scene:
     """Views of the areas in which a frame may have its marks; the image is the photo reduced by a factor."""
-    pyramid = image_pyramid(image, COARSEST_SIDE_PX)
-
-    def views(frame: MarkFrame) -> list[list[ReducedView]]:
-        made = []
-        for number, level in reversed(list(enumerate(pyramid))):
-            width = factor * 2.0**number
-            made.append([_cut(level, area, width) for area in frame.areas])
-        return made
-
-    return views
+    levels = list(enumerate(image_pyramid(image, COARSEST_SIDE_PX)))[::-1]
+    return lambda frame: [[_cut(level, area, factor * 2.0**k) for area in frame.areas] for k, level in levels]
 
 
 def window_views(views: Sequence[ReducedView]) -> Scene:

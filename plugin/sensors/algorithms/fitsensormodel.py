@@ -125,6 +125,7 @@ class FitSensorModel(SensorAlgorithm):
         sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, point_tables.residual_features(done))
         domain = self._domain(image, points)
+
         def write_rpc(path: Path) -> bool:
             notice, written = self._save_rpc(done, domain, path)
             notices.append(notice)
@@ -241,6 +242,4 @@ def _errors_told(group: str, errors: Accuracy) -> str:
     name = tr("Check points") if group == "CHECK" else tr("Control points")
     return tr(
         "{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m"
-    ).format(
-        name=name, count=errors.count, x=errors.rmse_x, y=errors.rmse_y, max_x=errors.max_x, max_y=errors.max_y
-    )
+    ).format(name=name, count=errors.count, x=errors.rmse_x, y=errors.rmse_y, max_x=errors.max_x, max_y=errors.max_y)

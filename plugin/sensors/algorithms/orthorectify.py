@@ -58,11 +58,7 @@ class Orthorectify(SensorAlgorithm):
         self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
         self.addDescribed(
             QgsProcessingParameterNumber(
-                HEIGHT,
-                tr("Constant height (metres)"),
-                QgsProcessingParameterNumber.Type.Double,
-                None,
-                optional=True,
+                HEIGHT, tr("Constant height (metres)"), QgsProcessingParameterNumber.Type.Double, None, optional=True
             ),
             tr("Above the ellipsoid, instead of a terrain model: only where the terrain is flat."),
         )
@@ -81,8 +77,7 @@ class Orthorectify(SensorAlgorithm):
             tr("Empty: the whole image. It is widened to whole pixels."),
         )
         self.addDescribed(
-            common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"),
-            tr("How pixels are interpolated."),
+            common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"), tr("How pixels are interpolated.")
         )
         self.addDescribed(
             common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS),
@@ -146,9 +141,7 @@ class Orthorectify(SensorAlgorithm):
         run.inform(
             tr(
                 "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."
-            ).format(
-                columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px
-            )
+            ).format(columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px)
         )
         return {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
 

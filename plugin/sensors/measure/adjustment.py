@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -107,8 +108,11 @@ def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjus
 
 def project(fitted: FittedModel, points: Points) -> np.ndarray:
     """Where a model sees points: (n, 2) column, row."""
-    ground = np.where(np.isfinite(points.ground), points.ground, 0.0)
-    return fitted.model.project(GroundSystem(points.wkt).to_geographic(ground) if fitted.model.GEOGRAPHIC else ground)
+    return _seen(fitted, GroundSystem(points.wkt), np.where(np.isfinite(points.ground), points.ground, 0.0))
+
+
+def _seen(fitted: FittedModel, frame: GroundSystem, ground: np.ndarray) -> np.ndarray:
+    return fitted.model.project(frame.to_geographic(ground) if fitted.model.GEOGRAPHIC else ground)
 
 
 def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
@@ -119,15 +123,10 @@ def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
     frame = GroundSystem(points.wkt)
     metres = frame.metres(float(np.mean(points.ground[:, 1])))
     heights = np.nan_to_num(points.ground[:, 2])
-    given = points.ground[:, :2]
-
-    def seen(ground: np.ndarray) -> np.ndarray:
-        return fitted.model.project(frame.to_geographic(ground) if fitted.model.GEOGRAPHIC else ground)
-
-    step = (1 / metres[0], 1 / metres[1])
-    found = locate(seen, points.image, heights, given, step, partly=True)
+    given, seen = points.ground[:, :2], partial(_seen, fitted, frame)
+    found = locate(seen, points.image, heights, given, metres, partly=True)
     bent = ~np.isfinite(found).all(axis=1)
-    found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], step, partly=True, steps=1)
+    found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
     return (found - given) * metres
 
 

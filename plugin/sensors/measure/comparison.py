@@ -1,7 +1,7 @@
 """Every model on the same points: the paper's table, and which model to take."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Callable
 
@@ -14,7 +14,6 @@ from .adjustment import Accuracy, accuracy, adjust
 from .models import registry
 from .models.rational import Rational
 from .models.registry import ModelRequest
-from .models.sensor_model import FittedModel
 from .points import Points
 
 MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
@@ -93,30 +92,23 @@ def _judged(
         errors = _left_out_errors(request, given.only(~done.blunder), cancelled) if one_by_one else done.check
     except SeamInspectorError as error:
         return JudgedModel(request, None, None, count, None, error.message)
-    return JudgedModel(request, errors, done.control, done.control.count, done.fitted.condition, _doubt(done.fitted))
+    fitted = done.fitted
+    doubt = None if fitted.converged else messages.NOT_CONVERGED(iterations=fitted.iterations)
+    return JudgedModel(request, errors, done.control, done.control.count, fitted.condition, doubt)
 
 
 def _left_out_errors(request: ModelRequest, points: Points, cancelled: Callable[[], bool]) -> Accuracy | None:
     """The errors of points that were left out of the fit in turn; None when cancelled before the first."""
     px, metres = [], []
-    for left_out in _groups(len(points)):
+    turns = min(len(points), MAX_LEFT_OUT)
+    for turn in range(turns):
         if cancelled():
             break
+        left_out = np.arange(len(points)) % turns == turn
         done = adjust(request, replace(points, check=left_out))
         px.append(done.residuals_px[left_out])
         metres.append(done.residuals_m[left_out])
     return accuracy(np.concatenate(px), np.concatenate(metres)) if px else None
-
-
-def _doubt(fitted: FittedModel) -> Message | None:
-    return None if fitted.converged else messages.NOT_CONVERGED(iterations=fitted.iterations)
-
-
-def _groups(count: int) -> Iterator[np.ndarray]:
-    """Masks (n,) of the points left out in turn."""
-    turns = min(count, MAX_LEFT_OUT)
-    for turn in range(turns):
-        yield np.arange(count) % turns == turn
 
 
 def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | None, Message]:

@@ -164,9 +164,7 @@ def _plan(request: OrthoRequest) -> _Plan:
             break
     if missing.all():
         west, south, east, north = extent
-        raise RasterError(
-            messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north)
-        )
+        raise RasterError(messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north))
     rpc_heights = (float(heights.min()), float(heights.max()))
     if rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
         rpc = rpc_of(request.model, request.wkt, replace(domain, heights=rpc_heights))
@@ -175,9 +173,7 @@ def _plan(request: OrthoRequest) -> _Plan:
 
 def _on_ground(rpc: Rational, image: np.ndarray, heights: np.ndarray, middle: np.ndarray) -> np.ndarray:
     """(n, 2) longitude, latitude of image places at heights."""
-    metres = GEOGRAPHIC.metres(float(middle[0, 1]))
-    start = np.repeat(middle, len(image), axis=0)
-    return locate(rpc.project, image, heights, start, (1 / metres[0], 1 / metres[1]))
+    return locate(rpc.project, image, heights, middle, GEOGRAPHIC.metres(float(middle[0, 1])))
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:

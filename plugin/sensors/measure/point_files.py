@@ -50,7 +50,7 @@ def read_point_file(path: Path) -> PointFile:
         parts = next(csv.reader([line]))
         try:
             values = [float(parts[index]) for index in indices]
-            on = enable < 0 or len(parts) <= enable or _is_on(parts[enable])
+            on = enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", "")
         except (ValueError, IndexError):
             raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
         if not on:
@@ -60,10 +60,6 @@ def read_point_file(path: Path) -> PointFile:
         ground.append((values[2], values[3]))
         numbers.append(count)
     return PointFile(wkt, tuple(source), tuple(ground), tuple(numbers), disabled)
-
-
-def _is_on(flag: str) -> bool:
-    return flag.strip().lower() not in ("0", "false", "")
 
 
 def image_coordinates(

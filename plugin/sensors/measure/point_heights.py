@@ -7,12 +7,12 @@ import numpy as np
 
 from ...imagery.message import Message
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import heights_above_ellipsoid, vertical_part
+from ...imagery.reference_systems import heights_above_ellipsoid
 from . import messages
 from .ground_system import GroundSystem
 from .models.least_squares import Scaling, least_squares
 from .points import Points
-from .terrain import VERTICAL, load_terrain, vertical_system
+from .terrain import heights_converted, load_terrain, vertical_system
 
 FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
 
@@ -35,10 +35,7 @@ def with_heights(
         notices += assumed
         if vertical:
             moved = heights_above_ellipsoid(geographic[given], vertical)
-            added = moved - heights[given]
-            named = datum if datum in VERTICAL else vertical_part(points.wkt)
-            least, most = float(added.min()), float(added.max())
-            notices.append(messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=least, most=most))
+            notices.append(heights_converted(moved - heights[given], points.wkt, datum, name))
             heights[given] = moved
     if dem is not None and not given.all():
         low, high = geographic[:, :2].min(axis=0), geographic[:, :2].max(axis=0)
@@ -47,23 +44,17 @@ def with_heights(
         notices += terrain.notices
         heights[~given] = terrain.at(geographic[~given])
         off = ~np.isfinite(heights)
-        notices += [
-            messages.POINT_LEFT_OUT(name=point, why=messages.POINT_OFF_DEM())
-            for point, gone in zip(points.ids, off)
-            if gone
-        ]
-        points = points.only(~off)
-        heights = heights[~off]
+        why = messages.POINT_OFF_DEM()
+        notices += [messages.POINT_LEFT_OUT(name=point, why=why) for point, gone in zip(points.ids, off) if gone]
+        points, heights = points.only(~off), heights[~off]
     return replace(points, ground=np.column_stack([points.ground[:, :2], heights])), notices
 
 
 def is_flat(points: Points) -> bool:
     """Whether the points' heights move their images by less than half a pixel, by an affine camera through them."""
     heights = points.ground[:, 2]
-    if not np.isfinite(heights).all():
-        return True  # no heights are known, so that nothing but a plane model can be fitted
-    if np.ptp(heights) == 0:
-        return True
+    if not np.isfinite(heights).all() or np.ptp(heights) == 0:
+        return True  # where heights are not known, nothing but a plane model can be fitted
     scaled = Scaling.of(points.ground).to(points.ground)
     affine = least_squares(np.column_stack([np.ones(len(scaled)), scaled]), points.image)
     return bool(2 * np.linalg.norm(affine.values[3]) < FLAT_SHARE)

@@ -1,7 +1,7 @@
 """Terrain heights above the ellipsoid, from a raster in any reference system or one constant height."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from osgeo import gdal
@@ -115,14 +115,18 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: str) -> Terrain:
 
 def _above_ellipsoid(terrain: Terrain, datum: str) -> Terrain:
     vertical, notices = vertical_system(terrain.wkt, datum, terrain.name)
-    heights = terrain.heights
-    if vertical:
-        undulation = _undulation(terrain, vertical)
-        heights = heights + undulation
-        least, most = float(undulation.min()), float(undulation.max())
-        named = datum if datum in VERTICAL else vertical_part(terrain.wkt)
-        notices = (messages.HEIGHTS_CONVERTED(name=terrain.name, vertical=named, least=least, most=most),)
-    return Terrain(terrain.name, terrain.wkt, terrain.origin, terrain.step, heights, notices)
+    if not vertical:
+        return replace(terrain, notices=notices)
+    undulation = _undulation(terrain, vertical)
+    notice = heights_converted(undulation, terrain.wkt, datum, terrain.name)
+    return replace(terrain, heights=terrain.heights + undulation, notices=(notice,))
+
+
+def heights_converted(added: np.ndarray, wkt: str, datum: str, name: str) -> Message:
+    """What to say of heights that were brought to the ellipsoid by adding so much."""
+    named = datum if datum in VERTICAL else vertical_part(wkt)
+    least, most = float(added.min()), float(added.max())
+    return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=least, most=most)
 
 
 def vertical_system(wkt: str, datum: str, name: str) -> tuple[str, tuple[Message, ...]]:

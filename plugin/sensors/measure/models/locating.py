@@ -28,15 +28,10 @@ def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1
             jacobian[:, :, axis] = (function(found + shift) - function(found - shift)) / (2 * step)
         determinant = jacobian[:, 0, 0] * jacobian[:, 1, 1] - jacobian[:, 0, 1] * jacobian[:, 1, 0]
         with np.errstate(all="ignore"):
-            change = (
-                np.column_stack(
-                    [
-                        jacobian[:, 1, 1] * misfit[:, 0] - jacobian[:, 0, 1] * misfit[:, 1],
-                        jacobian[:, 0, 0] * misfit[:, 1] - jacobian[:, 1, 0] * misfit[:, 0],
-                    ]
-                )
-                / determinant[:, None]
-            )
+            change = np.column_stack([
+                jacobian[:, 1, 1] * misfit[:, 0] - jacobian[:, 0, 1] * misfit[:, 1],
+                jacobian[:, 0, 0] * misfit[:, 1] - jacobian[:, 1, 0] * misfit[:, 0],
+            ]) / determinant[:, None]
         found = found + change
         last = np.abs(change).max(axis=1)
         if not np.any(last > step * 1e-6):
@@ -51,17 +46,17 @@ def locate(
     image: np.ndarray,
     heights: np.ndarray,
     start: np.ndarray,
-    step: tuple[float, float],
+    metres: tuple[float, float],
     partly: bool = False,
     steps: int = 0,
 ) -> np.ndarray:
-    """Ground coordinates (n, 2) of image points (n, 2) at heights (n,), by Newton's method from ``start`` (n, 2).
+    """Ground coordinates (n, 2) of image points (n, 2) at heights (n,), by Newton's method from ``start`` (n or 1, 2).
 
-    ``project`` takes (n, 3) ground to (n, 2) image; ``step`` is about a metre in units of x and y. Raises
+    ``project`` takes (n, 3) ground to (n, 2) image; ``metres`` are about those in a unit of x and y. Raises
     SensorModelError where the model can't be inverted; with ``partly`` those places are NaN instead. ``steps`` as in
     ``newton``.
     """
-    scale = np.asarray(step)
+    scale = 1 / np.asarray(metres)
 
     def seen(units: np.ndarray) -> np.ndarray:
         return project(np.column_stack([start + units * scale, heights]))

@@ -50,15 +50,12 @@ class Polynomial2D(SensorModel):
     def project(self, ground: np.ndarray) -> np.ndarray:
         scaled = self.ground.to(ground[:, :2])
         if not self.to_ground:
-            return self.image.back(terms_2d(scaled, self.order) @ self.coefficients)
-        return self.image.back(newton(self._scaled_ground, scaled, self._start(scaled)))
+            return self.image.back(self._polynomial(scaled))
+        start = (scaled - self.coefficients[0]) @ np.linalg.pinv(self.coefficients[1:3])
+        return self.image.back(newton(self._polynomial, scaled, start))
 
-    def _scaled_ground(self, scaled_image: np.ndarray) -> np.ndarray:
-        return terms_2d(scaled_image, self.order) @ self.coefficients
-
-    def _start(self, scaled: np.ndarray) -> np.ndarray:
-        linear = self.coefficients[1:3]
-        return (scaled - self.coefficients[0]) @ np.linalg.pinv(linear)
+    def _polynomial(self, scaled: np.ndarray) -> np.ndarray:
+        return terms_2d(scaled, self.order) @ self.coefficients
 
 
 def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:

@@ -23,15 +23,13 @@ PUSHBROOM_SCALE_SIGMA = 5e-3
 MAX_LINE_ITERATIONS = 30  # the line that sees a point: Newton's method, three steps suffice on real scenes
 MAX_LINE_STEP_PX = 1e-7
 
-SIGMAS = np.array(
-    [
-        *PUSHBROOM_POSITION_SIGMAS_M,
-        *PUSHBROOM_MOTION_SIGMAS_M,
-        *(sigma for sigmas in PUSHBROOM_ROTATION_SIGMAS for sigma in sigmas),
-        PUSHBROOM_SCALE_SIGMA,
-        1.0,  # the principal column's stands in the orbit: it depends on whether the image's width is known
-    ]
-)
+SIGMAS = np.array([
+    *PUSHBROOM_POSITION_SIGMAS_M,
+    *PUSHBROOM_MOTION_SIGMAS_M,
+    *(sigma for sigmas in PUSHBROOM_ROTATION_SIGMAS for sigma in sigmas),
+    PUSHBROOM_SCALE_SIGMA,
+    1.0,  # the principal column's stands in the orbit: it depends on whether the image's width is known
+])
 """Prior standard deviations of the unknowns, in the order of ``Pushbroom.unknowns``."""
 
 

@@ -61,9 +61,8 @@ class Dlt(SensorModel):
         row_denominator = column_denominator - a[11] * a[0:4]
         lead = row_denominator[0]
         numerators = np.column_stack([a[0:4], a[4:8] / lead])
-        return Rational(
-            1, self.ground, self.image, numerators, np.column_stack([column_denominator, row_denominator / lead])
-        )
+        denominators = np.column_stack([column_denominator, row_denominator / lead])
+        return Rational(1, self.ground, self.image, numerators, denominators)
 
 
 def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
@@ -97,8 +96,7 @@ def _fit_quotient(
     for iteration in range(1, MAX_RATIONAL_ITERATIONS + 1):
         row_weights = weights / denominator
         solution = least_squares(whole * row_weights[:, None], wanted * row_weights)
-        denominator = 1 + terms[:, 1:] @ solution.values[count:]
-        denominator = _off_poles(denominator)
+        denominator = _off_poles(1 + terms[:, 1:] @ solution.values[count:])
         seen = (terms @ solution.values[:count]) / denominator
         change = float(np.abs(seen - last).max()) * scale_px
         last = seen
@@ -132,8 +130,7 @@ def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy:
         coefficients = np.zeros(12)
         coefficients[: len(solution.values)] = solution.values
         model = Dlt(scale_g, scale_i, coefficients)
-        denominator = 1 + terms[:, 1:] @ coefficients[8:11]
-        denominator = _off_poles(denominator)
+        denominator = _off_poles(1 + terms[:, 1:] @ coefficients[8:11])
         bend = 1 - coefficients[11] * x[:, 0]
         seen = model.project(ground)
         change = float(np.abs(seen - last).max())

@@ -87,7 +87,5 @@ def _located(model: SensorModel, frame: GroundSystem, wkt: str, grid: np.ndarray
     middle = np.array([[*domain.middle, float(np.mean(domain.heights))]])
     if model.GEOGRAPHIC:
         middle = GroundSystem(wkt).to_geographic(middle)
-    metres = frame.metres(float(middle[0, 1]))
-    start = np.repeat(middle[:, :2], len(grid), axis=0)
-    found = locate(model.project, grid[:, :2], grid[:, 2], start, (1 / metres[0], 1 / metres[1]))
+    found = locate(model.project, grid[:, :2], grid[:, 2], middle[:, :2], frame.metres(float(middle[0, 1])))
     return frame.to_geographic(np.column_stack([found, grid[:, 2]]))

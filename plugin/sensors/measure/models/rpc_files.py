@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import ParseError
@@ -48,17 +48,17 @@ def to_metadata(rpc: Rational) -> dict[str, str]:
 
 def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> Rational:
     """An RPC from the items of GDAL's metadata domain. Raises SensorModelError where some are missing or no numbers."""
+    numbers = [f"{name}_{kind}" for name in _OFFSETS for kind in ("OFF", "SCALE")]
     try:
-        value = {part: float(str(items[part]).split()[0]) for part in _number_names()}
+        value = {part: float(str(items[part]).split()[0]) for part in numbers}
         arrays = {part: np.array(str(items[f"{part}_COEFF"]).split(), float) for part in _COEFFICIENTS}
     except (KeyError, ValueError, IndexError):
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
     offsets, scales = ([value[f"{part}_{kind}"] for part in ("LONG", "LAT", "HEIGHT")] for kind in ("OFF", "SCALE"))
     image = [value[name] - first_pixel + PIXEL_CENTRE for name in ("SAMP_OFF", "LINE_OFF")]
-    numbers = (*value.values(), *(number for array in arrays.values() for number in array))
-    lengths = {len(array) for array in arrays.values()}
-    all_scales = (*scales, value["SAMP_SCALE"], value["LINE_SCALE"])
-    sound = lengths == {20} and np.isfinite(numbers).all() and 0 not in all_scales
+    finite = np.isfinite(np.concatenate([list(value.values()), *arrays.values()])).all()
+    full = all(len(array) == 20 for array in arrays.values())
+    sound = full and finite and 0 not in (*scales, value["SAMP_SCALE"], value["LINE_SCALE"])
     if not sound or arrays["LINE_DEN"][0] == 0 or arrays["SAMP_DEN"][0] == 0:
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name))
     return Rational(
@@ -70,17 +70,12 @@ def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> 
     )
 
 
-def _number_names() -> Iterable[str]:
-    return (f"{name}_{kind}" for name in _OFFSETS for kind in ("OFF", "SCALE"))
-
-
 def write_rpc(rpc: Rational, path: Path) -> None:
     """A text file as GDAL reads it beside ``image.tif`` under the name ``image_RPC.TXT``."""
     lines = []
     for name, value in to_metadata(rpc).items():
-        values = value.split()
         if name.endswith("_COEFF"):
-            lines += [f"{name}_{number}: {one}" for number, one in enumerate(values, 1)]
+            lines += [f"{name}_{number}: {one}" for number, one in enumerate(value.split(), 1)]
         else:
             lines.append(f"{name}: {value}")
     save_text("\n".join(lines) + "\n", path, "ascii")
