@@ -66,13 +66,9 @@ class InspectionDock(ToolDock):
         if row is None or row.extent is None or grid is None or layer is None:
             return
         self.session.select([fid])
-        xmin, ymin, xmax, ymax = row.extent
-        centre_x, centre_y = (xmin + xmax) / 2, (ymin + ymax) / 2
-        half_width = self._canvas.width() / _SCREEN_PIXELS / 2 * grid.pixel_width
-        half_height = self._canvas.height() / _SCREEN_PIXELS / 2 * grid.pixel_height
-        view = QgsRectangle(
-            centre_x - half_width, centre_y - half_height, centre_x + half_width, centre_y + half_height
-        )
+        width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
+        height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
+        view = QgsRectangle.fromCenterAndSize(QgsRectangle(*row.extent).center(), width, height)
         map_crs = self._canvas.mapSettings().destinationCrs()
         transform = QgsCoordinateTransform(layer.crs(), map_crs, QgsProject.instance().transformContext())
         try:
@@ -128,30 +124,29 @@ class InspectionDock(ToolDock):
             toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
         self.progress = QProgressBar()
         self.progress.setVisible(False)
-        self.progress.setTextVisible(True)
         tabs = QTabWidget()
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))
         tabs.setDocumentMode(True)
-        chart_side, chart_layout = QWidget(), QVBoxLayout()
+        chart_side = QWidget()
+        chart_layout = QVBoxLayout(chart_side)
         chart_layout.setContentsMargins(0, 0, 0, 0)
         chart_layout.addWidget(tabs, 1)
         chart_layout.addWidget(self.judge)
-        chart_side.setLayout(chart_layout)
         self._splitter = QSplitter(Qt.Orientation.Vertical)
         self._splitter.addWidget(self.windows)
         self._splitter.addWidget(chart_side)
         self._splitter.setStretchFactor(0, 2)
         self._splitter.setStretchFactor(1, 3)
         self._splitter.setChildrenCollapsible(False)
-        body, layout = QWidget(), QVBoxLayout()
+        body = QWidget()
+        layout = QVBoxLayout(body)
         layout.setContentsMargins(4, 2, 4, 4)
         layout.setSpacing(3)
         layout.addWidget(self.inputs)
         layout.addWidget(toolbar)
         layout.addWidget(self._splitter, 1)
         layout.addWidget(self.progress)
-        body.setLayout(layout)
         body.addActions([*self.judge.actions_for_dock(), self.undo])
         self.setWidget(ScrollBody(body))
 

@@ -56,18 +56,14 @@ class ReportWriter(QObject):
         """Write the report of the windows as they are now."""
         from ..report.desk_request import report_job, report_request
 
-        session, layer = self._session, self._session.window_layer()
+        session, project = self._session, QgsProject.instance()
+        layer = session.window_layer()
         if layer is None or not self.can_start:
             return
         self._folder = path.parent
         try:
             request = report_request(
-                session.windows(),
-                session.result,
-                layer.crs(),
-                session.block(),
-                session.inputs.max_ratio,
-                QgsProject.instance(),
+                session.windows(), session.result, layer.crs(), session.block(), session.inputs.max_ratio, project
             )
         except SeamInspectorError as error:
             self._failed(error.message)

@@ -69,7 +69,14 @@ class Session(QObject):
         self._new.told.connect(self._tell)
         self._pictures = WindowPictures(self._block, self._watch, self._background, self)
         self._pictures.arrived.connect(self.picturesArrived)
-        self._connections = self._project_signals()
+        self._connections: list[tuple[Any, Callable[..., None]]] = [
+            (self._project.readProject, self._load),
+            (self._project.cleared, self._load),
+            (self._project.writeProject, self._save),
+            (self._project.layersAdded, self._layers_changed),
+            (self._project.layersWillBeRemoved, self._forget_layers),
+            (self._project.layersRemoved, self._layers_changed),
+        ]
         for signal, slot in self._connections:
             signal.connect(slot)
         self._load()
@@ -225,16 +232,6 @@ class Session(QObject):
         self.inspect(fids)
 
     # The project
-
-    def _project_signals(self) -> list[tuple[Any, Callable[..., None]]]:
-        return [
-            (self._project.readProject, self._load),
-            (self._project.cleared, self._load),
-            (self._project.writeProject, self._save),
-            (self._project.layersAdded, self._layers_changed),
-            (self._project.layersWillBeRemoved, self._forget_layers),
-            (self._project.layersRemoved, self._layers_changed),
-        ]
 
     def _load(self, *_: object) -> None:
         self._inputs_background.abandon()

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import QModelIndex
-from qgis.PyQt.QtGui import QColor, QPalette
+from qgis.PyQt.QtGui import QColor, QIcon, QPalette, QPixmap
 from qgis.PyQt.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 _LEAST_CONTRAST = 3.0  # WCAG 2.1, success criteria 1.4.3 and 1.4.11: large text, and graphics that mean something
@@ -39,6 +39,15 @@ class ReadableItems(QStyledItemDelegate):
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         super().initStyleOption(option, index)
         option.state &= ~QStyle.StateFlag.State_MouseOver
+
+
+def plain_icon(*pixmaps: QPixmap) -> QIcon:
+    """Looks the same in selected rows; of the sizes given the one that fits is taken."""
+    icon = QIcon()
+    for pixmap in pixmaps:
+        for mode in (QIcon.Mode.Normal, QIcon.Mode.Selected, QIcon.Mode.Active):
+            icon.addPixmap(pixmap, mode)
+    return icon
 
 
 def contrast(one: QColor, other: QColor) -> float:

@@ -75,6 +75,4 @@ class ToolDock(QgsDockWidget):
         self.draw.setChecked(tool is self.tool)
 
     def _show_message(self, text: str, level: int) -> None:
-        self._iface.messageBar().pushMessage(
-            tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS
-        )
+        self._iface.messageBar().pushMessage(tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING
 
 from qgis.core import Qgis, QgsApplication
 from qgis.PyQt.QtCore import pyqtSignal
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     from ...measure.inspection import WindowResult
     from .curves_chart import Chart
-
-_Slot = Callable[..., None]
 
 
 class CurvesExport(QToolButton):
@@ -47,14 +45,13 @@ class CurvesExport(QToolButton):
     def _make_menu(self) -> QMenu:
         menu = QMenu(self)
         menu.setToolTipsVisible(True)
-        entries: list[tuple[str, str, str, _Slot]] = [
+        for icon, text, tip, slot in (
             ("mActionSaveMapAsImage", tr("Save as PNG..."), tr("The picture, for documents"), self.save_png),
             ("mActionSaveAsSVG", tr("Save as SVG..."), tr("The picture, sharp at every size"), self.save_svg),
             ("mActionOpenTable", tr("Save as CSV..."), tr("All rasters and bands of the windows"), self.save_csv),
             ("mActionEditCopy", tr("Copy picture"), tr("To the clipboard"), self.copy_picture),
             ("mActionEditCopy", tr("Copy values"), tr("To the clipboard, for a spreadsheet"), self.copy_values),
-        ]
-        for icon, text, tip, slot in entries:
+        ):
             action = menu.addAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text)
             action.setToolTip(tip)
             action.triggered.connect(slot)
@@ -107,12 +104,10 @@ class CurvesExport(QToolButton):
                 chart_export.save_picture(chart, title, path)
         except OSError as error:
             text = tr("The curves were not saved to {path}: {error}. Choose another folder.")
-            self._say(text.format(path=path, error=error.strerror or error), Qgis.MessageLevel.Warning)
+            said, level = text.format(path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
         else:
-            self._say(tr("The curves were saved to {path}.").format(path=path), Qgis.MessageLevel.Success)
+            said, level = tr("The curves were saved to {path}.").format(path=path), Qgis.MessageLevel.Success
+        self.told.emit(said, int(level))
 
     def _full_title(self) -> str:
         return f"{self._title} ({band_title(self._band)})"
-
-    def _say(self, text: str, level: Any) -> None:
-        self.told.emit(text, int(level))

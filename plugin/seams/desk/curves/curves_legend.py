@@ -18,7 +18,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....toolkit.charts.chart_style import ChartStyle, LineStyle
-from ....toolkit.desk.theme import ReadableItems, blended
+from ....toolkit.desk.theme import ReadableItems, blended, plain_icon
 from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve
 from ...charts.curve_chart import curve_look, numbered
@@ -199,10 +199,7 @@ class CurvesLegend(QListWidget):
         painter.setBrush(colour)
         painter.drawEllipse(QPointF(size.width() / 2, middle), radius * height, radius * height)
         painter.end()
-        icon = QIcon()
-        for mode in (QIcon.Mode.Normal, QIcon.Mode.Selected, QIcon.Mode.Active):
-            icon.addPixmap(pixmap, mode)
-        return icon
+        return plain_icon(pixmap)
 
     def _toggle(self, item: QListWidgetItem) -> None:
         if item.data(_KEY) is not None:
@@ -236,9 +233,6 @@ class _Entries(ReadableItems):
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         super().initStyleOption(option, index)
         if index.data(_IS_HIDDEN):
-            palette = option.palette
-            back = palette.color(QPalette.ColorRole.Base)
-            palette.setColor(
-                QPalette.ColorRole.Text, blended(palette.color(QPalette.ColorRole.Text), back, _HIDDEN_SHARE)
-            )
+            palette, role = option.palette, QPalette.ColorRole.Text
+            palette.setColor(role, blended(palette.color(role), palette.color(QPalette.ColorRole.Base), _HIDDEN_SHARE))
             option.palette = palette

@@ -75,12 +75,9 @@ class ChartPainter:
         self._frame: Any = None  # pixels of the frame
         self._curves: Any = None  # pixels of frame and curves
 
+    @interface_first()
     def draw(self, request: PaintRequest) -> PaintedPicture:
         """As pixels; what is there from the request before is used again."""
-        with interface_first():
-            return self._draw(request)
-
-    def _draw(self, request: PaintRequest) -> PaintedPicture:
         chart, style, room, _, _ = request
         if self._canvas is None:
             self._canvas = FigureCanvasAgg(Figure())

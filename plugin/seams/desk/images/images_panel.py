@@ -6,15 +6,7 @@ from typing import Callable
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QHideEvent, QShowEvent
-from qgis.PyQt.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QScrollArea,
-    QStackedWidget,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QStackedWidget, QToolButton, QVBoxLayout, QWidget
 
 from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.space_key import SpaceKey
@@ -168,16 +160,16 @@ class ImagesPanel(QWidget):
 
     def _add_view(self) -> None:
         view = PictureView(self.viewport, self._flow)
-        view.hovered.connect(self._hovered)
-        view.focused.connect(self._focused)
+        view.hovered.connect(self._space.set_hovered)
+        view.focused.connect(self._space.set_focused)
         view.show()
         self.setTabOrder(self.views[-1] if self.views else self._zoom_to_best, view)
         self.views.append(view)
 
     def _drop_view(self) -> None:
         view = self.views.pop()
-        self._hovered(view, False)
-        self._focused(view, False)
+        self._space.set_hovered(view, False)
+        self._space.set_focused(view, False)
         view.hide()
         view.deleteLater()
 
@@ -185,14 +177,13 @@ class ImagesPanel(QWidget):
         row = self._session.row(self._fid) if self._fid is not None else None
         if row is None:
             return
-        window = tr("Window {number}").format(number=row.window_id)
         if self._pictures is None:
-            text = tr("{window}: reading ...").format(window=window)
+            text = tr("{window}: reading ...")
         elif len(self._pictures) == 1 and self._pictures[0].is_mosaic:
-            text = tr("{window}: no source covers it").format(window=window)
+            text = tr("{window}: no source covers it")
         else:
-            text = tr("{window} · Space: mosaic").format(window=window)
-        self._status.setText(text)
+            text = tr("{window} · Space: mosaic")
+        self._status.setText(text.format(window=tr("Window {number}").format(number=row.window_id)))
 
     # Zoom
 
@@ -215,12 +206,6 @@ class ImagesPanel(QWidget):
         self._zoom_to_best.setChecked(self.viewport.zoom == BEST_ZOOM)
 
     # Flipping
-
-    def _hovered(self, view: PictureView, is_inside: bool) -> None:
-        self._space.set_hovered(view, is_inside)
-
-    def _focused(self, view: PictureView, is_inside: bool) -> None:
-        self._space.set_focused(view, is_inside)
 
     def _flip(self) -> None:
         flipped = self._space.view

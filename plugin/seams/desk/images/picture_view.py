@@ -26,12 +26,7 @@ from .viewport import Viewport
 _WHEEL_STEP = 120  # eighths of a degree: one notch
 _KEY_PAN = 0.25  # of a view
 _READING_OPACITY = 0.25
-_ARROWS = {
-    Qt.Key.Key_Left: (1, 0),
-    Qt.Key.Key_Right: (-1, 0),
-    Qt.Key.Key_Up: (0, 1),
-    Qt.Key.Key_Down: (0, -1),
-}
+_ARROWS = {Qt.Key.Key_Left: (1, 0), Qt.Key.Key_Right: (-1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)}
 
 
 class PictureView(QWidget):
@@ -166,9 +161,7 @@ class PictureView(QWidget):
         if last_x <= first_x or last_y <= first_y:
             return
         source = QRectF(first_x, first_y, last_x - first_x, last_y - first_y)
-        target = QRectF(
-            left + first_x * pixel, top + first_y * pixel, source.width() * pixel, source.height() * pixel
-        )
+        target = QRectF(left + first_x * pixel, top + first_y * pixel, source.width() * pixel, source.height() * pixel)
         painter.save()
         painter.translate(self.image_rect().topLeft())
         painter.scale(1 / ratio, 1 / ratio)

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsFeatureIterator,
     QgsMapLayer,
     QgsProject,
     QgsRasterLayer,
@@ -83,10 +82,6 @@ class _Features:
         source = QgsVectorLayerFeatureSource(layer)
         return _Features(source, source.fields().names(), layers.layer_path(layer), layer.crs())
 
-    def rows(self) -> QgsFeatureIterator:
-        """All features."""
-        return self.source.getFeatures()
-
 
 def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
     """Opens them; yields the OpenedFiles, or the Message why there are none."""
@@ -100,11 +95,12 @@ def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
         known: list[Cell] = []
         if index is not None:
             transform = QgsCoordinateTransform(index.crs, crs, context)
-            indexed = source_index.indexed_sources(index.rows(), index.names, index.path, transform)
+            indexed = source_index.indexed_sources(index.source.getFeatures(), index.names, index.path, transform)
         if cells is not None:
             if seam_cell_layer.CELL_FIELD not in cells.names:
                 raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
-            known = seam_cell_layer.seam_cells(cells.rows(), QgsCoordinateTransform(cells.crs, crs, context))
+            transform = QgsCoordinateTransform(cells.crs, crs, context)
+            known = seam_cell_layer.seam_cells(cells.source.getFeatures(), transform)
         return OpenedFiles(mosaic, tuple(indexed), tuple(known))
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:

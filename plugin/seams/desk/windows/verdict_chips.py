@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
+from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.translation import tr
 from ...verdict_words import VERDICTS, verdict_colour, verdict_word
@@ -21,16 +22,8 @@ _CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one 
 
 
 def verdict_chip(verdict: str, stale: bool = False) -> QIcon:
-    """A square in the verdict's colour; only half of it is filled when the verdict is out of date.
-
-    It looks the same in selected rows.
-    """
-    icon = QIcon()
-    for side in _CHIP_SIDES:
-        pixmap = _chip(verdict, stale, side)
-        for mode in (QIcon.Mode.Normal, QIcon.Mode.Selected, QIcon.Mode.Active):
-            icon.addPixmap(pixmap, mode)
-    return icon
+    """A square in the verdict's colour; only half of it is filled when the verdict is out of date."""
+    return plain_icon(*(_chip(verdict, stale, side) for side in _CHIP_SIDES))
 
 
 def windows_sentence(rows: Sequence[WindowRecord]) -> str:

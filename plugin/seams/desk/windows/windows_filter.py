@@ -26,9 +26,7 @@ class WindowsFilter(QSortFilterProxyModel):
         self._fids: list[int] | None = None
         self._shown: list[WindowRecord] = []
         self._rows: dict[int, int] = {}
-        for signal in (
-            model.dataChanged, model.rowsInserted, model.rowsRemoved, model.layoutChanged, model.modelReset
-        ):
+        for signal in (model.dataChanged, model.rowsInserted, model.rowsRemoved, model.layoutChanged, model.modelReset):
             signal.connect(self._forget)
         self.setSourceModel(model)
 

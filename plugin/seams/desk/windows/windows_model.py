@@ -124,9 +124,7 @@ class WindowsModel(QAbstractTableModel):
 
     def _in_order(self, windows: Iterable[WindowRecord]) -> list[WindowRecord]:
         rows, key = sorted(windows, key=WINDOW_ID.key), self.sorted_by.key
-        present = sorted(
-            (row for row in rows if key(row) is not None), key=key, reverse=self.sort_order != _ASCENDING
-        )
+        present = sorted((row for row in rows if key(row) is not None), key=key, reverse=self.sort_order != _ASCENDING)
         return present + [row for row in rows if key(row) is None]
 
     def _rearrange(self, rows: list[WindowRecord]) -> None:
@@ -168,8 +166,6 @@ class WindowsModel(QAbstractTableModel):
 
 def _runs(places: Iterable[int]) -> list[tuple[int, int]]:
     """First and last of each run of consecutive numbers."""
-    runs = []
-    for _, group in groupby(enumerate(places), key=lambda pair: pair[1] - pair[0]):
-        run = [place for _, place in group]
-        runs.append((run[0], run[-1]))
-    return runs
+    groups = groupby(enumerate(places), key=lambda pair: pair[1] - pair[0])
+    runs = ([place for _, place in group] for _, group in groups)
+    return [(run[0], run[-1]) for run in runs]

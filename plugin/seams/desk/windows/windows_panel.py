@@ -4,7 +4,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Callable
+from operator import attrgetter
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
 from qgis.gui import QgsFilterLineEdit
@@ -150,11 +151,9 @@ class WindowsPanel(QWidget):
         shown, count = self._shown.rowCount(), self._windows.rowCount()
         self._count.setVisible(self._shown.is_on and count > 0)
         self._count.setText(tr("{shown} of {count}").format(shown=shown, count=count))
-        hint = (
-            tr("No window matches the filter.")
-            if count
-            else tr("Draw a window on the map, or place windows along the seamlines.")
-        )
+        hint = tr("Draw a window on the map, or place windows along the seamlines.")
+        if count:
+            hint = tr("No window matches the filter.")
         if hint != self.table.hint:
             self.table.hint = hint
             self.table.viewport().update()
@@ -197,20 +196,16 @@ class WindowsPanel(QWidget):
         self._search.setShowClearButton(True)
         self._search.setPlaceholderText(tr("Filter windows"))
         self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
-        choices: list[tuple[str, Callable[[WindowRecord], bool] | None]] = [(tr("all"), None)]
-        choices += [(verdict_word(verdict), partial(_has_verdict, verdict)) for verdict in VERDICTS]
-        choices += [(tr("not judged"), _is_not_judged), (tr("changed"), _is_stale)]
-        for text, accepts in choices:
+        self._verdicts.addItem(tr("all"), None)
+        for verdict in VERDICTS:
+            self._verdicts.addItem(verdict_chip(verdict), verdict_word(verdict), partial(_has_verdict, verdict))
+        for text, tip, accepts in (
+            (tr("not judged"), tr("Windows without the observer's word."), _is_not_judged),
+            (tr("changed"), tr("Windows to be inspected again."), attrgetter("stale")),
+        ):
             self._verdicts.addItem(text, accepts)
-        for place, verdict in enumerate(VERDICTS, 1):
-            self._verdicts.setItemIcon(place, verdict_chip(verdict))
-        self._verdicts.setItemData(
-            len(choices) - 2, tr("Windows without the observer's word."), Qt.ItemDataRole.ToolTipRole
-        )
-        self._verdicts.setItemData(
-            len(choices) - 1, tr("Windows to be inspected again."), Qt.ItemDataRole.ToolTipRole
-        )
-        self._verdicts.setMaxVisibleItems(len(choices))
+            self._verdicts.setItemData(self._verdicts.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+        self._verdicts.setMaxVisibleItems(self._verdicts.count())
         self._verdicts.setToolTip(tr("Which windows are shown."))
         self._verdicts.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._count.setToolTip(tr("How many windows are shown."))
@@ -265,7 +260,3 @@ def _has_verdict(verdict: str, row: WindowRecord) -> bool:
 
 def _is_not_judged(row: WindowRecord) -> bool:
     return not row.observer
-
-
-def _is_stale(row: WindowRecord) -> bool:
-    return row.stale

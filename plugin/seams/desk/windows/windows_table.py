@@ -52,7 +52,7 @@ class WindowsTable(QTableView):
         header.setHighlightSections(False)
         header.setTextElideMode(Qt.TextElideMode.ElideRight)
         header.setMinimumSectionSize(1)
-        header.sortIndicatorChanged.connect(self._sorted)
+        header.sortIndicatorChanged.connect(self.fit)  # the arrow needs room in its column
         shown.modelReset.connect(self._show_sorting)
         self.fit()
 
@@ -116,9 +116,8 @@ class WindowsTable(QTableView):
         Reasons and then causes are shown only where nothing else has to give way to them.
         """
         columns = self._windows.columns
-        reason = len(columns) - 1
-        cause = columns.index(CAUSE)
-        long, brief = (self._all_widths(metrics, short) for short in (False, True))
+        reason, cause = len(columns) - 1, columns.index(CAUSE)
+        long, brief = ([self._widths(column, metrics, short) for column in columns] for short in (False, True))
 
         def needed(widths: list[Widths], size: int, without: set[int]) -> int:
             return sum(sizes[size] for section, sizes in enumerate(widths) if section not in without)
@@ -171,9 +170,6 @@ class WindowsTable(QTableView):
             painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
             painter.end()
 
-    def _all_widths(self, metrics: QFontMetrics, short: bool) -> list[Widths]:
-        return [self._widths(column, metrics, short) for column in self._windows.columns]
-
     def _widths(self, column: Column, metrics: QFontMetrics, short: bool) -> Widths:
         style, em = self.style(), metrics.horizontalAdvance("m")
         margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self) + 1) + em // 2
@@ -215,10 +211,6 @@ class WindowsTable(QTableView):
         if is_sorted:
             needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
         return max(int(least), int(needed))  # the style's own word is too little in Fusion
-
-    def _sorted(self, *_: object) -> None:
-        """The arrow needs room in its column."""
-        self.fit()
 
     def _show_sorting(self) -> None:
         """After the columns changed the arrow may stand on another one."""
