@@ -99,9 +99,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
             geometry = layers.rectangle(mosaic.grid.window_extent(placed.window))
             run.write(sink, [feature(fields, column_values(PLACED_COLUMNS, placed), geometry)])
             run.progress(done / len(placement.windows))
-        run.inform(
-            tr("{windows} windows placed along {seams} seams.").format(windows=len(placement.windows), seams=len(seams))
-        )
+        told = tr("{windows} windows placed along {seams} seams.")
+        run.inform(told.format(windows=len(placement.windows), seams=len(seams)))
         run.style(destination, style_path("placed_windows"))
         return {OUTPUT: destination}
 

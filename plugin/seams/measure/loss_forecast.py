@@ -111,9 +111,10 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     found = feathers(planes, request.wavelet, request.levels)
     spectra = [Spectra(plane) for plane in planes]
     expected = expected_ratios(found, request.levels)
+    mosaic = place.mosaic
     return Forecast(
         request.window_id,
-        extent_on(place.extent, place.mosaic.wkt, request.wkt or place.mosaic.wkt),
+        extent_on(mosaic.grid.window_extent(place.window), mosaic.wkt, request.wkt or mosaic.wkt),
         len(clips),
         band,
         tuple(_pair(clips, spectra, feather) for feather in found),
@@ -137,10 +138,6 @@ class _ForecastPlace:
     window: PixelWindow
     clip: Clip
     """Its pixels."""
-
-    @property
-    def extent(self) -> Extent:
-        return self.mosaic.grid.window_extent(self.window)
 
 
 def _opened(sources: Sequence[Source]) -> tuple[list[OpenRaster], list[Message]]:

@@ -79,8 +79,7 @@ def place_windows(
         return Placement((), (too_small.as_warning(),))
     # Half a side apart windows share half of their pixels; one more pixel allows for the snapping.
     densest_m = (side_px / 2 + 1) * max(metres_x, metres_y)
-    shortest_px = max(MIN_SEAM_SHARE * side_px, MIN_SEAM_PX)
-    shortest_m = shortest_px * grid.ground_sample_distance
+    shortest_m = max(MIN_SEAM_SHARE * side_px, MIN_SEAM_PX) * grid.ground_sample_distance
 
     placed = _WindowIndex(side_px)
     windows: list[PlacedWindow] = []
@@ -136,14 +135,9 @@ def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
         raise SettingsError(imagery_messages.LEVELS_OUT_OF_RANGE(levels=levels, least=least, most=most))
     fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
     if side_px < fewest:  # both are powers of two, so any longer side is a multiple of 2 ** levels
+        metres = math.ceil(fewest * grid.ground_sample_distance * 100) / 100
         raise SettingsError(
-            messages.SIDE_TOO_SHORT(
-                side=side_m,
-                pixels=side_px,
-                levels=levels,
-                fewest=fewest,
-                metres=math.ceil(fewest * grid.ground_sample_distance * 100) / 100,
-            )
+            messages.SIDE_TOO_SHORT(side=side_m, pixels=side_px, levels=levels, fewest=fewest, metres=metres)
         )
     return side_px
 

@@ -107,14 +107,9 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
     parts = [Clip(clip.raster, clip.bands[square], clip.invalid_share) for clip in clips]
     pictures, first = _encoded(stretched(parts), bytes_each)
     part = PixelWindow(searched.column + column + first, searched.row + row + first, side - 2 * first, side - 2 * first)
-    names = [clip.raster.ref.name for clip in clips]
-    return WindowParts(
-        tuple(
-            PartPicture(name, place == 0, jpeg, part.width) for place, (name, jpeg) in enumerate(zip(names, pictures))
-        ),
-        block.mosaic.grid.window_extent(part),
-        len(sources) - shown,
-    )
+    named = zip((clip.raster.ref.name for clip in clips), pictures)
+    made = tuple(PartPicture(name, place == 0, jpeg, part.width) for place, (name, jpeg) in enumerate(named))
+    return WindowParts(made, block.mosaic.grid.window_extent(part), len(sources) - shown)
 
 
 def _middle(window: PixelWindow) -> PixelWindow:

@@ -114,8 +114,7 @@ class WindowSections:
             yield record.reason
         facts = []
         if record.cause:
-            facts.append(tr("Cause: {cause}.").format(cause=cause_word(record.cause)))
-            facts.append(cause_sentence(record.cause))
+            facts += [tr("Cause: {cause}.").format(cause=cause_word(record.cause)), cause_sentence(record.cause)]
         facts.append(tr("Observer: {word}.").format(word=observer_word(record.observer) or tr("not judged")))
         contrast = contrast_of(self._pairs.get(record.window_id, ()))
         if contrast is not None:

@@ -6,6 +6,7 @@ QGIS's own.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain, count
 from pathlib import Path
 
 from qgis.core import (
@@ -187,8 +188,5 @@ def _change(layer: QgsVectorLayer, fid: int, values: Mapping[str, object]) -> No
 
 
 def _free_path(folder: Path) -> Path:
-    path, number = folder / "windows.gpkg", 1
-    while path.exists():
-        number += 1
-        path = folder / f"windows_{number}.gpkg"
-    return path
+    names = chain(["windows.gpkg"], (f"windows_{number}.gpkg" for number in count(2)))
+    return next(path for path in map(folder.joinpath, names) if not path.exists())
