@@ -89,23 +89,16 @@ def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow) -> C
 
 def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow) -> Clip:
     raster, dataset, failure = source.raster, source.dataset, messages.NOT_READABLE(name=source.ref.name)
-    extent_on(mosaic.grid.window_extent(window), mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
+    extent = mosaic.grid.window_extent(window)
+    extent_on(extent, mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
     finest = (1 - limits.MAX_PIXEL_SIZE_DIFFERENCE) * mosaic.ground_sample_distance
     if source.roles.palette is not None:
         dataset = gdal_call(lambda: _palette_expanded(source.dataset), failure)
     warped = gdal_call(
         lambda: gdal.Warp(
-            "",
-            dataset,
-            format="MEM",
-            srcSRS=raster.wkt,
-            dstSRS=mosaic.wkt,
-            outputBounds=mosaic.grid.window_extent(window),
-            width=window.width,
-            height=window.height,
+            "", dataset, format="MEM", srcSRS=raster.wkt, dstSRS=mosaic.wkt, outputBounds=extent,
+            width=window.width, height=window.height, dstAlpha=True, warpOptions=["UNIFIED_SRC_NODATA=YES"],
             resampleAlg="average" if raster.ground_sample_distance < finest else "cubic",
-            dstAlpha=True,
-            warpOptions=["UNIFIED_SRC_NODATA=YES"],
         ),
         failure,
     )

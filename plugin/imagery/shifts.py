@@ -102,9 +102,7 @@ def find_shift(
     if not spectra:
         return None
     leader = max((shift for shift, _ in spectra), key=lambda shift: shift.peak)
-    agreeing = [
-        cross for shift, cross in spectra if np.hypot(shift.x - leader.x, shift.y - leader.y) < SAME_SHIFT_PX
-    ]
+    agreeing = [cross for shift, cross in spectra if np.hypot(shift.x - leader.x, shift.y - leader.y) < SAME_SHIFT_PX]
     return _refined(sum(agreeing) / len(agreeing), leader)
 
 

@@ -16,6 +16,7 @@ from ..toolkit.charts.variance_axes import draw_frame
 from ..toolkit.translation import tr
 from .measure.band_noise import BandNoise
 from .measure.group_noise import ClipNoise
+from .noise_summary import judged_noise
 
 _LINES = {1: "-", 2: "--"}
 _HEADROOM = 1.25
@@ -33,16 +34,10 @@ def draw_noise(
             continue
         colour = style.text if band == bold else BAND_COLOURS.get(band) or next(spare)
         detail = noise.curve.detail
+        width, size, order = (2.4, 5, 4) if band == bold else (1.3, 3, 3)
         drawn += axes.plot(
-            range(1, len(detail) + 1),
-            detail,
-            color=colour,
-            linestyle=line,
-            linewidth=(2.4 if band == bold else 1.3) * style.scale,
-            marker="o",
-            markersize=(5 if band == bold else 3) * style.scale,
-            zorder=4 if band == bold else 3,
-            label=f"{label} {band}".strip(),
+            range(1, len(detail) + 1), detail, color=colour, linestyle=line, linewidth=width * style.scale,
+            marker="o", markersize=size * style.scale, zorder=order, label=f"{label} {band}".strip(),
         )
     return drawn
 
@@ -79,10 +74,9 @@ def draw_group(
     levels = range(1, values.shape[1] + 1)
     colour = style.sources[(group - 1) % len(style.sources)]
     low, high = values.min(axis=0), values.max(axis=0)
-    hatch = {2: "////"}.get(group)
     band = axes.fill_between(levels, low, high, facecolor=colour, alpha=0.25, linewidth=0, zorder=2)
-    if hatch:
-        band.set(hatch=hatch, edgecolor=colour)
+    if group == 2:
+        band.set(hatch="////", edgecolor=colour)
     mean = axes.plot(
         levels, values.mean(axis=0), color=colour, linewidth=2.6 * style.scale, linestyle=_LINES.get(group, "-"),
         marker="o", zorder=4, label=label,
@@ -159,12 +153,8 @@ def example(results: Sequence[ClipNoise]) -> list[ClipNoise]:
     candidates = [result for result in candidates if result.paired] or candidates
     candidates.sort(key=lambda result: result.bands[judged_band(result.bands)].sigma or 0.0)
     shown = candidates[len(candidates) // 2]
-    partners = [
-        result
-        for result in measured
-        if result.window_id == shown.window_id and result.part.member.group != first and shown.paired
-    ]
-    return [shown, *partners[:1]]
+    same = [result for result in measured if result.window_id == shown.window_id and shown.paired]
+    return [shown, *[result for result in same if result.part.member.group != first][:1]]
 
 
 def _judged(results: Sequence[ClipNoise]) -> dict[int, list[tuple[float, ...]]]:
@@ -179,7 +169,5 @@ def _judged(results: Sequence[ClipNoise]) -> dict[int, list[tuple[float, ...]]]:
 
 def _detail(result: ClipNoise) -> tuple[float, ...] | None:
     """The judged curve of a result; None where there is none."""
-    if not result.bands:
-        return None
-    curve = result.bands[judged_band(result.bands)].curve
-    return curve.detail if curve.variance > 0 else None
+    judged = judged_noise(result)
+    return judged.curve.detail if judged is not None and judged.curve.variance > 0 else None

@@ -53,10 +53,10 @@ class CheckRadiometry(RasterListAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
         self.addRasters(RASTERS, tr("Rasters"), tr("The images to be checked, each for itself."))
-        self.addWindows(
-            tr("Rectangles in any reference system; each is checked for itself on all rasters under it. Without "
-               "windows each raster is checked as a whole.")
-        )
+        self.addWindows(tr(
+            "Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows "
+            "each raster is checked as a whole."
+        ))
         self.addDescribed(
             QgsProcessingParameterFile(RULES, tr("Rules"), extension="json", optional=True),
             tr(
@@ -72,9 +72,7 @@ class CheckRadiometry(RasterListAlgorithm):
             ),
         )
         self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                OUTPUT, tr("Radiometry"), QgsProcessing.SourceType.TypeVector
-            ),
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Radiometry"), QgsProcessing.SourceType.TypeVector),
             tr("One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."),
         )
         self.addDescribed(*common.report(tr("All figures with the histograms on one HTML page.")))
@@ -187,24 +185,15 @@ class CheckRadiometry(RasterListAlgorithm):
 
     @staticmethod
     def _assess(
-        image: Raster,
-        window: PixelWindow,
-        number: int | None,
-        rules: RuleSet,
-        seams: Sequence[Seam] | None,
-        place: tuple[int, int],
-        run: Run,
+        image: Raster, window: PixelWindow, number: int | None, rules: RuleSet, seams: Sequence[Seam] | None,
+        place: tuple[int, int], run: Run,
     ) -> Assessment | None:
         from ..imagery.open_raster import OpenRaster
         from .measure.assessment import assess
 
         done, count = place
-
-        def progress(share: float) -> bool:
-            run.progress((done + share) / count)
-            return not run.is_cancelled()
-
-        return assess(OpenRaster(image.ref), window, rules, seams, number, progress)
+        source = OpenRaster(image.ref)
+        return assess(source, window, rules, seams, number, lambda share: run.goes_on((done + share) / count))
 
 
 def _save_report(path: Path, results: Sequence[Assessment], notices: Iterable[Message], rules: RuleSet) -> None:

@@ -2,53 +2,45 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from qgis.core import QgsFeature, QgsFields
 
-from ..toolkit.table_fields import feature, table_fields
+from ..toolkit.table_fields import Column, column_features, column_fields
 from ..toolkit.translation import sentence
-from .measure.assessment import Assessment
+from .measure.assessment import Assessment, CheckedFigure
 from .measure.rules import Rule
+
+
+class _Row(NamedTuple):
+    result: Assessment
+    checked: CheckedFigure
+
+
+_COLUMNS: tuple[Column[_Row], ...] = (
+    Column("raster", "text", lambda row: row.result.image.ref.name),
+    Column("window_id", "integer", lambda row: row.result.window_id),
+    Column("band", "text", lambda row: row.checked.band),
+    Column("check", "text", lambda row: row.checked.rule.check),
+    Column("value", "real", lambda row: row.checked.value),
+    Column("limit", "text", lambda row: limit_text(row.checked.rule)),
+    Column("passed", "integer", lambda row: None if row.checked.passed is None else int(row.checked.passed)),
+    Column("source", "text", lambda row: row.checked.rule.source),
+    Column("reason", "text", lambda row: sentence(row.checked.reason) if row.checked.reason else None),
+    Column("least", "real", lambda row: row.checked.rule.least),
+    Column("most", "real", lambda row: row.checked.rule.most),
+)
 
 
 def radiometry_fields() -> QgsFields:
     """OUTPUT: one row per raster (or window of it), check and band. Shares are fractions of 1; ``passed`` is 1, 0, or
     nothing where the figure can't be measured or has no limit."""
-    return table_fields(
-        ("raster", "text"),
-        ("window_id", "integer"),
-        ("band", "text"),
-        ("check", "text"),
-        ("value", "real"),
-        ("limit", "text"),
-        ("passed", "integer"),
-        ("source", "text"),
-        ("reason", "text"),
-        ("least", "real"),
-        ("most", "real"),
-    )
+    return column_fields(_COLUMNS)
 
 
 def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image or a window of it."""
-    for checked in result.checked_figures:
-        rule = checked.rule
-        yield feature(
-            radiometry_fields(),
-            [
-                result.image.ref.name,
-                result.window_id,
-                checked.band,
-                rule.check,
-                checked.value,
-                limit_text(rule),
-                None if checked.passed is None else int(checked.passed),
-                rule.source,
-                sentence(checked.reason) if checked.reason else None,
-                rule.least,
-                rule.most,
-            ],
-        )
+    return column_features(_COLUMNS, (_Row(result, checked) for checked in result.checked_figures))
 
 
 def limit_text(rule: Rule) -> str | None:

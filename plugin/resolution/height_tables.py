@@ -5,7 +5,6 @@ from collections.abc import Sequence
 
 from qgis.core import QgsFeature, QgsFields
 
-from ..imagery.errors import SettingsError
 from ..imagery.message import Message
 from ..toolkit.attribute_values import number, text
 from ..toolkit.table_fields import feature, table_fields
@@ -15,13 +14,6 @@ from .measure.minimum_height import HeightResult, Observation
 
 HEIGHT, GRD = "height", "grd"
 _KEYS = ("sensor", "image_type", "direction")
-
-
-def check_fields(names: Sequence[str]) -> None:
-    """Raise SettingsError for a table without height or distance."""
-    for name in (HEIGHT, GRD):
-        if name not in names:
-            raise SettingsError(messages.FIELD_MISSING(field=name))
 
 
 def key_fields(names: Sequence[str], by_height: bool) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from ..imagery.errors import SettingsError
 from ..imagery.grids import Grid
 from ..imagery.message import Message
 from ..toolkit.attribute_values import text, whole_number
-from ..toolkit.table_fields import feature, table_fields
+from ..toolkit.table_fields import Column, column_fields, column_values, feature
 from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.bar_groups import GroupResult
@@ -27,9 +27,25 @@ LARGEST_GROUP = 999
 GROUP, DIRECTION = "group", "direction"
 
 
-def check_fields(names: Sequence[str]) -> None:
-    """Raise SettingsError for a line layer without its fields."""
-    for name in (GROUP, DIRECTION):
+_COLUMNS: tuple[Column[GroupResult], ...] = (
+    Column(GROUP, "integer", lambda result: result.measured.line.group),
+    Column(DIRECTION, "text", lambda result: result.measured.line.direction),
+    Column("band", "text", lambda result: result.band or None),
+    Column("grd", "real", lambda result: result.grd_cm),
+    Column("bars_found", "integer", lambda result: result.reading and len(result.reading.bars)),
+    Column("amplitude", "real", lambda result: result.reading and result.reading.amplitude),
+    Column("full_amplitude", "real", lambda result: result.reading and result.reading.full_amplitude),
+    Column("modulation", "real", lambda result: result.reading and result.reading.modulation),
+    Column("resolved", "integer", lambda result: result.reading and int(result.resolved)),
+    Column("spurious", "integer", lambda result: result.reading and int(result.spurious)),
+    Column("shift_px", "real", lambda result: result.measured.shifts.get(result.band)),
+    Column("reason", "text", lambda result: None if result.reason is None else sentence(result.reason)),
+)
+
+
+def check_fields(names: Sequence[str], wanted: Sequence[str] = (GROUP, DIRECTION)) -> None:
+    """Raise SettingsError for a line layer, or another table, without its fields."""
+    for name in wanted:
         if name not in names:
             raise SettingsError(messages.FIELD_MISSING(field=name))
 
@@ -48,12 +64,10 @@ def bar_line(row: QgsFeature, grid: Grid, transform: QgsCoordinateTransform) -> 
 
 def line_on_map(segment: Segment, grid: Grid) -> QgsGeometry:
     """A line in pixels on the map of its raster."""
-    return QgsGeometry.fromPolylineXY(
-        [
-            QgsPointXY(grid.left + column * grid.pixel_width, grid.top - row * grid.pixel_height)
-            for column, row in (segment.start, segment.end)
-        ]
-    )
+    return QgsGeometry.fromPolylineXY([
+        QgsPointXY(grid.left + column * grid.pixel_width, grid.top - row * grid.pixel_height)
+        for column, row in (segment.start, segment.end)
+    ])
 
 
 def pixel_segment(points: Sequence[QgsPointXY], grid: Grid) -> Segment:
@@ -66,46 +80,16 @@ def pixel_segment(points: Sequence[QgsPointXY], grid: Grid) -> Segment:
 
 def result_fields() -> QgsFields:
     """OUTPUT: one row per line and band."""
-    return table_fields(
-        (GROUP, "integer"),
-        (DIRECTION, "text"),
-        ("band", "text"),
-        ("grd", "real"),
-        ("bars_found", "integer"),
-        ("amplitude", "real"),
-        ("full_amplitude", "real"),
-        ("modulation", "real"),
-        ("resolved", "integer"),
-        ("spurious", "integer"),
-        ("shift_px", "real"),
-        ("reason", "text"),
-    )
+    return column_fields(_COLUMNS)
 
 
 def result_features(results: Sequence[GroupResult], grid: Grid) -> Iterator[QgsFeature]:
     """The rows of OUTPUT: the lines as they were measured, turned to be perpendicular to the bars."""
     fields = result_fields()
     for result in results:
-        measured, reading = result.measured, result.reading
-        numbers: list[float | None] = [None] * 4
-        if reading is not None:
-            numbers = [len(reading.bars), reading.amplitude, reading.full_amplitude, reading.modulation]
-        segment = measured.segment or measured.line.segment
-        yield feature(
-            fields,
-            [
-                measured.line.group,
-                measured.line.direction,
-                result.band or None,
-                result.grd_cm,
-                *numbers,
-                None if reading is None else int(result.resolved),
-                None if reading is None else int(result.spurious),
-                measured.shifts.get(result.band),
-                None if result.reason is None else sentence(result.reason),
-            ],
-            None if segment is None else line_on_map(segment, grid),
-        )
+        segment = result.measured.segment or result.measured.line.segment
+        line = None if segment is None else line_on_map(segment, grid)
+        yield feature(fields, column_values(_COLUMNS, result), line)
 
 
 def _segment(

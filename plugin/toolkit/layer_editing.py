@@ -4,9 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from qgis.core import (
-    QgsVectorLayer,
-)
+from qgis.core import QgsVectorLayer
 
 from ..imagery.errors import WindowLayerError
 from . import messages

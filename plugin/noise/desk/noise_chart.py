@@ -78,11 +78,7 @@ def figure(request: NoiseDrawing) -> Figure:
 
 
 def _add_legend(
-    axes: Axes,
-    request: NoiseDrawing,
-    font: FontProperties,
-    place: str,
-    columns: Iterable[int],
+    axes: Axes, request: NoiseDrawing, font: FontProperties, place: str, columns: Iterable[int],
     most: tuple[float, float],
 ) -> tuple[float, float]:
     """Where it hides nothing, in as many columns as there is room for; the rule, which is drawn first, comes last.

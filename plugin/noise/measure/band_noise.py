@@ -74,11 +74,8 @@ def noise_verdict(detail: Sequence[float]) -> tuple[NoiseVerdict, Message | None
 
 
 def measure_noise(
-    bands: np.ndarray,
-    names: Sequence[str],
-    wavelet: str = imagery_limits.DEFAULT_WAVELET,
-    levels: int = imagery_limits.DEFAULT_LEVELS,
-    raster: str = "",
+    bands: np.ndarray, names: Sequence[str],
+    wavelet: str = imagery_limits.DEFAULT_WAVELET, levels: int = imagery_limits.DEFAULT_LEVELS, raster: str = "",
     masked: np.ndarray | None = None,
 ) -> dict[str, BandNoise]:
     """Curve, kurtosis, sigma and verdict of every band of a clip, and of its luminance, which comes first.
@@ -103,7 +100,7 @@ def measure_noise(
             mixed = np.tensordot(components[:, :3], np.array(weights, components.dtype), axes=(1, 0))
             components = np.concatenate([components, mixed[:, np.newaxis]], axis=1)
         kept = None if masked is None or not masked.any() else ~_in_cells(masked, 2**level)
-        for own, curve, index in zip(kurtoses, curves, range(len(curves))):
+        for index, (own, curve) in enumerate(zip(kurtoses, curves)):
             details = components[:, index] if kept is None else components[:, index][:, kept]
             empty = curve.variance == 0 or curve.detail[level - 1] <= imagery_limits.MIN_SHARE
             own.append(None if empty else _kurtosis(details))

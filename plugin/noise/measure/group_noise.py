@@ -43,10 +43,8 @@ class ClipNoise:
 
 
 def measure_window(
-    ref: RasterRef,
-    window: PixelWindow,
-    wavelet: str = imagery_limits.DEFAULT_WAVELET,
-    levels: int = imagery_limits.DEFAULT_LEVELS,
+    ref: RasterRef, window: PixelWindow,
+    wavelet: str = imagery_limits.DEFAULT_WAVELET, levels: int = imagery_limits.DEFAULT_LEVELS,
 ) -> ClipNoise:
     """The noise of one raster in one window on its own pixel grid, both sides multiples of ``2 ** levels``.
 
@@ -62,11 +60,7 @@ def measure_request(request: NoiseRequest, wavelet: str, levels: int) -> list[Cl
 
 
 def measure_requests(
-    requests: Iterable[NoiseRequest],
-    wavelet: str,
-    levels: int,
-    executor: Executor,
-    ahead: int,
+    requests: Iterable[NoiseRequest], wavelet: str, levels: int, executor: Executor, ahead: int,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[list[ClipNoise]]:
     """The results of each request in order, ``ahead`` of them under way at a time. Stops when cancelled.
@@ -148,10 +142,7 @@ def _joined_masks(parts: Sequence[Part], masks: Sequence[np.ndarray]) -> list[np
 def _seen_from(part: Part, other: Part, invalid: np.ndarray) -> np.ndarray:
     """Which pixels of a part lie, if only with an edge, on invalid pixels of another part."""
     own_grid, grid = part.member.image.grid, other.member.image.grid
-    assert own_grid is not None
-    assert grid is not None
-    extent = own_grid.window_extent(part.window)
-    there = extent_on_image(extent, part.member.image.wkt, other.member.image)
+    there = extent_on_image(own_grid.window_extent(part.window), part.member.image.wkt, other.member.image)
     assert there is not None  # the window came over the same way
     columns = np.linspace(there[0], there[2], part.window.width + 1)
     rows = np.linspace(there[3], there[1], part.window.height + 1)

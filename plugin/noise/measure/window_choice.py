@@ -13,8 +13,9 @@ from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from ...imagery.value_ranges import value_range
-from . import limits
 
+NOISE_WINDOW_PX = 1024  # side of a window; Pyka 2009, section 3
+NOISE_SHRINK = 8  # every 8th pixel shows where an image is saturated or invalid
 NOISE_WINDOWS = 25  # at most, chosen on an image; Pyka 2009, section 3: 25 fragments
 MAX_NOISE_PLACES = 10  # places along an image's side that are looked at: 100 reduced reads at most
 SATURATION_STEP = 0.005  # windows whose saturated shares differ by less are alike and are chosen by their spread
@@ -38,10 +39,7 @@ class _Place:
 
 
 def choose_windows(
-    source: OpenRaster,
-    levels: int,
-    region: PixelWindow | None = None,
-    allowed: Allowed = lambda window: True,
+    source: OpenRaster, levels: int, region: PixelWindow | None = None, allowed: Allowed = lambda window: True
 ) -> list[PixelWindow]:
     """Up to 25 square windows of an image, 1024 px, that do not overlap, those with the least saturation first.
 
@@ -57,7 +55,7 @@ def choose_windows(
     Raises RasterError when the raster can't be read.
     """
     region = region or source.raster.whole
-    side = min(limits.NOISE_WINDOW_PX, 2 ** int(math.log2(min(region.width, region.height))))
+    side = min(NOISE_WINDOW_PX, 2 ** int(math.log2(min(region.width, region.height))))
     while side >= max(imagery_limits.MIN_SIDE_PX, 2**levels):
         places = [
             place
@@ -88,7 +86,7 @@ def _starts(length: int, side: int) -> list[int]:
 
 def _look(source: OpenRaster, window: PixelWindow, apart: bool) -> _Place | None:
     """What a place is like, by few of its pixels; None when any of them is invalid."""
-    bands, invalid = source.thinned(window, min(limits.NOISE_SHRINK, window.width // 16))
+    bands, invalid = source.thinned(window, min(NOISE_SHRINK, window.width // 16))
     if invalid is not None and invalid.any():
         return None
     lowest, highest = bands.min(), bands.max()
@@ -101,16 +99,12 @@ def _saturated_shares(image: Raster, places: list[_Place]) -> list[float]:
     if available is None:
         return [0.0] * len(places)
     low, high = available
-    return [
-        place.at_lowest * (place.lowest <= low) + place.at_highest * (place.highest >= high) for place in places
-    ]
+    return [place.at_lowest * (place.lowest <= low) + place.at_highest * (place.highest >= high) for place in places]
 
 
 def _spread(places: list[_Place], shares: list[float], middle: tuple[float, float]) -> list[PixelWindow]:
     """Those to take, in the order in which they are chosen."""
-    classes = [
-        (int(share / SATURATION_STEP), not place.apart) for share, place in zip(shares, places)
-    ]
+    classes = [(int(share / SATURATION_STEP), not place.apart) for share, place in zip(shares, places)]
     chosen: list[PixelWindow] = []
     left = list(range(len(places)))
     while left and len(chosen) < NOISE_WINDOWS:

@@ -12,9 +12,9 @@ from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
-from . import limits, messages
+from . import messages
 from .noise_requests import GroupedImage, NoiseRequest, Part, Plan
-from .window_choice import choose_windows
+from .window_choice import NOISE_SHRINK, NOISE_WINDOW_PX, choose_windows
 
 MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no part there
 
@@ -82,10 +82,7 @@ def plan_chosen(images: Sequence[GroupedImage], levels: int, cancelled: Callable
 def pixel_size_notice(plan: Plan) -> Message | None:
     """That pixel sizes differ between the groups of a paired window, or None."""
     for request in plan.requests:
-        sizes = {
-            part.member.group: part.member.ground_sample_distance
-            for part in reversed(request.parts)
-        }
+        sizes = {part.member.group: part.member.ground_sample_distance for part in reversed(request.parts)}
         if request.paired and sizes[1] and sizes[2]:
             ratio = sizes[1] / sizes[2]
             if abs(ratio - 1) > imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE:
@@ -98,9 +95,7 @@ def _chosen(
 ) -> list[tuple[Part, ...]]:
     """The windows of an image, each with the partners that show it."""
     name = one.image.ref.name
-    opened: list[tuple[GroupedImage, OpenRaster]] = []
-    for partner in partners:
-        opened.append((partner, OpenRaster(partner.image.ref)))
+    opened = [(partner, OpenRaster(partner.image.ref)) for partner in partners]
 
     def shown(window: PixelWindow) -> tuple[Part, ...]:
         parts = []
@@ -126,8 +121,8 @@ def _chosen(
     if not found:
         fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
         notices.append(messages.RASTER_WITHOUT_WINDOW(name=name, fewest=fewest))
-    elif found[0][0].window.width < limits.NOISE_WINDOW_PX:
-        side, wanted = found[0][0].window.width, limits.NOISE_WINDOW_PX
+    elif found[0][0].window.width < NOISE_WINDOW_PX:
+        side, wanted = found[0][0].window.width, NOISE_WINDOW_PX
         notices.append(messages.WINDOWS_SMALLER(name=name, wanted=wanted, side=side))
     return found
 
@@ -195,5 +190,5 @@ def _window_on(image: Raster, window: PixelWindow, other: Raster, levels: int) -
 
 
 def _is_valid(source: OpenRaster, window: PixelWindow) -> bool:
-    invalid = source.thinned(window, min(limits.NOISE_SHRINK, min(window.width, window.height) // 16))[1]
+    invalid = source.thinned(window, min(NOISE_SHRINK, min(window.width, window.height) // 16))[1]
     return invalid is None or not invalid.any()

@@ -57,11 +57,8 @@ class Assessment:
 
 
 def assess(
-    source: OpenRaster,
-    window: PixelWindow,
-    rules: RuleSet,
-    seams: Sequence[Seam] | None = None,
-    window_id: int | None = None,
+    source: OpenRaster, window: PixelWindow, rules: RuleSet,
+    seams: Sequence[Seam] | None = None, window_id: int | None = None,
     progress: Callable[[float], bool] = lambda share: True,
 ) -> Assessment | None:
     """Stream a window of an image (all of it: ``image.whole``) and hold it against the rules.
@@ -130,11 +127,7 @@ def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -
 
 
 def _checked_figures(
-    rule: Rule,
-    image: Raster,
-    statistics: ImageStatistics,
-    available: ValueRange,
-    steps: Sequence[SeamStep],
+    rule: Rule, image: Raster, statistics: ImageStatistics, available: ValueRange, steps: Sequence[SeamStep],
     largest: float,
 ) -> Iterator[CheckedFigure]:
     if rule.check == checks.COLOUR_BALANCE:

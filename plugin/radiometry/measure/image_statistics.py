@@ -91,13 +91,11 @@ def can_count(image: Raster, given: ValueRange | None) -> bool:
 
 
 def stream_statistics(
-    source: OpenRaster,
-    window: PixelWindow,
+    source: OpenRaster, window: PixelWindow,
     given: ValueRange | None = None,
     progress: Callable[[float], bool] = lambda share: True,
 ) -> ImageStatistics:
-    """Histograms and areas of a window of a raster, read block by block, every block once and
-    one ahead.
+    """Histograms and areas of a window of a raster, read block by block, every block once and one ahead.
 
     ``given`` is the range over which values other than 8 and 16 bit are counted; ``progress`` is told the share that
     is done after each block and ends the work by returning False.

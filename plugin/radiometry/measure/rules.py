@@ -123,9 +123,7 @@ def _rule(content: Any, place: Message, name: str) -> Rule:
     _check_keys(content, _RULE_KEYS, place, name)
     check = content.get("check")
     if check not in CHECKS:
-        raise SettingsError(
-            messages.RULES_CHECK_UNKNOWN(place=place, name=name, check=check, known=", ".join(CHECKS))
-        )
+        raise SettingsError(messages.RULES_CHECK_UNKNOWN(place=place, name=name, check=check, known=", ".join(CHECKS)))
     least, most = (_limit(content, key, place, name) for key in ("least", "most"))
     if least is not None and most is not None and least > most:
         raise SettingsError(messages.RULES_LIMITS_CROSSED(place=place, name=name))
@@ -160,9 +158,7 @@ def _range(content: Any, name: str) -> ValueRange | None:
 def _check_keys(content: dict[str, Any], known: tuple[str, ...], place: Message, name: str) -> None:
     for key in content:
         if key not in known:
-            raise SettingsError(
-                messages.RULES_KEY_UNKNOWN(place=place, name=name, key=key, known=", ".join(known))
-            )
+            raise SettingsError(messages.RULES_KEY_UNKNOWN(place=place, name=name, key=key, known=", ".join(known)))
 
 
 def _is_number(value: Any) -> bool:

@@ -107,9 +107,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
             advanced=True,
         )
         self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                OUTPUT, tr("Measured groups"), QgsProcessing.SourceType.TypeVectorLine
-            ),
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Measured groups"), QgsProcessing.SourceType.TypeVectorLine),
             tr("The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift."),
         )
         self.addDescribed(*common.chart(tr("The profiles with their bars, threshold and verdict, group by group.")))
@@ -174,20 +172,14 @@ class MeasureResolution(SeamInspectorAlgorithm):
     def _target(self, run: Run) -> Target:
         from ..measure.target import Target
 
-        return Target(
-            run.whole(BARS),
-            run.whole(REFERENCE_GROUP),
-            run.real(REFERENCE_GRD),
-            run.real(STEP),
-            run.real(CRITERION),
-            run.flag(REVERSED),
-        )
+        numbers = run.real(REFERENCE_GRD), run.real(STEP), run.real(CRITERION)
+        return Target(run.whole(BARS), run.whole(REFERENCE_GROUP), *numbers, run.flag(REVERSED))
 
     def _width(self, run: Run) -> float:
         width = run.real(WIDTH)
         if not 0 <= width <= limits.MAX_BAR_LINE_PX:
             raise SettingsError(messages.BAR_WIDTH_OUT_OF_RANGE(width=width, most=limits.MAX_BAR_LINE_PX))
-        return float(width)
+        return width
 
     def _band(self, run: Run, raster: Raster) -> int | None:
         """Where the band stands among those that are measured; None for all."""

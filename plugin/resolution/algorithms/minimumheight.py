@@ -82,13 +82,14 @@ class MinimumHeight(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from .. import height_tables
+        from ..line_table import check_fields
         from ..measure.minimum_height import check_heights, minimum_heights
 
         required, reference = self._limits(run)
         check_heights(required, reference)
         source = run.source(OBSERVATIONS)
         names = source.fields().names()
-        height_tables.check_fields(names)
+        check_fields(names, (height_tables.HEIGHT, height_tables.GRD))
         keys = height_tables.key_fields(names, run.flag(BY_HEIGHT))
         observations = []
         for number, row in enumerate(layers.features(source), 1):

@@ -3,10 +3,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from qgis.core import (
-    QgsProcessingParameterRasterDestination,
-    QgsProcessingParameterRasterLayer,
-)
+from qgis.core import QgsProcessingParameterRasterDestination, QgsProcessingParameterRasterLayer
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...toolkit.algorithms import groups
@@ -66,17 +63,9 @@ class SimulateBayer(SeamInspectorAlgorithm):
         from ..measure.bayer import simulate_file
 
         path = run.layer_path(OUTPUT)
-
-        def progress(share: float) -> bool:
-            run.progress(share)
-            return not run.is_cancelled()
-
-        simulate_file(self._raster, path, *self._ways(run), progress)
+        simulate_file(self._raster, path, *self._ways(run), run.goes_on)
         return {OUTPUT: path}
 
     def _ways(self, run: Run) -> tuple[str, str]:
         """Pattern and interpolation."""
-        return (
-            run.text(PATTERN),
-            run.text(DEMOSAIC),
-        )
+        return run.text(PATTERN), run.text(DEMOSAIC)

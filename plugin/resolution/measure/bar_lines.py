@@ -48,9 +48,7 @@ class MeasuredLine:
     """Why it could not be measured."""
 
 
-def measure_line(
-    raster: Raster, line: BarLine, bars: int, width: float, band: int | None = None
-) -> MeasuredLine:
+def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: int | None = None) -> MeasuredLine:
     """Profiles across the bars of one group and what they show; never raises for a line that can't be measured.
 
     ``width``: px either side that the profile is averaged over. ``band``: the place of the one band that is measured,

@@ -93,11 +93,7 @@ def read_bars(profile: Profile, bars: int) -> BarReading:
     flanks = [_flank(x, values, top.position, cycle, side) for top, side in ((tops[0], -1), (tops[-1], 1))]
     outer = [flank for flank in flanks if flank is not None]
     full = max(top.value for top in tops) - min(one.value for one in (*bottoms, *outer))
-    amplitude = min(
-        top.value - bottom.value
-        for pair, bottom in zip(zip(tops, tops[1:]), bottoms)
-        for top in pair
-    )
+    amplitude = min(top.value - bottom.value for pair, bottom in zip(zip(tops, tops[1:]), bottoms) for top in pair)
     sides = [sign * max(top.value for top in tops), sign * min(bottom.value for bottom in bottoms)]
     total = sum(sides)
     modulation = abs(sides[0] - sides[1]) / total if total > 0 else None

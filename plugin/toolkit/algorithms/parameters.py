@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
@@ -18,10 +17,6 @@ from qgis.core import (
 from ...imagery import limits as imagery_limits
 from ..translation import tr
 
-if TYPE_CHECKING:
-    pass
-
-Parameters = dict[str, Any]
 Described = tuple[QgsProcessingParameterDefinition, str]
 
 MOSAIC = "MOSAIC"
@@ -88,12 +83,8 @@ def source_index() -> Described:
 def levels() -> Described:
     return (
         QgsProcessingParameterNumber(
-            LEVELS,
-            tr("Levels"),
-            QgsProcessingParameterNumber.Type.Integer,
-            imagery_limits.DEFAULT_LEVELS,
-            minValue=imagery_limits.MIN_LEVELS,
-            maxValue=imagery_limits.MAX_LEVELS,
+            LEVELS, tr("Levels"), QgsProcessingParameterNumber.Type.Integer, imagery_limits.DEFAULT_LEVELS,
+            minValue=imagery_limits.MIN_LEVELS, maxValue=imagery_limits.MAX_LEVELS,
         ),
         tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse."),
     )
@@ -107,17 +98,11 @@ def wavelet() -> Described:
 
 
 def max_ratio(description: str) -> Described:
-    return (
-        QgsProcessingParameterNumber(
-            MAX_RATIO,
-            tr("Largest ratio of a significant loss"),
-            QgsProcessingParameterNumber.Type.Double,
-            imagery_limits.MAX_SIGNIFICANT_RATIO,
-            minValue=0,
-            maxValue=1,
-        ),
-        description,
+    number = QgsProcessingParameterNumber(
+        MAX_RATIO, tr("Largest ratio of a significant loss"), QgsProcessingParameterNumber.Type.Double,
+        imagery_limits.MAX_SIGNIFICANT_RATIO, minValue=0, maxValue=1,
     )
+    return number, description
 
 
 def chart(description: str, by_default: bool = False) -> Described:

@@ -40,10 +40,7 @@ class Run:
     """What QGIS hands to an algorithm, read by the parameters' names."""
 
     def __init__(
-        self,
-        algorithm: QgsProcessingAlgorithm,
-        parameters: dict[str, Any],
-        context: QgsProcessingContext,
+        self, algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext,
         feedback: QgsProcessingFeedback | None = None,
     ) -> None:
         self.parameters, self.context = parameters, context
@@ -251,6 +248,11 @@ class Run:
         """How much is done, 0 to 1."""
         self.feedback.setProgress(100 * share)
 
+    def goes_on(self, share: float) -> bool:
+        """The same, and whether the user wants more."""
+        self.progress(share)
+        return not self.is_cancelled()
+
 
 class _Styler(QgsProcessingLayerPostProcessorInterface):
     """Gives a layer its style once it is there."""
@@ -271,9 +273,7 @@ _stylers: set[_Styler] = set()
 
 def _styler(style: str) -> _Styler:
     """A new one for each layer: QGIS deletes it with the context of its run, and until then does not keep it alive."""
-    for one in list(_stylers):
-        if sip.isdeleted(one):
-            _stylers.discard(one)
+    _stylers.difference_update([one for one in _stylers if sip.isdeleted(one)])
     styler = _Styler(style)
     _stylers.add(styler)
     return styler

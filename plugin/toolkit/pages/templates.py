@@ -37,11 +37,8 @@ def sentences_once(notices: Iterable[Message]) -> list[str]:
 def environment() -> Environment:
     """Where templates are found, and what they know besides what they are given."""
     made = Environment(
-        loader=FileSystemLoader(reports_path()),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
+        loader=FileSystemLoader(reports_path()), autoescape=True, undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
     )
     made.globals.update(tr=tr, language=language)
     made.filters.update(data_address=_data_address, number_columns=_number_columns)
