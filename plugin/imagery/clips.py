@@ -11,7 +11,7 @@ from . import limits, messages
 from .errors import NotCoveredError
 from .gdal_calls import gdal_call
 from .grids import Extent, Grid, PixelWindow
-from .open_raster import Block, OpenRaster, placed
+from .open_raster import OpenRaster, PixelBlock, placed
 from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
 
@@ -52,7 +52,7 @@ def read_clip(source: OpenRaster, mosaic: Raster, window: PixelWindow) -> Clip:
     return _clip_warped(source, mosaic, window)
 
 
-def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Block, Extent] | None:
+def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[PixelBlock, Extent] | None:
     """A small picture of a part of the mosaic, and where it lies.
 
     None where the part lies outside, or where the file has no overviews and too many pixels would be decoded.

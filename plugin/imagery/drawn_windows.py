@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 from . import messages
 from .errors import RasterError, WindowError
-from .grids import Extent, Grid, PixelWindow, WindowOutline, snap_window
+from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
 from .rasters import Raster
 from .reference_systems import extent_on
 
 
 @dataclass(frozen=True)
-class DrawnWindow(WindowOutline):
+class DrawnWindow(NumberedWindow):
     """A rectangle to be measured on every image under it."""
 
     extent: Extent

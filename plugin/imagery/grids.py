@@ -12,7 +12,7 @@ Extent = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
-class WindowOutline:
+class NumberedWindow:
     """Which window, and where it lies: what all know of one."""
 
     window_id: int

@@ -18,7 +18,7 @@ from .grids import PixelWindow
 from .rasters import Raster, RasterRef
 
 
-class Block(NamedTuple):
+class PixelBlock(NamedTuple):
     """Pixels and which of them are no measurements."""
 
     bands: np.ndarray
@@ -92,7 +92,7 @@ class OpenRaster:
             raise RasterError(messages.BAND_NOT_THERE(name=self.ref.name, band=number, count=len(measured)))
         return measured.index(number - 1)
 
-    def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> Block:
+    def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> PixelBlock:
         """The pixels of a window, or ``size`` (columns, rows) of them, from overviews where there are some: the
         nearest ones, or means."""
         inside = (window.column, window.row, window.width, window.height)
@@ -108,7 +108,7 @@ class OpenRaster:
             mask = gdal_call(lambda: first.GetMaskBand().ReadAsArray(*inside, columns, rows), failure)
         return self._block(data, mask)
 
-    def thinned(self, window: PixelWindow, step: int) -> Block:
+    def thinned(self, window: PixelWindow, step: int) -> PixelBlock:
         """Every so many-th pixel of a window along both sides."""
         return self.read(window, (max(1, window.width // step), max(1, window.height // step)))
 
@@ -137,7 +137,7 @@ class OpenRaster:
                 right = min(left + wide, window.column + window.width)
                 yield PixelWindow(column, row, right - column, min(top + high, window.row + window.height) - row)
 
-    def _block(self, data: np.ndarray, mask: np.ndarray | None) -> Block:
+    def _block(self, data: np.ndarray, mask: np.ndarray | None) -> PixelBlock:
         """All bands into those that are measured and what is invalid in them; ``mask`` is 0 there."""
         roles = self.roles
         in_order = roles.indices == tuple(range(len(data)))
@@ -152,7 +152,7 @@ class OpenRaster:
             masks.append(roles.palette[indices, 3] == 0)
             bands = np.moveaxis(roles.palette[indices, :3], -1, 0)
         found = [one for one in masks if one is not None and one.any()]
-        return Block(bands, reduce(np.logical_or, found) if found else None)
+        return PixelBlock(bands, reduce(np.logical_or, found) if found else None)
 
     def _nodata_mask(self, bands: np.ndarray) -> np.ndarray | None:
         """Pixels all of whose bands hold their nodata value, or None where there are none."""

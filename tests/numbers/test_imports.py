@@ -156,3 +156,12 @@ def test_what_the_rule_allows_passes(tmp_path: Path, file: str, line: str) -> No
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(line, encoding="utf-8")
     assert faults(tmp_path) == []
+
+
+def test_no_class_name_stands_twice(repository: Path) -> None:
+    names: dict[str, list[str]] = {}
+    for path in sorted((repository / "plugin").rglob("*.py")):
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ClassDef):
+                names.setdefault(node.name, []).append(path.relative_to(repository).as_posix())
+    assert {name: places for name, places in names.items() if len(places) > 1} == {}

@@ -10,7 +10,7 @@ from typing import Callable
 import numpy as np
 
 from ...imagery.grids import PixelWindow
-from ...imagery.open_raster import Block, OpenRaster
+from ...imagery.open_raster import OpenRaster, PixelBlock
 from ...imagery.rasters import Raster
 from ...imagery.value_ranges import ValueRange
 from . import limits
@@ -119,10 +119,10 @@ def stream_statistics(
     return ImageStatistics(histograms, joined(areas), done == window.width * window.height)
 
 
-def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, Block]]:
+def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, PixelBlock]]:
     """Every block with its pixels; the next one is read in a thread of its own meanwhile."""
     with ThreadPoolExecutor(1) as reader:
-        coming: tuple[PixelWindow, Future[Block]] | None = None
+        coming: tuple[PixelWindow, Future[PixelBlock]] | None = None
         for block in blocks:
             ready, coming = coming, (block, reader.submit(source.read, block))
             if ready is not None:

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ...imagery.band_names import judged_band
-from ...imagery.grids import WindowOutline
+from ...imagery.grids import NumberedWindow
 
 COMPOSITE = "composite"
 """The hard-cut composite of the sources, where a source's name or a clip's role would stand."""
@@ -19,7 +19,7 @@ _NOT_COMPARED = ("", "not_comparable")  # words of Verdict, which is not loaded 
 
 
 @dataclass(frozen=True)
-class WindowRecord(WindowOutline):
+class WindowRecord(NumberedWindow):
     """One window of a layer, inspected or not. Its number is for good."""
 
     verdict: str = ""

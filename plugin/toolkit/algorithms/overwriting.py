@@ -41,7 +41,7 @@ _SIDECARS = {".aux", ".aux.xml", ".geom", ".hdr", ".msk", ".ovr", ".prj", ".rpb"
 _Identity = Union[tuple[int, int], str]
 
 
-class _Place(NamedTuple):
+class _DataPlace(NamedTuple):
     """Where data lie."""
 
     path: str
@@ -51,11 +51,11 @@ class _Place(NamedTuple):
 
 class _Output(NamedTuple):
     title: str
-    place: _Place
+    place: _DataPlace
     files: dict[_Identity, str]
     """All that would be written or removed."""
 
-    def meets(self, other: _Place) -> bool:
+    def meets(self, other: _DataPlace) -> bool:
         """Whether it would be written over a file, or what lies beside it; not if it is another table of a database."""
         tables = {self.place.table.lower(), other.table.lower()}
         if _identity(other.path) in self.files:
@@ -73,7 +73,7 @@ def refuse_overwriting(
         if output is None:
             continue
         for other in outputs:
-            if any(output.meets(_Place(file, other.place.table)) for file in other.files.values()):
+            if any(output.meets(_DataPlace(file, other.place.table)) for file in other.files.values()):
                 path, first = output.place.path, other.title
                 raise SettingsError(messages.OUTPUTS_ARE_ONE(path=path, first=first, second=output.title))
         outputs.append(output)
@@ -92,7 +92,7 @@ def _output(
     text = _text(value.sink if isinstance(value, QgsProcessingOutputLayerDefinition) else value, context)
     if not text or text == QgsProcessing.TEMPORARY_OUTPUT or text.startswith("memory:"):
         return None
-    place = _table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else _Place(text)
+    place = _table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else _DataPlace(text)
     stem, ending = os.path.splitext(place.path)
     files = [place.path, text, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ()))]
     if ending.lower() != ".vrt":  # GDAL removes a raster with its sidecars before it writes a new one
@@ -100,20 +100,20 @@ def _output(
     return _Output(definition.description(), place, {_identity(file): file for file in files})
 
 
-def _table_place(text: str) -> _Place:
+def _table_place(text: str) -> _DataPlace:
     """The file that a destination of features names, and the table when it is to be added to a database."""
     provider, _, rest = text.partition(":")
     is_uri = provider in ("ogr", "spatialite")
     path = (QgsDataSourceUri(rest).database() or rest) if is_uri else text.partition("|")[0]
     if is_uri and _is_database(path):
-        return _Place(path, QgsDataSourceUri(rest).table())
+        return _DataPlace(path, QgsDataSourceUri(rest).table())
     is_known = QgsVectorFileWriter.driverForExtension(os.path.splitext(path)[1][1:])
-    return _Place(path if is_known else path + ".gpkg")  # as QGIS does
+    return _DataPlace(path if is_known else path + ".gpkg")  # as QGIS does
 
 
 def _inputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> Iterator[_Place]:
+) -> Iterator[_DataPlace]:
     """Each file of each input."""
     seen: set[_Identity] = set()
     for definition in algorithm.parameterDefinitions():
@@ -125,12 +125,12 @@ def _inputs(
             yield from _parts(place.path, seen)
         if name.upper() == common.SOURCE_INDEX and parameters.get(name):
             for path in _indexed(algorithm.parameterAsVectorLayer(parameters, name, context)):
-                yield _Place(path)
+                yield _DataPlace(path)
                 if path.lower().endswith(".vrt"):  # there may be too many to open all
                     yield from _parts(path, seen)
 
 
-def _places(value: object, provider: str, context: QgsProcessingContext) -> Iterator[_Place]:
+def _places(value: object, provider: str, context: QgsProcessingContext) -> Iterator[_DataPlace]:
     """What an input's value names: a layer or its id or name, an address of a layer, a path, or a list of those."""
     if isinstance(value, (list, tuple)):
         for one in value:
@@ -148,10 +148,10 @@ def _places(value: object, provider: str, context: QgsProcessingContext) -> Iter
     parts = QgsProviderRegistry.instance().decodeUri(key, source)
     path = parts.get("path") or ""
     if _is_database(path):
-        yield _Place(path, _table(parts))
+        yield _DataPlace(path, _table(parts))
     elif path:
-        yield _Place(path)
-        yield _Place(source)  # in an archive, or a part of a file
+        yield _DataPlace(path)
+        yield _DataPlace(source)  # in an archive, or a part of a file
 
 
 def _table(parts: dict[str, Any]) -> str:
@@ -172,13 +172,13 @@ def _indexed(index: QgsMapLayer | None) -> Iterator[str]:
         yield os.path.join(folder, str(row["location"]))
 
 
-def _parts(path: str, seen: set[_Identity]) -> Iterator[_Place]:
+def _parts(path: str, seen: set[_Identity]) -> Iterator[_DataPlace]:
     """The files of a dataset, and of the rasters that a virtual one is made of."""
     if _identity(path) in seen:
         return
     seen.add(_identity(path))
     for file in _dataset_files(path):
-        yield _Place(file)
+        yield _DataPlace(file)
         if file.lower().endswith(".vrt"):
             yield from _parts(file, seen)
 

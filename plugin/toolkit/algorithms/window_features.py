@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsGeometry, QgsProcessingFeatureSource
 
 from ...imagery.errors import WindowError
-from ...imagery.grids import WindowOutline
+from ...imagery.grids import NumberedWindow
 from ...imagery.message import Message
 from ..attribute_values import text, whole_number
 from .run import Run
@@ -16,7 +16,7 @@ _LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bi
 
 
 @dataclass(frozen=True)
-class WindowFeature(WindowOutline):
+class WindowFeature(NumberedWindow):
     """One feature that is to be measured."""
 
     reason: Message | None = None

@@ -11,7 +11,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.drawn_windows import DrawnWindow
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import Block, OpenRaster
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, window_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
@@ -85,7 +85,7 @@ def test_a_large_raster_is_looked_at_by_few_pixels(large: Path, monkeypatch: pyt
     read: list[int] = []
     real = OpenRaster.read
 
-    def counted(self: OpenRaster, window: PixelWindow, *size: Any) -> Block:
+    def counted(self: OpenRaster, window: PixelWindow, *size: Any) -> PixelBlock:
         block = real(self, window, *size)
         read.append(block.bands.size)
         return block

@@ -28,7 +28,7 @@ _RATIO_TIP = QT_TRANSLATE_NOOP(
 )
 
 
-class Column(NamedTuple):
+class TableColumn(NamedTuple):
     """A column of the table."""
 
     name: str
@@ -63,7 +63,7 @@ class Column(NamedTuple):
         return rich_tip(tr("Ratio at level {level}: {ratio}").format(level=self.level, ratio=value))
 
 
-def columns_of(levels: int) -> tuple[Column, ...]:
+def columns_of(levels: int) -> tuple[TableColumn, ...]:
     """From left to right, for ratios at levels 1..R."""
     return WINDOW_ID, _VERDICT, *map(_ratio_column, range(1, levels + 1)), CAUSE, *_LAST
 
@@ -74,7 +74,7 @@ def _verdict_text(row: WindowRecord) -> str:
 
 
 @cache
-def _ratio_column(level: int) -> Column:
+def _ratio_column(level: int) -> TableColumn:
     def ratio(row: WindowRecord) -> float | None:
         return row.ratios[level - 1] if level <= len(row.ratios) else None
 
@@ -82,38 +82,38 @@ def _ratio_column(level: int) -> Column:
         return "" if (found := ratio(row)) is None else shown_number(found)
 
     heading = QT_TRANSLATE_NOOP("@default", "ratio 1") if level == 1 else str(level)
-    return Column("ratio", heading, _RATIO_TIP, text, ratio, _ALIGNED_RIGHT, level=level)
+    return TableColumn("ratio", heading, _RATIO_TIP, text, ratio, _ALIGNED_RIGHT, level=level)
 
 
-WINDOW_ID = Column(
+WINDOW_ID = TableColumn(
     "window_id", QT_TRANSLATE_NOOP("@default", "id"), QT_TRANSLATE_NOOP("@default", "Number of the window."),
     lambda row: str(row.window_id), lambda row: row.window_id, _ALIGNED_RIGHT,
 )  # fmt: skip
-_VERDICT = Column(
+_VERDICT = TableColumn(
     "verdict", QT_TRANSLATE_NOOP("@default", "verdict"),
     QT_TRANSLATE_NOOP(
         "@default", "What the ratio at level 1 says about the mosaic. Sorted by it, the worst comes first."
     ),
     _verdict_text, lambda row: _SEVERITY.get(row.verdict),
 )  # fmt: skip
-CAUSE = Column(
+CAUSE = TableColumn(
     "cause", QT_TRANSLATE_NOOP("@default", "cause"),
     QT_TRANSLATE_NOOP("@default", "The step of production that explains what happened to the contrast."),
     lambda row: cause_word(row.cause), lambda row: cause_word(row.cause).casefold() or None,
 )  # fmt: skip
 _LAST = (
-    Column(
+    TableColumn(
         "sources", QT_TRANSLATE_NOOP("@default", "sources"),
         QT_TRANSLATE_NOOP("@default", "How many sources the mosaic was compared with."),
         lambda row: "" if row.sources is None else str(row.sources), lambda row: row.sources, _CENTRED,
         QT_TRANSLATE_NOOP("@default", "src."),
     ),
-    Column(
+    TableColumn(
         "observer", QT_TRANSLATE_NOOP("@default", "observer"),
         QT_TRANSLATE_NOOP("@default", "Whether the operator saw the loss of detail at 2x magnification."),
         lambda row: observer_word(row.observer), lambda row: _OBSERVERS.get(row.observer),
     ),
-    Column(
+    TableColumn(
         "reason", QT_TRANSLATE_NOOP("@default", "reason"),
         QT_TRANSLATE_NOOP("@default", "Why the mosaic could not be compared with a source."),
         lambda row: row.reason, lambda row: row.reason.casefold() or None,

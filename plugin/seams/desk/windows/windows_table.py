@@ -12,7 +12,7 @@ from ....toolkit.translation import tr
 from ...cause_words import cause_word
 from ...measure.causes import Cause
 from ...verdict_words import VERDICTS, observer_word, verdict_word
-from .windows_columns import CAUSE, Column
+from .windows_columns import CAUSE, TableColumn
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 
@@ -170,7 +170,7 @@ class WindowsTable(QTableView):
             painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
             painter.end()
 
-    def _widths(self, column: Column, metrics: QFontMetrics, short: bool) -> Widths:
+    def _widths(self, column: TableColumn, metrics: QFontMetrics, short: bool) -> Widths:
         style, em = self.style(), metrics.horizontalAdvance("m")
         margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self) + 1) + em // 2
         title = self._heading_width(column.title(short), column == self._windows.sorted_by)
