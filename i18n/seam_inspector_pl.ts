@@ -4,5562 +4,5562 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/adapters/window_layer.py" line="200" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="43"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="46" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="44"/>
         <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that covers the window are clipped and decomposed by wavelets; the share of the variance that each level of detail has in the mosaic is divided by its share in the source. At level 1, the finest, a ratio of 0.5 or less against every source is a significant loss, one below 1 reduced, else the detail is preserved (Pyka 2010).</source>
         <translation>Mierzy, ile kontrastu lokalnego zachowała ortofotomapa w każdym oknie. Wycinki ortofotomapy i wszystkich pokrywających okno ortoobrazów źródłowych są poddawane dekompozycji falkowej; wariancja względna detali ortofotomapy na każdym poziomie rozdzielczości jest dzielona przez wariancję względną detali ortoobrazu. Jeżeli na poziomie 1, najdokładniejszym, stosunek ten względem każdego ortoobrazu wynosi 0,5 lub mniej, strata jest istotna (significant); jeżeli jest mniejszy od 1, detale są osłabione (reduced); w pozostałych przypadkach są zachowane (preserved). Zob. Pyka 2010.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_layer.py" line="100" />
+        <location filename="../build/template_texts.py" line="22"/>
         <source>Windows</source>
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="56" />
-        <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic's pixels.</source>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="54"/>
+        <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="116" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="90" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="82"/>
         <source>A window is significant when its ratio at level 1 is this or less.</source>
         <translation>Okno otrzymuje ocenę significant, gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="93" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="85"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="93" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="85"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="51" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="44"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="101" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="93"/>
         <source>The rectangles as measured, with their verdict and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="105" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="105" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="58" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="51"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="109" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="101"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="114" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="115" />
-        <source>Windows that can't be compared</source>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
+        <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="133" />
+        <location filename="../plugin/seams/report/inspection_report.py" line="145"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/base.py" line="181" />
-        <source>A result can't be written; is the disk full?</source>
+        <location filename="../plugin/toolkit/algorithms/run.py" line="185"/>
+        <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="58" />
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="53"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="58" />
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="53"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="65" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="59"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="65" />
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="60"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1% lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="77" />
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="72"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="77" />
-        <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field 'location'; relative paths start at the index file's folder. For blocks with too many sources to load, alone or beside them.</source>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="72"/>
+        <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="89" />
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="84"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="89" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="46"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="103" />
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="94"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/parameters.py" line="103" />
-        <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers.</source>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="39"/>
+        <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="34" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="32"/>
         <source>Place windows along seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="35" />
-        <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window's side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="33"/>
+        <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="71" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="43"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="45" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="43"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="53" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="51"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="53" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="51"/>
         <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="57" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="57" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
         <source>Distance between the centres of neighbouring windows, measured along the seam.</source>
         <translation>Odległość między środkami sąsiednich okien, mierzona wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="62" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="60"/>
         <source>The windows, with the number of their seam and their station along it in metres.</source>
         <translation>Okna z numerem linii mozaikowania i pikietażem wzdłuż niej w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/placewindows.py" line="109" />
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="102"/>
         <source>{windows} windows placed along {seams} seams.</source>
         <translation>Liczba rozmieszczonych okien: {windows}, liczba linii mozaikowania: {seams}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="44" />
+        <location filename="../plugin/imagery/messages.py" line="31"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="45" />
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="46" />
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="49" />
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>Liczba poziomów równa {levels} wymaga okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="54" />
-        <source>PyWavelets has no discrete wavelet '{wavelet}'; use an orthogonal one such as coif3.</source>
+        <location filename="../plugin/imagery/messages.py" line="54"/>
+        <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="55" />
-        <source>The wavelet '{wavelet}' is not orthogonal, so the shares of its components do not add up to the clip's variance; use an orthogonal one such as coif3, db4 or sym8.</source>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
+        <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="59" />
+        <location filename="../plugin/imagery/messages.py" line="59"/>
         <source>{levels} levels asked for; the decomposition has {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="61" />
-        <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic's seams.</source>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="62" />
-        <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic's seamlines or of its source polygons.</source>
+        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="66" />
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="70" />
+        <location filename="../plugin/imagery/messages.py" line="70"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="73" />
+        <location filename="../plugin/imagery/messages.py" line="73"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="76" />
-        <source>The geometry of feature {feature} in the seamline layer can't be read; repair the layer with 'Fix geometries'.</source>
+        <location filename="../plugin/imagery/messages.py" line="76"/>
+        <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="79" />
-        <source>The seamline layer holds coordinates that are no numbers; repair it with 'Fix geometries'.</source>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="82" />
+        <location filename="../plugin/seams/measure/messages.py" line="25"/>
         <source>The spacing is {spacing} m; give a positive number of metres.</source>
         <translation>Odstęp okien wynosi {spacing} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="83" />
+        <location filename="../plugin/seams/measure/messages.py" line="26"/>
         <source>A window of {side} m has {pixels} px a side on this mosaic and {levels} levels need at least {fewest} px; give a side of {metres} m or more.</source>
         <translation>Okno o boku {side} m ma na tej ortofotomapie bok {pixels} px, a liczba poziomów równa {levels} wymaga co najmniej {fewest} px; podaj bok {metres} m lub większy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="87" />
+        <location filename="../plugin/seams/measure/messages.py" line="30"/>
         <source>The mosaic is {width:.1f} x {height:.1f} m, too small for a window of {side:.1f} m; give a shorter side.</source>
         <translation>Ortofotomapa ma {width:.1f} × {height:.1f} m i jest za mała na okno o boku {side:.1f} m; podaj krótszy bok.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="90" />
+        <location filename="../plugin/seams/measure/messages.py" line="33"/>
         <source>Seam {seam} has no window at {station:.1f} m: it would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
         <translation>Linia mozaikowania {seam} nie ma okna na {station:.1f} m: wystawałoby poza ortofotomapę lub zawierało zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="94" />
+        <location filename="../plugin/seams/measure/messages.py" line="37"/>
         <source>Seam {seam} has no windows from {start:.1f} to {end:.1f} m: they would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
         <translation>Linia mozaikowania {seam} nie ma okien od {start:.1f} do {end:.1f} m: wystawałyby poza ortofotomapę lub zawierały zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="98" />
+        <location filename="../plugin/seams/measure/messages.py" line="41"/>
         <source>Left out because they would share more than half of their pixels with another window of the same seam: {count}.</source>
         <translation>Okna pominięte, ponieważ miałyby ponad połowę pikseli wspólnych z innym oknem tej samej linii mozaikowania: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="101" />
+        <location filename="../plugin/seams/measure/messages.py" line="45"/>
         <source>Seams that lie within windows of longer ones and got none of their own: {count}.</source>
         <translation>Linie mozaikowania leżące w oknach dłuższych linii, bez własnych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="102" />
+        <location filename="../plugin/seams/measure/messages.py" line="46"/>
         <source>Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.</source>
         <translation>Linie mozaikowania krótsze niż {shortest:.2f} m, zbyt krótkie, aby miały znaczenie w oknie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="103" />
+        <location filename="../plugin/seams/measure/messages.py" line="47"/>
         <source>Seams outside the mosaic: {count}.</source>
         <translation>Linie mozaikowania poza ortofotomapą: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="105" />
+        <location filename="../plugin/imagery/messages.py" line="7"/>
         <source>{path} does not exist; check the path.</source>
         <translation>{path} nie istnieje; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="106" />
+        <location filename="../plugin/imagery/messages.py" line="8"/>
         <source>{name} is not a raster that GDAL can read; check that the file is complete.</source>
         <translation>{name} nie jest rastrem, który GDAL potrafi odczytać; sprawdź, czy plik jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="107" />
-        <source>The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.</source>
+        <location filename="../plugin/imagery/messages.py" line="9"/>
+        <source>The pixels of {name} can&apos;t be read; the file may be truncated or damaged, so copy it anew.</source>
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="108" />
+        <location filename="../plugin/imagery/messages.py" line="10"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="109" />
+        <location filename="../plugin/imagery/messages.py" line="11"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="110" />
+        <location filename="../plugin/imagery/messages.py" line="13"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="111" />
-        <source>{name} has no coordinate reference system; set it in the layer's properties or write it into the file.</source>
+        <location filename="../plugin/imagery/messages.py" line="14"/>
+        <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="114" />
+        <location filename="../plugin/imagery/messages.py" line="17"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="115" />
+        <location filename="../plugin/imagery/messages.py" line="47"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="116" />
+        <location filename="../plugin/imagery/messages.py" line="48"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="119" />
-        <source>An extent can't be transformed to the mosaic's coordinate reference system; check the layers' systems.</source>
+        <location filename="../plugin/imagery/messages.py" line="20"/>
+        <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="123" />
+        <location filename="../plugin/seams/measure/messages.py" line="7"/>
         <source>The largest ratio of a significant loss is {ratio}; give a number between 0 and 1.</source>
         <translation>Największy stosunek wariancji przy istotnej stracie wynosi {ratio}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="124" />
+        <location filename="../plugin/seams/measure/messages.py" line="15"/>
         <source>No sources are given; choose the orthoimages the mosaic was made from, or their index layer.</source>
         <translation>Nie podano ortoobrazów źródłowych; wybierz ortoobrazy, z których powstała ortofotomapa, albo warstwę ich indeksu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="127" />
+        <location filename="../plugin/seams/measure/messages.py" line="19"/>
         <source>{name} is the mosaic itself and is left out of the sources.</source>
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="128" />
+        <location filename="../plugin/imagery/messages.py" line="18"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="129" />
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="130" />
+        <location filename="../plugin/seams/measure/messages.py" line="64"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="131" />
+        <location filename="../plugin/seams/measure/messages.py" line="65"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="132" />
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="133" />
+        <location filename="../plugin/seams/measure/messages.py" line="67"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="136" />
-        <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic's bands.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału {band} (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="137" />
+        <location filename="../plugin/imagery/messages.py" line="36"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="140" />
+        <location filename="../plugin/seams/measure/messages.py" line="75"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="142" />
+        <location filename="../plugin/toolkit/messages.py" line="7"/>
         <source>{name} is not a raster layer; choose a raster.</source>
         <translation>{name} nie jest warstwą rastrową; wybierz raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="143" />
+        <location filename="../plugin/toolkit/messages.py" line="8"/>
         <source>{name} is not a file that GDAL reads but comes from a service; choose the raster file itself.</source>
         <translation>{name} nie jest plikiem odczytywanym przez GDAL, lecz pochodzi z usługi sieciowej; wybierz sam plik rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="144" />
+        <location filename="../plugin/toolkit/messages.py" line="14"/>
         <source>The window has no outline; draw it anew.</source>
         <translation>Okno nie ma obrysu; narysuj je od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="145" />
+        <location filename="../plugin/toolkit/messages.py" line="15"/>
         <source>The window is not a polygon; draw it as a rectangle.</source>
         <translation>Okno nie jest poligonem; narysuj je jako prostokąt.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="146" />
+        <location filename="../plugin/toolkit/messages.py" line="16"/>
         <source>The window has several parts; split it into one window each.</source>
         <translation>Okno składa się z kilku części; podziel je tak, aby każda część była osobnym oknem.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="147" />
+        <location filename="../plugin/toolkit/messages.py" line="17"/>
         <source>The outline of the window crosses itself; draw it anew as a rectangle.</source>
         <translation>Obrys okna przecina sam siebie; narysuj okno od nowa jako prostokąt.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="148" />
+        <location filename="../plugin/toolkit/messages.py" line="12"/>
         <source>The window layer is empty; draw windows or place them along the seamlines first.</source>
         <translation>Warstwa okien jest pusta; najpierw narysuj okna albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="149" />
-        <source>The index layer has no field '{field}'; make it with gdaltindex.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="18"/>
+        <source>The index layer has no field &apos;{field}&apos;; make it with gdaltindex.</source>
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="150" />
+        <location filename="../plugin/seams/measure/messages.py" line="61"/>
         <source>{count} windows had no number of their own and were given the next free ones.</source>
         <translation>Okna bez własnego numeru otrzymały kolejne wolne numery; liczba takich okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="159" />
-        <source>A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty.</source>
+        <location filename="../plugin/toolkit/messages.py" line="23"/>
+        <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="162" />
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="165" />
+        <location filename="../plugin/toolkit/messages.py" line="29"/>
         <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/charts.py" line="143" />
+        <location filename="../plugin/seams/charts/curve_chart.py" line="62"/>
         <source>significant loss below</source>
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/charts.py" line="131" />
+        <location filename="../build/template_texts.py" line="21"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/charts.py" line="119" />
+        <location filename="../plugin/toolkit/charts/variance_axes.py" line="22"/>
         <source>level</source>
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/charts.py" line="120" />
+        <location filename="../build/template_texts.py" line="19"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/log.py" line="15" />
+        <location filename="../plugin/seams/desk/dock.py" line="31"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="36" />
+        <location filename="../plugin/plugin.py" line="36"/>
         <source>Inspect how much detail a mosaic kept along its seams</source>
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/window_pictures.py" line="46" />
+        <location filename="../plugin/seams/desk/images/window_pictures.py" line="46"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="58" />
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="59"/>
         <source>Click an entry to hide its curve or to show it again; right click for more</source>
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="104" />
+        <location filename="../build/template_texts.py" line="68"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="174" />
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="175"/>
         <source>Click to show this curve</source>
         <translation>Kliknij, aby pokazać tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="174" />
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="175"/>
         <source>Click to hide this curve</source>
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="218" />
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="216"/>
         <source>Show all curves</source>
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="171" />
+        <location filename="../build/template_texts.py" line="3"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/picture_title.py" line="24" />
+        <location filename="../plugin/seams/desk/images/picture_title.py" line="24"/>
         <source>source</source>
         <translation>źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="19" />
+        <location filename="../plugin/seams/verdict_words.py" line="22"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="20" />
+        <location filename="../plugin/seams/verdict_words.py" line="25"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="21" />
+        <location filename="../plugin/seams/verdict_words.py" line="26"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="22" />
+        <location filename="../plugin/seams/verdict_words.py" line="27"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="23" />
+        <location filename="../plugin/seams/verdict_words.py" line="32"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="151" />
+        <location filename="../build/template_texts.py" line="8"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="151" />
+        <location filename="../build/template_texts.py" line="9"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="28" />
+        <location filename="../plugin/seams/verdict_words.py" line="32"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="30" />
+        <location filename="../plugin/seams/verdict_words.py" line="27"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="33" />
+        <location filename="../plugin/seams/window_summary.py" line="32"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/verdicts.py" line="45" />
+        <location filename="../plugin/seams/desk/windows/verdict_chips.py" line="36"/>
         <source>{count} changed since</source>
         <translation>zmienione od kontroli: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/verdicts.py" line="46" />
+        <location filename="../plugin/seams/desk/windows/verdict_chips.py" line="37"/>
         <source>{count} windows selected: {verdicts}.</source>
         <translation>Liczba zaznaczonych okien: {count} ({verdicts}).</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="161" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
         <source>Inputs: choose the mosaic</source>
         <translation>Dane wejściowe: wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/window_tool.py" line="256" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/window_tool.py" line="257" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
         <source>{count} sources</source>
         <translation>źródła: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="171" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="162"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="173" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="164"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="175" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="166"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="185" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="176"/>
         <source>{pixels} px, {metres:.1f} m</source>
         <translation>{pixels} px, {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="188" />
-        <source>The smallest power of two of the mosaic's pixels that spans at least the given metres</source>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
+        <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="190" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="181"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="196" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="198" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="21" />
+        <location filename="../plugin/seams/cause_words.py" line="118"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="201" />
-        <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field 'location'</source>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
+        <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="206" />
-        <source>The mosaic's seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
+        <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="75" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="201"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="211" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="213" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="230" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="231" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="232" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="224"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="233" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="184" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="184"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/layer_box.py" line="50" />
-        <source>can't be used: {name}</source>
+        <location filename="../plugin/toolkit/desk/layer_box.py" line="50"/>
+        <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="75" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="73"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="28" />
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="26"/>
         <source>{count} of the {selected} selected windows: mean and range</source>
         <translation>Zaznaczone okna: {count} z {selected}, średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="31" />
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="29"/>
         <source>{count} windows: mean and range</source>
         <translation>Liczba okien: {count}, średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="188" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="186"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="35" />
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="33"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="41" />
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="39"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="43" />
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="41"/>
         <source>None of the selected windows can be compared.</source>
         <translation>Żadnego z zaznaczonych okien nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="46" />
-        <source>This window can't be compared.</source>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="44"/>
+        <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/noise_panel.py" line="202" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="184"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="53" />
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="51"/>
         <source>The curves are not kept with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_selection.py" line="54" />
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="52"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="41" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="42"/>
         <source>Visible (V)</source>
         <translation>Widoczna (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="41" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="42"/>
         <source>The loss of detail can be seen at 2x magnification. Click again to take it back.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="45" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="46"/>
         <source>Invisible (I)</source>
         <translation>Niewidoczna (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="45" />
-        <source>The loss of detail can't be seen at 2x magnification. Click again to take it back.</source>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="46"/>
+        <source>The loss of detail can&apos;t be seen at 2x magnification. Click again to take it back.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="51" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="52"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="51" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="52"/>
         <source>Selects the next compared window that is not judged yet.</source>
         <translation>Zaznacza następne porównane okno bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="54" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="55"/>
         <source>Selects the window before this one.</source>
         <translation>Zaznacza poprzednie okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="57" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="58"/>
         <source>Selects the window after this one.</source>
         <translation>Zaznacza następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="61" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="62"/>
         <source>Next window to judge</source>
         <translation>Następne okno bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="94" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="95"/>
         <source>{judged} of {count} compared windows are judged.</source>
         <translation>Porównane okna z opinią obserwatora: {judged} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="190" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="193"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/judge_bar.py" line="196" />
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="199"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="57" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="58"/>
         <source>Double click zooms to a window; Del removes the selected ones.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; klawisz Del usuwa zaznaczone okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="153" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="153"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="154" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="156"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="154" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="154"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="199" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="197"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="54" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="54"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="97" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="203" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="208" />
-        <source>Windows without the observer's word.</source>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
+        <source>Windows without the observer&apos;s word.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="211" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="215" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="209"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="217" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="211"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
-        <source>The loss of detail can't be seen at 2x magnification.</source>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>The selected windows are not judged yet.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="234" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="87" />
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="49"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="116" />
+        <location filename="../plugin/seams/desk/dock.py" line="33"/>
         <source>Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square.</source>
         <translation>Kliknięcie: okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="123" />
+        <location filename="../plugin/seams/desk/dock.py" line="89"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="123" />
+        <location filename="../plugin/seams/desk/dock.py" line="89"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="129" />
+        <location filename="../plugin/seams/desk/dock.py" line="92"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="129" />
+        <location filename="../plugin/seams/desk/dock.py" line="92"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="135" />
+        <location filename="../plugin/seams/desk/dock.py" line="96"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="135" />
+        <location filename="../plugin/seams/desk/dock.py" line="96"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="141" />
+        <location filename="../plugin/seams/desk/dock.py" line="99"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="141" />
+        <location filename="../plugin/seams/desk/dock.py" line="99"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="150" />
+        <location filename="../plugin/seams/desk/dock.py" line="104"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="150" />
+        <location filename="../plugin/seams/desk/dock.py" line="104"/>
         <source>Undo the last change of the windows (Ctrl+Z)</source>
         <translation>Cofnij ostatnią zmianę okien (Ctrl+Z)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="181" />
+        <location filename="../plugin/desk_tabs.py" line="11"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="270" />
+        <location filename="../plugin/seams/desk/dock.py" line="181"/>
         <source>{done} of {asked} windows</source>
         <translation>Okna: {done} z {asked}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="28" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="30"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="34" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="52" />
-        <source>A loss is significant when the mosaic keeps at most this share of the sources' detail at level 1</source>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
+        <source>A loss is significant when the mosaic keeps at most this share of the sources&apos; detail at level 1</source>
         <translation>Strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część detali ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="71" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="73"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="72" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="74"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="73" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="75"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="74" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="76"/>
         <source>Significant up to &amp;ratio</source>
         <translation>Istotna strata &amp;do</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="100" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="63"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="105" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="84"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="107" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="88"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="149" />
+        <location filename="../build/template_texts.py" line="5"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="110" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="110" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
         <source>sources</source>
         <translation>źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="149" />
+        <location filename="../build/template_texts.py" line="6"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="102"/>
         <source>reason</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="118" />
-        <source>Detail at level {level} in the mosaic as a multiple of the least sharp source's.</source>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="26"/>
+        <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="120" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="88"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="120" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="92"/>
         <source>What the ratio at level 1 says about the mosaic. Sorted by it, the worst comes first.</source>
         <translation>Co o ortofotomapie mówi stosunek wariancji na poziomie 1. Przy sortowaniu według oceny najgorsze okna są pierwsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="120" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="120" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="120" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_panel.py" line="79" />
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="57"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_panel.py" line="84" />
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="62"/>
         <source>log</source>
         <translation>log</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_panel.py" line="85" />
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="63"/>
         <source>Logarithmic axis, which shows the fine levels; off: linear axis</source>
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/chart_loader.py" line="25" />
-        <source>The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and Ubuntu, or run 'python -m pip install matplotlib' in the OSGeo4W shell on Windows.</source>
+        <location filename="../plugin/toolkit/charts/chart_loader.py" line="25"/>
+        <source>The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and Ubuntu, or run &apos;python -m pip install matplotlib&apos; in the OSGeo4W shell on Windows.</source>
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="54" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="54"/>
         <source>Check all rasters that overlap the mosaic</source>
         <translation>Zaznacz wszystkie rastry nachodzące na ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="55" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="55"/>
         <source>Check no raster; missing ones are removed</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="56" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="56"/>
         <source>The orthoimages that the mosaic was made from. Uncheck a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="66" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="66"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="185" />
-        <source>Not in the project any more, or its file can't be opened: {name}</source>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="185"/>
+        <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/source_list.py" line="190" />
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="190"/>
         <source>does not overlap the mosaic: {path}</source>
         <translation>nie nachodzi na ortofotomapę: {path}</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/picture_view.py" line="103" />
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="98"/>
         <source>{name} (resampled)</source>
         <translation>{name} (przepróbkowany)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/picture_view.py" line="282" />
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="275"/>
         <source>Drag to move, turn the wheel to zoom, hold Space to see the mosaic here.</source>
         <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie; przytrzymaj spację, aby zobaczyć tu ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/window_tool.py" line="256" />
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="242"/>
         <source>no source covers it</source>
         <translation>bez pokrycia źródłami</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/window_tool.py" line="258" />
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="244"/>
         <source>{width:.1f} x {height:.1f} m, {columns} x {rows} px</source>
         <translation>{width:.1f} × {height:.1f} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/new_windows.py" line="79" />
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="80"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/seam_finder.py" line="44" />
+        <location filename="../plugin/seams/desk/map/seam_finder.py" line="44"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="36" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="34"/>
         <source>Save or copy what is shown: as a picture, or as a table of all values</source>
         <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="51" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>The picture, for documents</source>
         <translation>Obraz do dokumentów</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="52" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>Save as SVG...</source>
         <translation>Zapisz jako SVG...</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="52" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>The picture, sharp at every size</source>
         <translation>Obraz ostry w każdej wielkości</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="53" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>Save as CSV...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="53" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>All rasters and bands of the windows</source>
         <translation>Wszystkie rastry i kanały w oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="54" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="54" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>To the clipboard</source>
         <translation>Do schowka</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="55" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>Copy values</source>
         <translation>Kopiuj wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="55" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>To the clipboard, for a spreadsheet</source>
         <translation>Do schowka, do arkusza kalkulacyjnego</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="65" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="62"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="69" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="66"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="73" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="70"/>
         <source>Table with commas</source>
         <translation>Tabela rozdzielana przecinkami</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="98" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="95"/>
         <source>Save curves</source>
         <translation>Zapisz krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="109" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="106"/>
         <source>The curves were not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano krzywych w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="112" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="109"/>
         <source>The curves were saved to {path}.</source>
         <translation>Zapisano krzywe w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="55" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="47"/>
         <source>Screen pixels per image pixel</source>
         <translation>Liczba pikseli ekranu na piksel obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="58" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="50"/>
         <source>Zoom all pictures out (wheel, -)</source>
         <translation>Pomniejsz wszystkie obrazy (kółko, -)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="59" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="51"/>
         <source>Zoom all pictures in (wheel, +)</source>
         <translation>Powiększ wszystkie obrazy (kółko, +)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="60" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="52"/>
         <source>Show all of the window</source>
         <translation>Pokaż całe okno</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="61" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="53"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="116" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="108"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="120" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
         <source>Choose the mosaic under Inputs to see the pictures of this window.</source>
         <translation>Wybierz ortofotomapę w danych wejściowych, aby zobaczyć obrazy tego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="124" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="116"/>
         <source>No picture: neither the mosaic nor a source can be read in this window.</source>
         <translation>Brak obrazu: w tym oknie nie można odczytać ani ortofotomapy, ani ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="150" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="142"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="190" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="181"/>
         <source>{window}: reading ...</source>
         <translation>{window}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="192" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="183"/>
         <source>{window}: no source covers it</source>
         <translation>{window}: bez pokrycia źródłami</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/images_panel.py" line="194" />
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="185"/>
         <source>{window} · Space: mosaic</source>
         <translation>{window} · spacja: ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="166" />
+        <location filename="../plugin/seams/measure/messages.py" line="54"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="169" />
-        <source>The window layer {name} can't be edited; choose another one, or let a new one be made.</source>
+        <location filename="../plugin/toolkit/messages.py" line="9"/>
+        <source>The window layer {name} can&apos;t be edited; choose another one, or let a new one be made.</source>
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="172" />
+        <location filename="../plugin/seams/measure/messages.py" line="57"/>
         <source>The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that layer elsewhere.</source>
         <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="176" />
+        <location filename="../plugin/seams/measure/messages.py" line="48"/>
         <source>Windows placed along the seams: {count}. Inspect them when you are ready.</source>
         <translation>Liczba okien rozmieszczonych wzdłuż linii mozaikowania: {count}. Skontroluj je, gdy zechcesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="181" />
+        <location filename="../plugin/seams/measure/messages.py" line="10"/>
         <source>No mosaic is chosen; choose the mosaic in the inputs.</source>
         <translation>Nie wybrano ortofotomapy; wybierz ją w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="186" />
+        <location filename="../plugin/seams/measure/messages.py" line="23"/>
         <source>No seamlines are chosen; choose a layer of seamlines in the inputs.</source>
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="187" />
+        <location filename="../plugin/toolkit/messages.py" line="22"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_layer.py" line="134" />
+        <location filename="../plugin/seams/tables/window_layer.py" line="94"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_layer.py" line="176" />
+        <location filename="../plugin/seams/tables/window_layer.py" line="137"/>
         <source>Add windows</source>
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_layer.py" line="189" />
+        <location filename="../plugin/seams/tables/window_layer.py" line="150"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_layer.py" line="211" />
+        <location filename="../plugin/seams/tables/window_layer.py" line="172"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_layer.py" line="218" />
+        <location filename="../plugin/seams/tables/window_layer.py" line="179"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="58" />
+        <location filename="../plugin/toolkit/band_titles.py" line="12"/>
         <source>luminance</source>
         <translation>luminancja</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="59" />
+        <location filename="../plugin/toolkit/band_titles.py" line="13"/>
         <source>red</source>
         <translation>czerwony</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="60" />
+        <location filename="../plugin/toolkit/band_titles.py" line="14"/>
         <source>green</source>
         <translation>zielony</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="61" />
+        <location filename="../plugin/toolkit/band_titles.py" line="15"/>
         <source>blue</source>
         <translation>niebieski</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="62" />
+        <location filename="../plugin/toolkit/band_titles.py" line="16"/>
         <source>near infrared</source>
         <translation>bliska podczerwień</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="64" />
+        <location filename="../plugin/toolkit/band_titles.py" line="18"/>
         <source>band {number}</source>
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="105" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="63"/>
         <source>mosaic (mean)</source>
         <translation>ortofotomapa (średnia)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="105" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="63"/>
         <source>sources (mean)</source>
         <translation>źródła (średnia)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="139" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="79"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="143" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="83"/>
         <source> (range {low} to {high})</source>
         <translation> (zakres od {low} do {high})</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="150" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="90"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f}% najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="152" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="92"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f}% najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="155" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="95"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f}% tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_export.py" line="51" />
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>Save as PNG...</source>
         <translation>Zapisz jako PNG...</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_layer.py" line="42" />
+        <location filename="../plugin/resolution/line_layer.py" line="45"/>
         <source>Bar groups</source>
         <translation>Grupy kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="36" />
+        <location filename="../plugin/plugin.py" line="36"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
         <translation>Rysuj linie w poprzek grup testu kreskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="85" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="42"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="137" />
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="138"/>
         <source>On or below this line the mosaic has lost significantly against what the verdict is taken from</source>
         <translation>Na tej linii lub pod nią strata ortofotomapy jest istotna względem tego, z czym się ją porównuje</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="177" />
-        <source>What a hard cut of the sources along the seam, levelled to the mosaic's tone, would have</source>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="178"/>
+        <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
         <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, wyrównane do tonu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/curves_legend.py" line="217" />
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="215"/>
         <source>Show only this curve</source>
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="166" />
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="157"/>
         <source>opening ...</source>
         <translation>otwieranie ...</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/inputs_panel.py" line="168" />
-        <source>can't be used</source>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="159"/>
+        <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/block_cache.py" line="83" />
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="86"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_panel.py" line="200" />
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="198"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="183" />
+        <location filename="../plugin/desk_tabs.py" line="11"/>
         <source>How the variance of the selected windows spreads over the levels of detail</source>
         <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="184" />
+        <location filename="../plugin/desk_tabs.py" line="11"/>
         <source>The clips of the selected window side by side, to judge the loss by eye</source>
         <translation>Wycinki zaznaczonego okna obok siebie, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="29" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken against, seam cells</source>
         <translation>Odstęp rozmieszczanych okien, falka, poziomy, granica istotnej straty i to, względem czego się ją określa, komórki mozaiki</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="56" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
         <source>the sources</source>
         <translation>ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="56" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
         <source>their composite</source>
         <translation>ich kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="58" />
-        <source>What the verdict is taken against: each source's whole clip, as in Pyka's papers, or the hard cut of the sources that the mosaic follows, which tells loss from content</source>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <source>What the verdict is taken against: each source&apos;s whole clip, as in Pyka&apos;s papers, or the hard cut of the sources that the mosaic follows, which tells loss from content</source>
         <translation>Względem czego zapada ocena: cały wycinek każdego ortoobrazu, jak w pracach Pyki, albo ostre cięcie ortoobrazów, z których pochodzi ortofotomapa, co odróżnia stratę od treści</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="63" />
-        <source>Polygons that say in a field 'source' which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="65"/>
+        <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu 'source' mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="75" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="77"/>
         <source>Verdict &amp;against</source>
         <translation>Ocena &amp;względem</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/more_box.py" line="76" />
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="78"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki mozaiki</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="171" />
+        <location filename="../build/template_texts.py" line="11"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/windows_model.py" line="120" />
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="98" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="139"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/report_writer.py" line="47" />
+        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/report_writer.py" line="47" />
+        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/report_writer.py" line="75" />
+        <location filename="../plugin/seams/desk/report_writer.py" line="72"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/report_writer.py" line="83" />
+        <location filename="../plugin/seams/desk/report_writer.py" line="80"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} okien: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/report_writer.py" line="85" />
+        <location filename="../plugin/seams/desk/report_writer.py" line="82"/>
         <source>{count} of them have no curves in it, as these are not kept with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="73" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
         <source>no image</source>
         <translation>brak obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="82" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="82"/>
         <source> cm</source>
         <translation> cm</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="85" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="85"/>
         <source>along</source>
         <translation>wzdłuż</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="85" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="85"/>
         <source>across</source>
         <translation>w poprzek</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="88" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="70"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
         <translation>Narysuj linię w poprzek kresek grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="197" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="180"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="267" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="248"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="79" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile kresek ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="83" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="84"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="270" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="251"/>
         <source>Width of one bar and one gap of the reference group together.</source>
         <translation>Łączna szerokość jednej kreski i jednej przerwy grupy odniesienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="184" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="56"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="274" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="255"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="275" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="256"/>
         <source>Bars</source>
         <translation>Kreski</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="276" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="257"/>
         <source>Reference</source>
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/bar_dock.py" line="277" />
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="258"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="44" />
+        <location filename="../plugin/resolution/charts.py" line="45"/>
         <source>resolved</source>
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="110" />
+        <location filename="../plugin/resolution/charts.py" line="109"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="26" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="23"/>
         <source>Simulate a Bayer filter</source>
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="35" />
+        <location filename="../plugin/toolkit/algorithms/groups.py" line="8"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="29" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="25"/>
         <source>Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its filter is kept, and the other two are interpolated from the neighbours. Fine lines get wider and coloured (Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene.</source>
         <translation>Pokazuje, co z danego obrazu zarejestrowałaby kamera z jedną matrycą: z każdego piksela zostaje tylko barwa jego filtra, a dwie pozostałe są interpolowane z sąsiednich pikseli. Cienkie linie stają się szersze i barwne (Walczykowski i in. 2009, rozdział 5). Obraz jednokanałowy jest traktowany jako scena w odcieniach szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="37" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="33"/>
         <source>A colour image, or one of a single band, north-up or without georeference.</source>
         <translation>Obraz barwny albo jednokanałowy, zorientowany na północ lub bez georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="41" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="37"/>
         <source>Pattern</source>
         <translation>Wzór filtra</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="41" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="37"/>
         <source>Colours of the filter over the first two pixels of the first row, then of the second.</source>
         <translation>Barwy filtra nad pierwszymi dwoma pikselami pierwszego wiersza, a potem drugiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="48" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="41"/>
         <source>Interpolation</source>
         <translation>Interpolacja</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="48" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="41"/>
         <source>bilinear: the mean of the nearest pixels of the colour. edge_aware: along edges, by OpenCV, which has to be installed.</source>
         <translation>bilinear: średnia z najbliższych pikseli danej barwy. edge_aware: wzdłuż krawędzi, za pomocą biblioteki OpenCV, która musi być zainstalowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="58" />
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="48"/>
         <source>Seen by a single chip</source>
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/simulatebayer.py" line="58" />
-        <source>Red, green and blue on the image's own pixels, in its data type.</source>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="48"/>
+        <source>Red, green and blue on the image&apos;s own pixels, in its data type.</source>
         <translation>Czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="31" />
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="28"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="32" />
-        <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the vendor's RPC with a correction before quotients, polynomials for small and flat areas only.</source>
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="29"/>
+        <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the vendor&apos;s RPC with a correction before quotients, polynomials for small and flat areas only.</source>
         <translation>Dopasowuje każdy model geometryczny, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza; zalecenie wynika z ich wniosków: najpierw model parametryczny, RPC dostawcy z poprawką przed ilorazami, wielomiany tylko dla małych i płaskich obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="87" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="62"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="88" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="63"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="62" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="58"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="51" />
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="40"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="51" />
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="40"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="84" />
+        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
         <source>Report</source>
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="55" />
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="44"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="61" />
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="47"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="62" />
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="48"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparesensormodels.py" line="63" />
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="49"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/predictloss.py" line="40" />
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="42"/>
         <source>Predict loss by feathering</source>
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/predictloss.py" line="41" />
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="43"/>
         <source>Says before any mosaic is made how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/predictloss.py" line="52" />
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="54"/>
         <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/predictloss.py" line="63" />
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="65"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/predictloss.py" line="63" />
-        <source>The rectangles as measured, in the sources' reference system, with the smallest ratio over the pairs.</source>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="65"/>
+        <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/predictloss.py" line="67" />
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/predictloss.py" line="67" />
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
         <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="36" />
+        <location filename="../plugin/seams/algorithms/report.py" line="36"/>
         <source>Report of an inspection</source>
         <translation>Raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="37" />
+        <location filename="../plugin/seams/algorithms/report.py" line="38"/>
         <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) its curves, its clips at 2x, cause and observer.</source>
         <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według mozaik, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) krzywe, wycinki 2x, przyczyna i obserwator.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="46" />
-        <source>The windows as 'Inspect windows' leaves them, judged by an observer or not.</source>
+        <location filename="../plugin/seams/algorithms/report.py" line="47"/>
+        <source>The windows as &apos;Inspect windows&apos; leaves them, judged by an observer or not.</source>
         <translation>Okna takie, jakie zostawia 'Skontroluj okna', ocenione przez obserwatora lub nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="50" />
+        <location filename="../plugin/seams/algorithms/report.py" line="51"/>
         <source>The table of curves of the same windows; without it there are no relative variances and no charts.</source>
         <translation>Tabela krzywych tych samych okien; bez niej nie ma wariancji względnych ani wykresów.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="54" />
+        <location filename="../plugin/seams/algorithms/report.py" line="55"/>
         <source>The table of pairs of the same windows: it tells absolute contrast, and which sources are shown.</source>
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="58" />
+        <location filename="../plugin/seams/algorithms/report.py" line="59"/>
         <source>The inspected mosaic; with it the report shows the clips and an overview below the map sketch.</source>
         <translation>Skontrolowana mozaika; z nią raport pokazuje wycinki i podgląd pod szkicem mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="62" />
+        <location filename="../plugin/seams/algorithms/report.py" line="63"/>
         <source>The orthoimages that the mosaic was made from; their clips stand beside its own.</source>
         <translation>Ortoobrazy, z których powstała mozaika; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="66" />
+        <location filename="../plugin/seams/algorithms/report.py" line="67"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="66" />
-        <source>Heading of the page. Empty: the mosaics' names.</source>
+        <location filename="../plugin/seams/algorithms/report.py" line="67"/>
+        <source>Heading of the page. Empty: the mosaics&apos; names.</source>
         <translation>Nagłówek strony. Pusty: nazwy mozaik.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="70" />
+        <location filename="../plugin/seams/algorithms/report.py" line="71"/>
         <source>The limit drawn into the charts: that which the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/report.py" line="74" />
+        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
         <source>The page, one file.</source>
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="68" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="68" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
         <source>sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the sources, each pixel from the one that the mosaic follows; fairer across a seam.</source>
         <translation>sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule. composite: kompozyt ortoobrazów źródłowych bez wtapiania, w którym każdy piksel pochodzi z tego obrazu, za którym idzie ortofotomapa; daje rzetelniejszą ocenę, gdy przez okno biegnie linia mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="82" />
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/inspectwindows.py" line="82" />
-        <source>Polygons that say in the field 'source' which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
+        <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycie; w pozostałych miejscach jest on ustalany na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="45" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="44"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="48" />
-        <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, the smallest difference of a bar to a gap beside it is at least half of the group's full amplitude and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="46"/>
+        <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, the smallest difference of a bar to a gap beside it is at least half of the group&apos;s full amplitude and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu kreskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek kresek każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej kreski, a najmniejsza różnica między kreską a sąsiednią przerwą wynosi co najmniej połowę pełnej amplitudy grupy i przekracza trzykrotność szumu tła obok niej. Kreski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="58" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="56"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="62" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="60"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="62" />
-        <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields 'group' (whole number) and 'direction' ('along' or 'across' the flight). A line is turned by up to 10 degrees to be perpendicular to the bars.</source>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="60"/>
+        <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars.</source>
         <translation>Jedna linia w poprzek kresek każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do kresek.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="72" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="70"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="72" />
-        <source>How far either side of the line the profile is averaged; it should stay within the bars' length.</source>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="70"/>
+        <source>How far either side of the line the profile is averaged; it should stay within the bars&apos; length.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; szerokość powinna mieścić się w długości kresek.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="76" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="76" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="79" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
         <source>Bars in a group</source>
         <translation>Liczba kresek w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="83" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="84"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="87" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="90"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="87" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="90"/>
         <source>Width of one bar and one gap of the reference group together, centimetres on the ground.</source>
         <translation>Łączna szerokość jednej kreski i jednej przerwy grupy odniesienia, w centymetrach w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="93" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="93" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="98" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="99"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="98" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="99"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują kreski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="103" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="103" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="108" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="108" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: kreski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="72" />
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="109"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="114" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="113"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z kreskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="120" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="126" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="117"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="127" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="117"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/measureresolution.py" line="128" />
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="117"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="31" />
+        <location filename="../plugin/noise/checknoise.py" line="31"/>
         <source>Check random noise</source>
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="47" />
+        <location filename="../plugin/toolkit/algorithms/groups.py" line="7"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="34" />
+        <location filename="../plugin/noise/checknoise.py" line="33"/>
         <source>Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out.</source>
         <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="26" />
+        <location filename="../build/template_texts.py" line="79"/>
         <source>Rasters</source>
         <translation>Rastry</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="45" />
+        <location filename="../plugin/noise/checknoise.py" line="44"/>
         <source>The images to be measured, 8 or 16 bit or float.</source>
         <translation>Mierzone obrazy, 8- lub 16-bitowe albo zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="46" />
+        <location filename="../plugin/noise/checknoise.py" line="45"/>
         <source>Second group</source>
         <translation>Druga grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="46" />
+        <location filename="../plugin/noise/checknoise.py" line="45"/>
         <source>Images of another camera, film or process, to be compared with the first. Pixel sizes may differ.</source>
         <translation>Obrazy z innej kamery, filmu lub procesu, do porównania z pierwszą grupą. Wielkości pikseli mogą się różnić.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="52" />
+        <location filename="../plugin/noise/checknoise.py" line="51"/>
         <source>Rectangles in any reference system; each is measured on all rasters under it. Without windows up to 25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest mierzony na wszystkich rastrach, które obejmuje. Bez okien na każdym rastrze wybieranych jest do 25 okien o boku 1024 px, rozłożonych na części z danymi, najpierw najmniej przesycone.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="61" />
+        <location filename="../plugin/desk_tabs.py" line="11"/>
         <source>Noise</source>
         <translation>Szum</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="61" />
-        <source>One row per window, raster and band: relative variances, kurtosis of each level's details (3 for Gaussian noise), sigma in DN, and the verdict low, moderate or strong.</source>
+        <location filename="../plugin/noise/checknoise.py" line="60"/>
+        <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, and the verdict low, moderate or strong.</source>
         <translation>Jeden wiersz na okno, raster i kanał: wariancje względne, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN oraz ocena low, moderate lub strong.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="68" />
+        <location filename="../plugin/noise/checknoise.py" line="67"/>
         <source>The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.</source>
         <translation>Zakres każdej grupy z linią średniej oraz kanały jednego okna. PNG, SVG lub PDF.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="74" />
+        <location filename="../plugin/noise/checknoise.py" line="72"/>
         <source>All figures with the chart on one HTML page.</source>
         <translation>Wszystkie wartości z wykresem na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="75" />
+        <location filename="../plugin/noise/checknoise.py" line="73"/>
         <source>Windows with low noise</source>
         <translation>Okna z małym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="76" />
+        <location filename="../plugin/noise/checknoise.py" line="73"/>
         <source>Windows with moderate noise</source>
         <translation>Okna z umiarkowanym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checknoise.py" line="77" />
+        <location filename="../plugin/noise/checknoise.py" line="73"/>
         <source>Windows with strong noise</source>
         <translation>Okna z silnym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="31" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="29"/>
         <source>Enhance photo</source>
         <translation>Popraw czytelność zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="33" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="31"/>
         <source>Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy.</source>
         <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, średnią lub filtr Gaussa przeciw ziarnu, Laplace'a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="245" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="40"/>
         <source>Photo</source>
         <translation>Zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="42" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="40"/>
         <source>Any raster that GDAL reads.</source>
         <translation>Dowolny raster, który odczytuje GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="45" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="41"/>
         <source>Operation</source>
         <translation>Operacja</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="45" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="41"/>
         <source>negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel (length of the gradient) are floating point.</source>
         <translation>negative, mean i gaussian zachowują typ danych; grey jest 8-bitowy; laplace (druga pochodna) i sobel (długość gradientu) są zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="54" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="48"/>
         <source>Size (px)</source>
         <translation>Wielkość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="54" />
-        <source>Side of the mean's square (odd), or standard deviation of the Gaussian; of no meaning to the others.</source>
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="48"/>
+        <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; of no meaning to the others.</source>
         <translation>Bok kwadratu średniej (nieparzysty) albo odchylenie standardowe filtra Gaussa; bez znaczenia dla pozostałych.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="60" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="54"/>
         <source>Enhanced photo</source>
         <translation>Poprawione zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/enhancephoto.py" line="60" />
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="54"/>
         <source>A GeoTIFF.</source>
         <translation>Plik GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="39" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="32"/>
         <source>Calibrate the threshold</source>
         <translation>Kalibruj próg</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="40" />
-        <source>Finds the largest ratio of a significant loss that an observer's verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1); the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="33"/>
+        <source>Finds the largest ratio of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1); the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje największy stosunek istotnej straty, który potwierdzają oceny obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1); pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0.5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Przy mniej niż 5 ocenach widocznych lub 5 niewidocznych nie ma liczby.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="51" />
-        <source>Windows that were inspected and judged: fields 'ratio_1' and 'observer' with the words 'visible' (a loss was seen at 2x) and 'invisible'; 'composite_ratio_1' takes part where it is there.</source>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="44"/>
+        <source>Windows that were inspected and judged: fields &apos;ratio_1&apos; and &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos;; &apos;composite_ratio_1&apos; takes part where it is there.</source>
         <translation>Okna skontrolowane i ocenione: pola 'ratio_1' i 'observer' ze słowami 'visible' (stratę widać przy 2x) i 'invisible'; 'composite_ratio_1' bierze udział, jeśli jest.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="58" />
-        <source>The table of pairs of the same windows. With it the absolute contrast 'contrast_1' is judged too: against the composite where there is one, else the largest over the sources.</source>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="51"/>
+        <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny 'contrast_1': względem złożenia, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="249" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="47"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="65" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
         <source>For each measure a summary with the threshold to set, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
         <translation>Dla każdej miary podsumowanie z progiem do ustawienia, polem i liczbą potrzebnych ocen, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="72" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="78" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Area under the ROC curve</source>
         <translation>Pole pod krzywą ROC</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="78" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Area, lower end of its interval</source>
         <translation>Pole, dolny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="78" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Area, upper end of its interval</source>
         <translation>Pole, górny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="78" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Visible verdicts</source>
-        <translation>Oceny "widoczne"</translation>
+        <translation>Oceny &quot;widoczne&quot;</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="78" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Invisible verdicts</source>
-        <translation>Oceny "niewidoczne"</translation>
+        <translation>Oceny &quot;niewidoczne&quot;</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/calibratethreshold.py" line="78" />
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Verdicts wanted</source>
         <translation>Potrzebne oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="34" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="34"/>
         <source>Minimum flying height</source>
         <translation>Minimalna wysokość lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="37" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="36"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
         <translation>Oblicza z przelotów nad testem kreskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="46" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
         <source>Observations</source>
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="46" />
-        <source>One row per pass with the fields 'height' (metres above the target) and 'grd' (centimetres). Rows that agree in 'sensor', 'image_type' and 'direction', as far as there are such fields, make a group.</source>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
+        <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres). Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
         <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry). Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="53" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="52"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="53" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="52"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="59" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="56"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="59" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="56"/>
         <source>The minimum height that the results are compared with, if there is one.</source>
         <translation>Minimalna wysokość, z którą porównywane są wyniki, jeśli taka istnieje.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="63" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="60"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="63" />
-        <source>Rows of different 'height' make groups of their own, as in tables 4A and 4B of the paper.</source>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="60"/>
+        <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="68" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="65"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="68" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="65"/>
         <source>One row per group: count, mean and spread (metres), tolerance (%), and what to know about it.</source>
         <translation>Jeden wiersz na grupę: liczba, średnia i rozrzut (metry), tolerancja (%) oraz uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="72" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="69"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="72" />
-        <source>The observations that were used, each with its minimum height 'h_min'.</source>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="69"/>
+        <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="78" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="75"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/minimumheight.py" line="115" />
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="111"/>
         <source>all passes</source>
         <translation>wszystkie przeloty</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="60" />
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="35"/>
         <source>Interior orientation</source>
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="61" />
+        <location filename="../plugin/toolkit/algorithms/groups.py" line="9"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="63" />
-        <source>Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can't be trusted fails with the reason; point at it on the map and give that point as its position, with the measurement off.</source>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="37"/>
+        <source>Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can&apos;t be trusted fails with the reason; point at it on the map and give that point as its position, with the measurement off.</source>
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany znormalizowaną korelacją wzajemną i mierzony z dokładnością do ułamka piksela jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="77" />
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="52"/>
         <source>Root mean square of the residuals (um)</source>
         <translation>Średnia kwadratowa odchyłek (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="78" />
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="52"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="79" />
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="52"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="159" />
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="118"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.</source>
         <translation>Liczba znaczków: {marks}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="245" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="43"/>
         <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="249" />
-        <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="47"/>
+        <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="257" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="55"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="257" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="55"/>
         <source>A mark cut out of this photo or one like it, with some ground around; it takes the place of a drawn one. A template that looks alike turned by 180 degrees is measured by its own centre, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół; zastępuje wzorzec rysowany. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="265" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="63"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="265" />
-        <source>Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field 'measure' with 0 says that a point is the mark itself.</source>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="63"/>
+        <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="273" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="71"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="273" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="71"/>
         <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="282" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="75"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="282" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="75"/>
         <source>What is drawn to look for, in the size that the photo has it; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="286" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="79"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="286" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="79"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="290" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="83"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="290" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="83"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="294" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="87"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="294" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="87"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="304" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="91"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="304" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="91"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="308" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="95"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="308" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="95"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="315" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="102"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="315" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="102"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="27" />
+        <location filename="../build/template_texts.py" line="49"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="322" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="109"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="22" />
+        <location filename="../build/template_texts.py" line="35"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="332" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="119"/>
         <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in um, correlation, status and reason.</source>
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan i przyczyna.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="339" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="339" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="339" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, skośność, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="345" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="345" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="345" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/interiororientation.py" line="352" />
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="139"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="47" />
+        <location filename="../plugin/toolkit/algorithms/groups.py" line="10"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="96" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="123"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="164" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="182"/>
         <source>Ground control points</source>
         <translation>Punkty osnowy (fotopunkty)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="164" />
-        <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS's georeferencer.</source>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="182"/>
+        <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="177" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="77"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="177" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="77"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="184" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="195"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="191" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="55"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="191" />
-        <source>The vendor's RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="55"/>
+        <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="200" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="202"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="205" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="206"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="216" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="65"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="224" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="66"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="234" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="73"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="234" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="73"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="241" />
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/sensors.py" line="244" />
-        <source>Nominal, for the model pushbroom. Empty: by the satellite that the image's metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
+        <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="48" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="50"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="1" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="51"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="115" />
+        <location filename="../build/template_texts.py" line="106"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="1" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="236"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; punktów osnowy potrzebuje co najmniej {fewest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="69" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="63"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="69" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="63"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień wielomianów i ilorazów. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="75" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="69"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy bezpośredniej transformacji liniowej (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="75" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="69"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="79" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="73"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="79" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="73"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="59" />
+        <location filename="../build/template_texts.py" line="133"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="94" />
-        <source>The points with residuals, model minus measured: in pixels, and in metres at the point's height.</source>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="78"/>
+        <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="53" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="49"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="98" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="98" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="98" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="98" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
         <source>RPC files (*.txt *.TXT)</source>
         <translation>Pliki RPC (*.txt *.TXT)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="98" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="98" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="94"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="111" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="97"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="111" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="97"/>
         <source>control points</source>
         <translation>punkty osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="113" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="99"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="113" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="99"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="114" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="100"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="116" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
         <source>Control points used</source>
         <translation>Użyte punkty osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="117" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
+        <location filename="../build/template_texts.py" line="123"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="45" />
+        <location filename="../build/template_texts.py" line="131"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="94" />
+        <location filename="../build/template_texts.py" line="111"/>
         <source>Control points</source>
         <translation>Punkty osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/fitsensormodel.py" line="260" />
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="243"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="46" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="43"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="49" />
-        <source>Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped tails, peak of the histogram, contrast, signal to noise on uniform mid-tone areas, colour balance on neutral areas, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can't be measured is said with the reason.</source>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="45"/>
+        <source>Holds images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram, contrast, signal to noise on uniform mid-tone areas, colour balance on neutral areas, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu, kontrast, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na obszarach neutralnych, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="59" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
         <source>The images to be checked, each for itself.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="60" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="56"/>
         <source>Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="64" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="60"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="64" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="60"/>
         <source>A JSON file with the limits and where they come from; the documentation has one to start from. Without it the JRC specification is used.</source>
         <translation>Plik JSON z granicami i ich pochodzeniem; dokumentacja zawiera plik wyjściowy. Bez niego stosowana jest specyfikacja JRC.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="71" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="67"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="78" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="78" />
-        <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule's source.</source>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="84" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
         <source>All figures with the histograms on one HTML page.</source>
         <translation>Wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="87" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="88" />
+        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/checkradiometry.py" line="89" />
-        <source>Figures that can't be measured</source>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
+        <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="43" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="39"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="44" />
-        <source>Puts an image on the map over a terrain model, by a model file of Fit sensor model, an RPC file or the image's own RPC. GDAL's warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="40"/>
+        <source>Puts an image on the map over a terrain model, by a model file of Fit sensor model, an RPC file or the image&apos;s own RPC. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem numerycznego modelu terenu, według pliku modelu, pliku RPC albo własnego RPC obrazu. Robi to GDAL na wszystkich rdzeniach; odległość od modelu ścisłego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="53" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="49"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="57" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="53"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="57" />
-        <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC.</source>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="53"/>
+        <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="61" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="57"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="63" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="59"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="63" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="59"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="73" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="65"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="73" />
-        <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre.</source>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="65"/>
+        <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="77" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="69"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="77" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="69"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="83" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="75"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="83" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="75"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="87" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="79"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="87" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="79"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="93" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="82"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="93" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="82"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="99" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="86"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="99" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="86"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="103" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="90"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="104" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="90"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="105" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="90"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/orthorectify.py" line="161" />
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="141"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="33" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="29"/>
         <source>Compare marks</source>
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="35" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="31"/>
         <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do. Two operators differed there by 0.25 px.</source>
         <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r. Dwaj operatorzy różnili się tam o 0,25 px.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="45" />
-        <source>Marks with the field 'mark', and 'photo' (or 'layer', as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="41"/>
+        <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="49" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="45"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="49" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="45"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="51" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="47"/>
         <source>Pixel size (um)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="51" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="47"/>
         <source>Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="58" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="54"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="58" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="54"/>
         <source>Count, mean, standard deviation, maximum and minimum of the distances, a row for each unit.</source>
         <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, po jednym wierszu na jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="62" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="58"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="62" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="58"/>
         <source>The difference of each mark, the second measurement less the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="71" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="66"/>
         <source>Marks in both layers</source>
         <translation>Znaczki w obu warstwach</translation>
     </message>
     <message>
-        <location filename="../plugin/processing/comparemarks.py" line="108" />
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="98"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>Liczba znaczków: {count}, średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="156" />
-        <source>The layer of seam cells has no field 'source'; add one with the file names of the orthoimages.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="20"/>
+        <source>The layer of seam cells has no field &apos;source&apos;; add one with the file names of the orthoimages.</source>
         <translation>Warstwa komórek ortofotomapy nie ma pola „source”; dodaj je i wpisz nazwy plików ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="177" />
+        <location filename="../plugin/seams/measure/messages.py" line="49"/>
         <source>Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.</source>
         <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; miejsca bez okna: {notes}, opisane w dzienniku komunikatów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="180" />
+        <location filename="../plugin/seams/measure/messages.py" line="52"/>
         <source>No window could be placed along the seams; the log messages say why.</source>
         <translation>Wzdłuż linii mozaikowania nie udało się umieścić żadnego okna; przyczyny podaje dziennik komunikatów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="182" />
+        <location filename="../plugin/seams/measure/messages.py" line="11"/>
         <source>The mosaic is still being opened; try again in a moment.</source>
         <translation>Ortofotomapa jest jeszcze otwierana; spróbuj ponownie za chwilę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="183" />
+        <location filename="../plugin/seams/measure/messages.py" line="12"/>
         <source>The mosaic was not opened, as the task was cancelled; choose another mosaic in the inputs, then this one again.</source>
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="189" />
+        <location filename="../plugin/seams/measure/messages.py" line="77"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="190" />
+        <location filename="../plugin/seams/measure/messages.py" line="78"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="192" />
+        <location filename="../plugin/toolkit/messages.py" line="35"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="193" />
-        <source>{path} can't be written ({error}); choose another folder.</source>
+        <location filename="../plugin/imagery/messages.py" line="85"/>
+        <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny folder.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="195" />
-        <source>The window layer has no field '{field}'; choose a layer of inspected windows, as 'Inspect windows' leaves it.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="80"/>
+        <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola '{field}'; wybierz warstwę skontrolowanych okien, taką, jaką zostawia 'Skontroluj okna'.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="198" />
-        <source>The table of pairs has no field '{field}'; choose the table that 'Inspect windows' left with these windows.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="83"/>
+        <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="201" />
-        <source>The table of curves has no field '{field}'; choose the table that 'Inspect windows' left with these windows.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="204" />
-        <source>The table of pairs has no field 'contrast_1', so the absolute contrast is not judged; inspect the windows anew to have it.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="89"/>
+        <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="208" />
+        <location filename="../plugin/seams/measure/messages.py" line="100"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
-        <translation>{measure}: ocen "widoczne" {visible}, "niewidoczne" {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
+        <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="212" />
+        <location filename="../plugin/seams/measure/messages.py" line="104"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="216" />
+        <location filename="../plugin/seams/measure/messages.py" line="108"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="220" />
+        <location filename="../plugin/seams/measure/messages.py" line="112"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="224" />
+        <location filename="../plugin/seams/measure/messages.py" line="116"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="228" />
-        <source>Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="94"/>
+        <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="231" />
+        <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="233" />
+        <location filename="../plugin/seams/measure/messages.py" line="122"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="234" />
+        <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the lowest ratios; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z najniższymi stosunkami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="238" />
+        <location filename="../plugin/seams/measure/messages.py" line="121"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="241" />
+        <location filename="../plugin/imagery/messages.py" line="51"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="242" />
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="40" />
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="41" />
+        <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="243" />
+        <location filename="../plugin/toolkit/messages.py" line="20"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="244" />
+        <location filename="../plugin/noise/measure/messages.py" line="6"/>
         <source>{levels} levels asked for; the noise rule compares levels, so use at least {least}.</source>
         <translation>Podano liczbę poziomów {levels}; reguła szumu porównuje poziomy, więc użyj co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="245" />
+        <location filename="../plugin/noise/measure/messages.py" line="25"/>
         <source>{name} has no variance in {band} here; move the window to where there is content.</source>
         <translation>Raster {name} ma tu w kanale {band} zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="246" />
+        <location filename="../plugin/noise/measure/messages.py" line="26"/>
         <source>The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) or a texture of that size; look at the window.</source>
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="250" />
+        <location filename="../plugin/imagery/messages.py" line="44"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="251" />
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="252" />
+        <location filename="../plugin/imagery/messages.py" line="43"/>
         <source>{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="253" />
+        <location filename="../plugin/noise/measure/messages.py" line="8"/>
         <source>{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster.</source>
         <translation>Raster {name} nie ma części z danymi o wielkości {fewest} × {fewest} px; narysuj okna albo wybierz większy raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="256" />
+        <location filename="../plugin/noise/measure/messages.py" line="11"/>
         <source>{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.</source>
         <translation>Raster {name} nie ma części z danymi o wielkości {wanted} × {wanted} px; jego okna mają {side} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="257" />
+        <location filename="../plugin/noise/measure/messages.py" line="12"/>
         <source>{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the window.</source>
         <translation>Część okna bez danych w jednym z rastrów wynosi {share:.1%}, a dopuszcza się {most:.0%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="260" />
+        <location filename="../plugin/noise/measure/messages.py" line="16"/>
         <source>The two groups show no common ground, so each raster has windows of its own and nothing is compared pairwise.</source>
         <translation>Obie grupy nie pokazują wspólnego terenu, więc każdy raster ma własne okna i nic nie jest porównywane parami.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="263" />
+        <location filename="../plugin/noise/measure/messages.py" line="20"/>
         <source>Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both groups.</source>
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="267" />
-        <source>The rules in {name} can't be read ({error}); give a JSON file with rules.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="7"/>
+        <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="268" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="8"/>
         <source>The rules in {name} are no JSON (line {line}: {error}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (wiersz {line}: {error}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="269" />
-        <source>{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.</source>
-        <translation>Plik {name} nie zawiera reguł; musi być obiektem {{"name": ..., "rules": [...]}}.</translation>
+        <location filename="../plugin/radiometry/measure/messages.py" line="9"/>
+        <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
+        <translation>Plik {name} nie zawiera reguł; musi być obiektem {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="270" />
-        <source>{place} in {name} has the unknown key '{key}'; known are {known}.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="10"/>
+        <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="271" />
-        <source>{place} in {name} names the unknown check '{check}'; known are {known}.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="11"/>
+        <source>{place} in {name} names the unknown check &apos;{check}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana kontrola „{check}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="272" />
-        <source>{name} has two rules for '{check}'; leave one.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="12"/>
+        <source>{name} has two rules for &apos;{check}&apos;; leave one.</source>
         <translation>Plik {name} zawiera dwie reguły dla „{check}”; zostaw jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="273" />
-        <source>{place} in {name}: '{key}' has to be a number of 0 or more.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="13"/>
+        <source>{place} in {name}: &apos;{key}&apos; has to be a number of 0 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="274" />
-        <source>{place} in {name}: 'least' is larger than 'most'.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="14"/>
+        <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="275" />
-        <source>{place} in {name}: 'values' has to be a whole number of 1 or more.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="15"/>
+        <source>{place} in {name}: &apos;values&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „values” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="276" />
-        <source>{place} in {name}: 'values' belongs to clipped_low and clipped_high only.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="16"/>
+        <source>{place} in {name}: &apos;values&apos; belongs to clipped_low and clipped_high only.</source>
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="277" />
-        <source>{place} in {name} has no 'source'; say in words where the limit comes from.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="17"/>
+        <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="278" />
-        <source>'value_range' in {name} has to be two numbers, the smaller one first.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="18"/>
+        <source>&apos;value_range&apos; in {name} has to be two numbers, the smaller one first.</source>
         <translation>„value_range” w pliku {name} muszą tworzyć dwie liczby, najpierw mniejsza.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="279" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="19"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="280" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="20"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="281" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
         <source>not measurable: {why}</source>
         <translation>niemierzalne: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="282" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="23"/>
         <source>{count} pixels are valid and at least {least} are needed; choose a larger part.</source>
         <translation>liczba pikseli z danymi wynosi {count}, a potrzeba co najmniej {least}; wybierz większą część.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="283" />
-        <source>values of type {data_type} have no range of their own; give 'value_range' in the rules file.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="24"/>
+        <source>values of type {data_type} have no range of their own; give &apos;value_range&apos; in the rules file.</source>
         <translation>wartości typu {data_type} nie mają własnego zakresu; podaj „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="286" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="27"/>
         <source>fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such areas.</source>
         <translation>znaleziono mniej niż {least} jednorodnych obszarów {side} × {side} px o średnich tonach; narysuj okna na takich obszarach.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="289" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="31"/>
         <source>the uniform areas do not vary at all; a photograph would, so check how the image was made.</source>
         <translation>obszary jednorodne wcale się nie zmieniają; na zdjęciu tak nie bywa, więc sprawdź, jak powstał obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="290" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="34"/>
         <source>fewer than {least} uniform areas whose bands differ by less than {most:.0%} of the range were found; draw windows on grey surfaces.</source>
         <translation>znaleziono mniej niż {least} jednorodnych obszarów, których kanały różnią się o mniej niż {most:.0%} zakresu; narysuj okna na szarych powierzchniach.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="294" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
         <source>it has no red, green and blue.</source>
         <translation>brak kanałów czerwonego, zielonego i niebieskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="295" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="39"/>
         <source>no seam runs across valid pixels of it for {pixels} px or more.</source>
         <translation>żadna linia mozaikowania nie biegnie przez piksele z danymi na długości {pixels} px lub większej.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="296" />
+        <location filename="../plugin/radiometry/measure/messages.py" line="40"/>
         <source>The rules set no limit; give one in the rules file.</source>
         <translation>Reguły nie określają żadnej granicy; podaj ją w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="297" />
-        <source>{name}: the largest value is {largest}, so the range is taken as {low:g} to {high:g}; if it is another, give 'value_range' in the rules file.</source>
+        <location filename="../plugin/radiometry/measure/messages.py" line="41"/>
+        <source>{name}: the largest value is {largest}, so the range is taken as {low:g} to {high:g}; if it is another, give &apos;value_range&apos; in the rules file.</source>
         <translation>{name}: największa wartość wynosi {largest}, więc przyjęto zakres od {low:g} do {high:g}; jeśli jest inny, podaj „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="304" />
-        <source>A group of {bars} bars can't be measured; a target has at least {least} bars in a group.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="7"/>
+        <source>A group of {bars} bars can&apos;t be measured; a target has at least {least} bars in a group.</source>
         <translation>Nie można zmierzyć grupy o liczbie kresek {bars}; test ma w grupie co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="305" />
+        <location filename="../plugin/resolution/measure/messages.py" line="8"/>
         <source>The ground resolved distance is {grd} cm; give a positive number of centimetres.</source>
         <translation>Terenowa zdolność rozdzielcza wynosi {grd} cm; podaj dodatnią liczbę centymetrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="306" />
+        <location filename="../plugin/resolution/measure/messages.py" line="9"/>
         <source>The step from group to group is {step}; give a factor above 1, such as 1.1225.</source>
         <translation>Krok między grupami wynosi {step}; podaj mnożnik większy niż 1, np. 1,1225.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="307" />
+        <location filename="../plugin/resolution/measure/messages.py" line="10"/>
         <source>The criterion is {criterion}; give a share of the full amplitude between 0 and 1.</source>
         <translation>Kryterium wynosi {criterion}; podaj część pełnej amplitudy między 0 a 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="308" />
+        <location filename="../plugin/resolution/measure/messages.py" line="11"/>
         <source>The profile is averaged over {width} px either side; give 0 to {most}.</source>
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="309" />
+        <location filename="../plugin/imagery/messages.py" line="12"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="310" />
-        <source>The layer has no field '{field}'; add it and fill it in.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="18"/>
+        <source>The layer has no field &apos;{field}&apos;; add it and fill it in.</source>
         <translation>Warstwa nie ma pola „{field}”; dodaj je i wypełnij.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="311" />
+        <location filename="../plugin/resolution/measure/messages.py" line="14"/>
         <source>The layer has no lines; draw one across the bars of each group.</source>
         <translation>Warstwa nie ma linii; narysuj po jednej w poprzek kresek każdej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="312" />
+        <location filename="../plugin/resolution/measure/messages.py" line="20"/>
         <source>The line has no geometry; draw it anew across the bars of the group.</source>
         <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="313" />
+        <location filename="../plugin/resolution/measure/messages.py" line="21"/>
         <source>The line has several parts; draw one line across the bars of the group.</source>
         <translation>Linia składa się z kilku części; narysuj jedną linię w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="314" />
+        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
         <source>The line is not straight; draw it with two points across the bars of the group.</source>
         <translation>Linia nie jest prosta; narysuj ją dwoma punktami w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="315" />
+        <location filename="../plugin/resolution/measure/messages.py" line="23"/>
         <source>The line leaves {name}; draw it on the image, across the bars of the group.</source>
         <translation>Linia wychodzi poza raster {name}; narysuj ją na obrazie, w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="316" />
+        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
         <source>The line crosses pixels of {name} without data; draw it where the image is.</source>
         <translation>Linia przecina piksele rastra {name} bez danych; narysuj ją tam, gdzie jest obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="317" />
+        <location filename="../plugin/resolution/measure/messages.py" line="25"/>
         <source>The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the ground on one side of the bars to that on the other.</source>
         <translation>Linia ma długość {length:.1f} px, a kreski w liczbie {bars} z przerwami wymagają co najmniej {least} px; narysuj ją od tła po jednej stronie kresek do tła po drugiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="321" />
+        <location filename="../plugin/resolution/measure/messages.py" line="29"/>
         <source>The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.</source>
         <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek kresek tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="324" />
-        <source>The line has no whole number in its field 'group'; fill in the group's number.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
+        <source>The line has no whole number in its field &apos;group&apos;; fill in the group&apos;s number.</source>
         <translation>Linia nie ma liczby całkowitej w polu „group”; wpisz numer grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="325" />
-        <source>The line's direction is '{direction}'; fill in 'along' or 'across'.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="33"/>
+        <source>The line&apos;s direction is &apos;{direction}&apos;; fill in &apos;along&apos; or &apos;across&apos;.</source>
         <translation>Kierunek linii to „{direction}”; wpisz „along” lub „across”.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="326" />
+        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
         <source>Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number.</source>
         <translation>Grupę {group} („{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="329" />
+        <location filename="../plugin/resolution/measure/messages.py" line="39"/>
         <source>No bars stand out on the line; draw it across the bars of one group.</source>
         <translation>Na linii nie widać kresek; narysuj ją w poprzek kresek jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="330" />
-        <source>The bars can't be told apart: {found} of {bars} stand out.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="40"/>
+        <source>The bars can&apos;t be told apart: {found} of {bars} stand out.</source>
         <translation>Kresek nie można rozróżnić: widać {found} z {bars}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="331" />
+        <location filename="../plugin/resolution/measure/messages.py" line="41"/>
         <source>{found} bars stand out and a group has {bars}; draw the line across one group only.</source>
         <translation>Liczba widocznych kresek: {found}, a grupa ma ich {bars}; narysuj linię w poprzek tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="332" />
+        <location filename="../plugin/resolution/measure/messages.py" line="42"/>
         <source>The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.</source>
         <translation>Amplituda wynosi {share:.0%} pełnej, a kryterium {criterion:.0%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="333" />
+        <location filename="../plugin/resolution/measure/messages.py" line="43"/>
         <source>The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.</source>
         <translation>Amplituda {amplitude:.1f} DN nie przekracza trzykrotności szumu {noise:.1f} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="334" />
+        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
         <source>A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted.</source>
         <translation>Kreska i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="337" />
-        <source>The bars seem {spacing:.1f} px apart, which can't be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="50"/>
+        <source>The bars seem {spacing:.1f} px apart, which can&apos;t be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
         <translation>Odstęp kresek wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="341" />
-        <source>The bars seem {spacing:.1f} px apart and the group's are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="54"/>
+        <source>The bars seem {spacing:.1f} px apart and the group&apos;s are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
         <translation>Odstęp kresek wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="345" />
+        <location filename="../plugin/resolution/measure/messages.py" line="58"/>
         <source>A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.</source>
         <translation>Grubsza grupa {group} nie jest rozróżniona, więc ta to aliasing i nie jest liczona.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="346" />
+        <location filename="../plugin/resolution/measure/messages.py" line="59"/>
         <source>The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a shorter exposure.</source>
         <translation>Kreski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="350" />
-        <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster's pixel size.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="64"/>
+        <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster&apos;s pixel size.</source>
         <translation>Odstęp kresek jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej odstęp i wielkość piksela rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="354" />
+        <location filename="../plugin/resolution/measure/messages.py" line="68"/>
         <source>The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it.</source>
         <translation>Kreski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="357" />
+        <location filename="../plugin/resolution/measure/messages.py" line="72"/>
         <source>No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.</source>
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="359" />
+        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
         <source>Height {height} m and distance {grd} cm make no minimum height; give positive numbers of metres and centimetres.</source>
         <translation>Z wysokości {height} m i GRD {grd} cm nie można obliczyć minimalnej wysokości; podaj dodatnie liczby metrów i centymetrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="362" />
+        <location filename="../plugin/resolution/measure/messages.py" line="76"/>
         <source>The reference height is {height} m; give a positive number or leave it empty.</source>
         <translation>Wysokość odniesienia wynosi {height} m; podaj liczbę dodatnią albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="363" />
+        <location filename="../plugin/resolution/measure/messages.py" line="84"/>
         <source>{count} passes over the target; the Open Skies treaty asks for {least} at least.</source>
         <translation>Liczba przelotów nad testem: {count}; traktat o otwartych przestworzach (Open Skies) wymaga co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="364" />
-        <source>No row has a height and a distance to compute with; fill in 'height' and 'grd'.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
+        <source>No row has a height and a distance to compute with; fill in &apos;height&apos; and &apos;grd&apos;.</source>
         <translation>Żaden wiersz nie ma wysokości i GRD do obliczeń; wypełnij „height” i „grd”.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="365" />
+        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
         <source>Row {row} is left out: {why}</source>
         <translation>Wiersz {row} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="366" />
-        <source>'height' or 'grd' holds no number; fill in both.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="79"/>
+        <source>&apos;height&apos; or &apos;grd&apos; holds no number; fill in both.</source>
         <translation>„height” lub „grd” nie zawiera liczby; wypełnij oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="368" />
-        <source>There is no Bayer pattern '{pattern}'; choose one of {known}.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="86"/>
+        <source>There is no Bayer pattern &apos;{pattern}&apos;; choose one of {known}.</source>
         <translation>Nie ma wzoru Bayera „{pattern}”; wybierz jeden z {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="369" />
-        <source>There is no interpolation '{demosaic}'; choose one of {known}.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="87"/>
+        <source>There is no interpolation &apos;{demosaic}&apos;; choose one of {known}.</source>
         <translation>Nie ma interpolacji „{demosaic}”; wybierz jedną z {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="370" />
-        <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, 'python -m pip install opencv-python-headless' elsewhere); install it, or choose bilinear.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
+        <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose bilinear.</source>
         <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="374" />
+        <location filename="../plugin/resolution/measure/messages.py" line="92"/>
         <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose bilinear.</source>
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="377" />
+        <location filename="../plugin/resolution/measure/messages.py" line="95"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} kan., ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="381" />
+        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
         <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy grup kresek w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="384" />
+        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
         <source>No image of a bar target is chosen; choose one above, then draw a line across its bars.</source>
         <translation>Nie wybrano obrazu testu kreskowego; wybierz go powyżej, a potem narysuj linię w poprzek kresek.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="387" />
+        <location filename="../plugin/photos/measure/messages.py" line="50"/>
         <source>The template is {width} x {height} px and a side needs at least {fewest} px; cut it out with the whole mark in it.</source>
         <translation>Wzorzec ma {width} × {height} px, a bok musi mieć co najmniej {fewest} px; wytnij go tak, aby zawierał cały znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="390" />
+        <location filename="../plugin/photos/measure/messages.py" line="56"/>
         <source>All pixels of the template are alike; cut it out where the mark is.</source>
         <translation>Wszystkie piksele wzorca są jednakowe; wytnij go tam, gdzie jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="391" />
+        <location filename="../plugin/photos/measure/messages.py" line="73"/>
         <source>the surface around the best place is flat, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest płaska, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="392" />
+        <location filename="../plugin/photos/measure/messages.py" line="74"/>
         <source>the surface around the best place is a saddle, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest siodłowa, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="393" />
+        <location filename="../plugin/photos/measure/messages.py" line="75"/>
         <source>the extremum of the surface lies outside the pixels it was computed from</source>
         <translation>ekstremum powierzchni leży poza pikselami, z których ją obliczono</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="394" />
+        <location filename="../plugin/photos/measure/messages.py" line="77"/>
         <source>the template is larger than the piece of the photo around the mark</source>
         <translation>wzorzec jest większy niż fragment zdjęcia wokół znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="395" />
+        <location filename="../plugin/photos/measure/messages.py" line="78"/>
         <source>the best correlation is {value:.2f} and at least {least:.2f} is asked for</source>
         <translation>największa korelacja wynosi {value:.2f}, a wymagana jest co najmniej {least:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="396" />
+        <location filename="../plugin/photos/measure/messages.py" line="79"/>
         <source>two places look nearly alike, with correlations of {best:.2f} and {second:.2f}</source>
         <translation>dwa miejsca wyglądają niemal tak samo, z korelacjami {best:.2f} i {second:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="397" />
+        <location filename="../plugin/photos/measure/messages.py" line="81"/>
         <source>the mark lies at the edge of the photo and is not all there</source>
         <translation>znaczek leży na brzegu zdjęcia i nie jest cały widoczny</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="398" />
+        <location filename="../plugin/photos/measure/messages.py" line="82"/>
         <source>parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no mark</source>
         <translation>części znaczka różnią się o {shift:.1f} px, a dopuszcza się najwyżej {most:.1f} px: zabrudzenie, rysa albo to nie znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="402" />
-        <source>The calibration {path} can't be read ({error}); check the path.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="13"/>
+        <source>The calibration {path} can&apos;t be read ({error}); check the path.</source>
         <translation>Nie można odczytać kalibracji {path} ({error}); sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="403" />
+        <location filename="../plugin/photos/measure/messages.py" line="14"/>
         <source>{name} is neither a CSV with the columns mark, x_mm and y_mm nor a MeasuresCamera.xml of MicMac; choose one of these.</source>
         <translation>Plik {name} nie jest ani plikiem CSV z kolumnami mark, x_mm i y_mm, ani plikiem MeasuresCamera.xml z programu MicMac; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="407" />
+        <location filename="../plugin/photos/measure/messages.py" line="18"/>
         <source>{name} lacks a column; a calibration has the columns mark, x_mm and y_mm.</source>
         <translation>W pliku {name} brakuje kolumny; kalibracja ma kolumny mark, x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="408" />
+        <location filename="../plugin/photos/measure/messages.py" line="19"/>
         <source>Row {row} of {name} has no mark with two numbers; complete or remove it.</source>
         <translation>Wiersz {row} pliku {name} nie zawiera znaczka z dwiema liczbami; uzupełnij go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="409" />
-        <source>{name} has the mark '{mark}' twice; give every mark a name of its own.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="20"/>
+        <source>{name} has the mark &apos;{mark}&apos; twice; give every mark a name of its own.</source>
         <translation>Plik {name} zawiera znaczek „{mark}” dwa razy; nadaj każdemu znaczkowi osobną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="410" />
+        <location filename="../plugin/photos/measure/messages.py" line="21"/>
         <source>{name} holds no marks; a calibration has one row with mark, x_mm and y_mm for each.</source>
         <translation>Plik {name} nie zawiera znaczków; kalibracja ma dla każdego jeden wiersz z mark, x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="411" />
+        <location filename="../plugin/photos/measure/messages.py" line="22"/>
         <source>The marks of the calibration are {span:g} mm apart and a photo has {least:g} to {most:g} mm; give millimetres.</source>
         <translation>Odległość między znaczkami kalibracji wynosi {span:g} mm, a na zdjęciu jest to od {least:g} do {most:g} mm; podaj milimetry.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="414" />
+        <location filename="../plugin/photos/measure/messages.py" line="25"/>
         <source>The calibration has too few marks: {count}, and the {model} model needs {least}; complete it or use another model.</source>
         <translation>Kalibracja ma za mało znaczków: {count}, a model {model} wymaga {least}; uzupełnij ją albo użyj innego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="417" />
-        <source>The marks '{one}' and '{other}' of the calibration are at one place; correct their coordinates.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="28"/>
+        <source>The marks &apos;{one}&apos; and &apos;{other}&apos; of the calibration are at one place; correct their coordinates.</source>
         <translation>Znaczki „{one}” i „{other}” kalibracji są w jednym miejscu; popraw ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="421" />
+        <location filename="../plugin/photos/measure/messages.py" line="99"/>
         <source>Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them as positions with their measurement off.</source>
         <translation>Znaczki zmierzone lub podane: {count}, a model {model} wymaga {least}; zmierz pozostałe ręcznie i podaj je jako położenia z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="425" />
-        <source>The marks are at one place or on one line, so the {model} model can't be determined; give further marks.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="103"/>
+        <source>The marks are at one place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
         <translation>Znaczki są w jednym miejscu albo na jednej prostej, więc nie można wyznaczyć modelu {model}; podaj dalsze znaczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="429" />
+        <location filename="../plugin/photos/measure/messages.py" line="58"/>
         <source>All pixels of {name} are alike, so it shows no marks; scan the photo anew.</source>
         <translation>Wszystkie piksele rastra {name} są jednakowe, więc nie widać na nim znaczków; zeskanuj zdjęcie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="430" />
+        <location filename="../plugin/photos/measure/messages.py" line="59"/>
         <source>No mark was found in {name} ({why}); give positions, another kind of template, or a template cut out of the photo.</source>
         <translation>W rastrze {name} nie znaleziono znaczka ({why}); podaj położenia, inny rodzaj wzorca albo wzorzec wycięty ze zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="433" />
-        <source>The positions name a mark '{mark}' that the calibration does not have ({marks}); rename it.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="37"/>
+        <source>The positions name a mark &apos;{mark}&apos; that the calibration does not have ({marks}); rename it.</source>
         <translation>Położenia wymieniają znaczek „{mark}”, którego kalibracja nie zawiera ({marks}); zmień jego nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="436" />
-        <source>The positions of '{one}' and '{other}' are at one place; move one of them.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="44"/>
+        <source>The positions of &apos;{one}&apos; and &apos;{other}&apos; are at one place; move one of them.</source>
         <translation>Położenia „{one}” i „{other}” są w jednym miejscu; przesuń jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="437" />
+        <location filename="../plugin/photos/measure/messages.py" line="45"/>
         <source>The positions lie up to {worst:.0f} mm from where the calibration wants them; check their names and the calibration.</source>
         <translation>Położenia leżą do {worst:.0f} mm od miejsc wynikających z kalibracji; sprawdź ich nazwy i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="441" />
-        <source>The position of '{mark}' lies outside the photo; digitise it on the photo as QGIS shows it without a world file, or with the one that the photo has.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="40"/>
+        <source>The position of &apos;{mark}&apos; lies outside the photo; digitise it on the photo as QGIS shows it without a world file, or with the one that the photo has.</source>
         <translation>Położenie „{mark}” leży poza zdjęciem; zdigitalizuj je na zdjęciu tak, jak pokazuje je QGIS bez pliku world albo z plikiem, który zdjęcie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="446" />
+        <location filename="../plugin/photos/measure/messages.py" line="53"/>
         <source>The template is {side:.1f} mm wide and the search area {search:.1f} mm; cut it out smaller or search further.</source>
         <translation>Wzorzec ma szerokość {side:.1f} mm, a obszar szukania {search:.1f} mm; wytnij mniejszy wzorzec albo szukaj dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="449" />
+        <location filename="../plugin/photos/measure/messages.py" line="62"/>
         <source>Marks were found in the photo, but not where the positions say; each was looked for on its own there.</source>
         <translation>Na zdjęciu znaleziono znaczki, ale nie tam, gdzie wskazują położenia; każdego szukano tam osobno.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="452" />
+        <location filename="../plugin/photos/measure/messages.py" line="65"/>
         <source>Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the positions of three marks if that is wrong.</source>
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="457" />
+        <location filename="../plugin/photos/measure/messages.py" line="76"/>
         <source>nothing around the position looks like a mark</source>
         <translation>wokół położenia nic nie wygląda jak znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="458" />
+        <location filename="../plugin/photos/measure/messages.py" line="87"/>
         <source>no places in the photo that look like marks lie as the calibration says</source>
         <translation>żadne miejsca na zdjęciu podobne do znaczków nie leżą zgodnie z kalibracją</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="459" />
+        <location filename="../plugin/photos/measure/messages.py" line="86"/>
         <source>it would lie outside the photo</source>
         <translation>leżałby poza zdjęciem</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="460" />
-        <source>it was found at the same place as '{other}'</source>
+        <location filename="../plugin/photos/measure/messages.py" line="92"/>
+        <source>it was found at the same place as &apos;{other}&apos;</source>
         <translation>znaleziono go w tym samym miejscu co „{other}”</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="461" />
+        <location filename="../plugin/photos/measure/messages.py" line="93"/>
         <source>it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most</source>
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="462" />
-        <source>the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it can't be told which is wrong</source>
+        <location filename="../plugin/photos/measure/messages.py" line="94"/>
+        <source>the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="467" />
-        <source>The given mark '{mark}' lies {worst:.2f} mm from where the others want it; check its place and its name.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="69"/>
+        <source>The given mark &apos;{mark}&apos; lies {worst:.2f} mm from where the others want it; check its place and its name.</source>
         <translation>Podany znaczek „{mark}” leży {worst:.2f} mm od miejsca wynikającego z pozostałych; sprawdź jego położenie i nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="470" />
+        <location filename="../plugin/photos/measure/messages.py" line="106"/>
         <source>The {model} model takes all of its {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
         <translation>Model {model} wykorzystuje wszystkie swoje znaczki ({count}), więc odchyłki są zerowe i nic nie mówią o jego dokładności; zmierz więcej znaczków albo użyj prostszego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="475" />
-        <source>the surface's extremum leads away from where the mark was found</source>
+        <location filename="../plugin/photos/measure/messages.py" line="80"/>
+        <source>the surface&apos;s extremum leads away from where the mark was found</source>
         <translation>ekstremum powierzchni prowadzi z dala od miejsca, w którym znaleziono znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="476" />
+        <location filename="../plugin/photos/measure/messages.py" line="88"/>
         <source>only {count} places that look like marks lie as the calibration says, and without positions {least} are needed</source>
         <translation>liczba miejsc podobnych do znaczków i zgodnych z kalibracją wynosi tylko {count}, a bez położeń potrzeba {least}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="479" />
+        <location filename="../plugin/photos/measure/messages.py" line="110"/>
         <source>There is no transformation to write; give the positions of more marks.</source>
         <translation>Nie ma transformacji do zapisania; podaj położenia większej liczby znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="480" />
+        <location filename="../plugin/photos/measure/messages.py" line="111"/>
         <source>{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were written.</source>
         <translation>Raster {name} nie ma transformacji ({why}); jego znaczki są w wyniku, ale nie zapisano parametrów ani pliku world.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="484" />
-        <source>The layer of positions has no field 'mark'; add one and write the names of the calibration's marks into it.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="32"/>
+        <source>The layer of positions has no field &apos;mark&apos;; add one and write the names of the calibration&apos;s marks into it.</source>
         <translation>Warstwa położeń nie ma pola „mark”; dodaj je i wpisz do niego nazwy znaczków kalibracji.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="487" />
-        <source>The layer of positions has the mark '{mark}' twice; remove one of them.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="36"/>
+        <source>The layer of positions has the mark &apos;{mark}&apos; twice; remove one of them.</source>
         <translation>Warstwa położeń zawiera znaczek „{mark}” dwa razy; usuń jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="488" />
-        <source>The layer of positions holds no point with a name in its field 'mark'; digitise some.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="35"/>
+        <source>The layer of positions holds no point with a name in its field &apos;mark&apos;; digitise some.</source>
         <translation>Warstwa położeń nie zawiera punktu z nazwą w polu „mark”; zdigitalizuj takie punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="489" />
-        <source>The layer {layer} has no field 'mark'; choose layers of measured marks.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="116"/>
+        <source>The layer {layer} has no field &apos;mark&apos;; choose layers of measured marks.</source>
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="490" />
-        <source>A layer has the mark '{mark}' twice; give both layers a field 'photo' that tells photos apart.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="117"/>
+        <source>A layer has the mark &apos;{mark}&apos; twice; give both layers a field &apos;photo&apos; that tells photos apart.</source>
         <translation>Jedna z warstw zawiera znaczek „{mark}” dwa razy; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="493" />
-        <source>The two layers have no mark in common; check their fields 'mark' and 'photo'.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="120"/>
+        <source>The two layers have no mark in common; check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
         <translation>Obie warstwy nie mają wspólnego znaczka; sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="494" />
+        <location filename="../plugin/photos/measure/messages.py" line="121"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="498" />
+        <location filename="../plugin/photos/measure/messages.py" line="12"/>
         <source>No calibration is given; choose the file with the calibrated marks of the camera.</source>
         <translation>Nie podano kalibracji; wybierz plik z kalibrowanymi znaczkami kamery.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="500" />
+        <location filename="../plugin/photos/measure/messages.py" line="7"/>
         <source>The side of the mean is {size:g} px; give an odd number from 3 to {most:g}.</source>
         <translation>Bok średniej wynosi {size:g} px; podaj liczbę nieparzystą od 3 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="501" />
+        <location filename="../plugin/photos/measure/messages.py" line="8"/>
         <source>The standard deviation of the Gaussian is {size:g} px; give one above 0 and up to {most:g}.</source>
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="504" />
-        <source>{path} can't be written; choose another folder, or make room on the disk.</source>
+        <location filename="../plugin/imagery/messages.py" line="84"/>
+        <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="507" />
+        <location filename="../plugin/imagery/messages.py" line="23"/>
         <source>Some points have no place in another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="510" />
-        <source>{name} is no points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose one, or a point layer with the fields column and row.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="8"/>
+        <source>{name} is no points file of QGIS&apos;s georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose one, or a point layer with the fields column and row.</source>
         <translation>{name} nie jest plikiem punktów georeferencera QGIS (jego nagłówek nie zawiera mapX, mapY oraz sourceX lub pixelX); wybierz taki plik albo warstwę punktową z polami column i row.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="514" />
-        <source>Line {line} of {name} can't be read; correct or remove it.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="12"/>
+        <source>Line {line} of {name} can&apos;t be read; correct or remove it.</source>
         <translation>Nie można odczytać wiersza {line} pliku {name}; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="515" />
-        <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="13"/>
+        <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points&apos; reference system.</source>
         <translation>Plik {name} nie podaje układu współrzędnych, jak pliki sprzed QGIS 3.26; ustaw układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="519" />
-        <source>The point layer has no field '{field}'; it needs column and row, the place of each point in the image in pixels.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
+        <source>The point layer has no field &apos;{field}&apos;; it needs column and row, the place of each point in the image in pixels.</source>
         <translation>Warstwa punktów nie ma pola „{field}”; wymagane są column i row, miejsce każdego punktu na obrazie w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="522" />
+        <location filename="../plugin/sensors/measure/messages.py" line="7"/>
         <source>There are no points to fit a model to; measure some, or choose another layer.</source>
         <translation>Nie ma punktów do dopasowania modelu; zmierz je albo wybierz inną warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="523" />
+        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
         <source>Point {name} is left out: {why}</source>
         <translation>Punkt {name} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="524" />
+        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
         <source>its place in the image or on the ground is missing.</source>
         <translation>brakuje jego miejsca na obrazie lub w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="525" />
-        <source>its role '{role}' is neither control nor check.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="23"/>
+        <source>its role &apos;{role}&apos; is neither control nor check.</source>
         <translation>jego rola „{role}” nie jest ani control, ani check.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="526" />
+        <location filename="../plugin/sensors/measure/messages.py" line="24"/>
         <source>it has no height and the terrain model has none there.</source>
         <translation>nie ma wysokości, a NMT też jej tam nie podaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="527" />
+        <location filename="../plugin/sensors/measure/messages.py" line="19"/>
         <source>Points that are switched off in the georeferencer and left out: {count}.</source>
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="528" />
+        <location filename="../plugin/sensors/measure/messages.py" line="26"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="532" />
+        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
         <translation>Liczba punktów osnowy wynosi {count}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="536" />
+        <location filename="../plugin/sensors/measure/messages.py" line="34"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z punktów w liczbie {total} jako punkty osnowy pozostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="540" />
-        <source>The control points lie on one line, so the model {model} can't be fitted; add points to both sides of it.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="38"/>
+        <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Punkty osnowy leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="543" />
-        <source>The control points lie on one plane, so the terms in Z of the model {model} can't be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="41"/>
+        <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Punkty osnowy leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="547" />
+        <location filename="../plugin/sensors/measure/messages.py" line="45"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>Punkty osnowy sprzeczne z innymi: {count}; pozostaje ich za mało, aby dopasować model {model}. Sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="551" />
+        <location filename="../plugin/sensors/measure/messages.py" line="50"/>
         <source>Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="554" />
+        <location filename="../plugin/sensors/measure/messages.py" line="53"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Punkty osnowy leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="558" />
-        <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image's corners.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="57"/>
+        <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Punkty osnowy pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="562" />
+        <location filename="../plugin/sensors/measure/messages.py" line="61"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="567" />
+        <location filename="../plugin/sensors/measure/messages.py" line="66"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="571" />
+        <location filename="../plugin/sensors/measure/messages.py" line="70"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="575" />
-        <source>No line of the image sees one of the points; check the points' places, heights and reference system.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
+        <source>No line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="578" />
-        <source>The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="77"/>
+        <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
         <translation>Nie można dopasować modelu parametrycznego do tych punktów; sprawdź, czy współrzędne nie są zamienione lub wysokości błędne, albo włącz szukanie błędów grubych.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="582" />
-        <source>The model can't be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="81"/>
+        <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="586" />
-        <source>The model polynomial_2d knows no heights and can't be written as RPC or used for orthorectification; fit a model in space.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
+        <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="590" />
+        <location filename="../plugin/sensors/measure/messages.py" line="86"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="591" />
-        <source>{name} holds no complete RPC; get the file anew from the image's vendor.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
+        <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="592" />
+        <location filename="../plugin/sensors/measure/messages.py" line="92"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="593" />
+        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="597" />
+        <location filename="../plugin/sensors/measure/messages.py" line="97"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="598" />
+        <location filename="../plugin/sensors/measure/messages.py" line="98"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="601" />
+        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
         <source>{name} is no sensor model file; choose one that fitsensormodel has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="602" />
+        <location filename="../plugin/sensors/measure/messages.py" line="104"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="606" />
+        <location filename="../plugin/imagery/messages.py" line="26"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="610" />
+        <location filename="../plugin/sensors/measure/messages.py" line="109"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="614" />
+        <location filename="../plugin/sensors/measure/messages.py" line="113"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="617" />
+        <location filename="../plugin/sensors/measure/messages.py" line="121"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="621" />
+        <location filename="../plugin/sensors/measure/messages.py" line="125"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="625" />
+        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="629" />
+        <location filename="../plugin/sensors/measure/messages.py" line="117"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="632" />
+        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="634" />
+        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="635" />
+        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="636" />
-        <source>An extent is given but no reference system; choose the orthoimage's reference system.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="135"/>
+        <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="637" />
+        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="638" />
+        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="639" />
+        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="640" />
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="642" />
+        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="646" />
-        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor's RPC holds the image's geometry and a few points remove its offset.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
+        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="650" />
+        <location filename="../plugin/sensors/measure/messages.py" line="148"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli bez podstawy parametrycznej ilorazy są najbardziej wiarygodne, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="654" />
+        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To iloraz najniższego stopnia z jednym mianownikiem i potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="658" />
+        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="662" />
+        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="666" />
+        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="98" />
+        <location filename="../build/template_texts.py" line="16"/>
         <source>window</source>
         <translation>okno</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="21" />
+        <location filename="../build/template_texts.py" line="17"/>
         <source>verdict, cause, observer</source>
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="25" />
+        <location filename="../build/template_texts.py" line="23"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="98" />
+        <location filename="../build/template_texts.py" line="18"/>
         <source>raster</source>
         <translation>raster</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="34" />
+        <location filename="../build/template_texts.py" line="20"/>
         <source>detail, level</source>
         <translation>detale, poziom</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="41" />
+        <location filename="../build/template_texts.py" line="15"/>
         <source>Relative variances</source>
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="54" />
+        <location filename="../plugin/seams/report/variance_table.py" line="63"/>
         <source>ratio 1: {ratio:.2f}</source>
         <translation>stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="54" />
+        <location filename="../plugin/seams/report/variance_table.py" line="63"/>
         <source>composite: {ratio:.2f}</source>
         <translation>złożenie: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="63" />
+        <location filename="../plugin/seams/report/variance_table.py" line="70"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="65" />
+        <location filename="../plugin/seams/report/variance_table.py" line="72"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_table.py" line="74" />
+        <location filename="../plugin/seams/report/variance_table.py" line="79"/>
         <source>hard-cut composite</source>
         <translation>złożenie z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_charts.py" line="34" />
+        <location filename="../plugin/sensors/charts.py" line="34"/>
         <source>Blunders</source>
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../build/template_texts.py" line="137"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../build/template_texts.py" line="138"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_charts.py" line="92" />
+        <location filename="../plugin/sensors/charts.py" line="91"/>
         <source>Mean error on points not used in the fit (m)</source>
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="13" />
+        <location filename="../plugin/noise/noise_summary.py" line="16"/>
         <source>low</source>
         <translation>mały</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="14" />
+        <location filename="../plugin/noise/noise_summary.py" line="17"/>
         <source>moderate</source>
         <translation>umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="15" />
+        <location filename="../plugin/noise/noise_summary.py" line="18"/>
         <source>strong</source>
         <translation>silny</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="59" />
+        <location filename="../build/template_texts.py" line="60"/>
         <source>not measurable</source>
         <translation>niemierzalne</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="40" />
+        <location filename="../build/template_texts.py" line="71"/>
         <source>How it is measured</source>
         <translation>Jak przebiega pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="29" />
+        <location filename="../build/template_texts.py" line="76"/>
         <source>Random noise</source>
         <translation>Szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="49" />
+        <location filename="../build/template_texts.py" line="77"/>
         <source>Windows by their random noise: {counts}.</source>
         <translation>Okna według szumu losowego: {counts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="53" />
+        <location filename="../build/template_texts.py" line="78"/>
         <source>Relative variance of the details by level, 1 the finest. It rises from level to level in an image with little random noise; noise lifts level 1 above level 2 and, where it is strong, level 2 above level 3.</source>
         <translation>Wariancja względna detali według poziomów, poziom 1 jest najdokładniejszy. W obrazie o małym szumie losowym rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2, a gdy jest silny, także poziom 2 ponad poziom 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="80"/>
         <source>group</source>
         <translation>grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="77" />
+        <location filename="../build/template_texts.py" line="81"/>
         <source>pixel</source>
         <translation>piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="78" />
+        <location filename="../build/template_texts.py" line="82"/>
         <source>least sigma (DN)</source>
         <translation>najmniejsza sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="78" />
+        <location filename="../build/template_texts.py" line="83"/>
         <source>mean</source>
         <translation>średnia</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="78" />
+        <location filename="../build/template_texts.py" line="84"/>
         <source>largest</source>
         <translation>największa</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="98" />
+        <location filename="../plugin/noise/report.py" line="76"/>
         <source>noise</source>
         <translation>szum</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="98" />
+        <location filename="../plugin/noise/report.py" line="76"/>
         <source>sigma (DN)</source>
         <translation>sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="99" />
+        <location filename="../plugin/noise/report.py" line="77"/>
         <source>detail {level}</source>
         <translation>detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="100" />
+        <location filename="../plugin/noise/report.py" line="78"/>
         <source>kurtosis by level</source>
         <translation>kurtoza według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="100" />
+        <location filename="../plugin/noise/report.py" line="78"/>
         <source>column, row</source>
         <translation>kolumna, wiersz</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="100" />
+        <location filename="../plugin/noise/report.py" line="78"/>
         <source>note</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="110" />
-        <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level's detail is the share of the window's variance in its three detail components. Judged is the luminance, or the only band (Pyka 2009).</source>
+        <location filename="../build/template_texts.py" line="85"/>
+        <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. Judged is the luminance, or the only band (Pyka 2009).</source>
         <translation>Każde okno jest rozkładane falką {wavelet} na poziomy w liczbie {levels}; detale poziomu to udział jego trzech komponentów detali w wariancji okna. Oceniana jest luminancja albo jedyny kanał (Pyka 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="115" />
+        <location filename="../build/template_texts.py" line="86"/>
         <source>Sigma is the median absolute value of the finest diagonal component divided by 0.6745, in DN. Fine texture adds to it, so compare it between images of the same ground.</source>
         <translation>Sigma to mediana wartości bezwzględnych najdokładniejszego komponentu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_report.py" line="119" />
-        <source>Kurtosis is the fourth moment of a level's details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground.</source>
+        <location filename="../build/template_texts.py" line="87"/>
+        <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground.</source>
         <translation>Kurtoza to czwarty moment detali poziomu podzielony przez kwadrat ich wariancji: 3 dla szumu gaussowskiego, więcej tam, gdzie krawędzie wyróżniają się na spokojnym tle.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_layer.py" line="63" />
+        <location filename="../plugin/resolution/line_layer.py" line="67"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="40" />
+        <location filename="../plugin/seams/cause_words.py" line="54"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="41" />
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="42" />
+        <location filename="../plugin/seams/cause_words.py" line="81"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="43" />
+        <location filename="../plugin/seams/cause_words.py" line="88"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="44" />
+        <location filename="../plugin/seams/cause_words.py" line="95"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="45" />
+        <location filename="../plugin/seams/cause_words.py" line="103"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="46" />
+        <location filename="../plugin/seams/cause_words.py" line="110"/>
         <source>misregistration</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="48" />
+        <location filename="../plugin/seams/cause_words.py" line="123"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="55" />
+        <location filename="../plugin/seams/cause_words.py" line="54"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Mozaika jest mniej ostra niż jej źródła, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="56" />
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>Images that do not fit were blended along the seam.</source>
         <translation>Wzdłuż linii zmieszano obrazy, które do siebie nie pasują.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="57" />
+        <location filename="../plugin/seams/cause_words.py" line="81"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła wartości szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="58" />
+        <location filename="../plugin/seams/cause_words.py" line="88"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła wartości szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="59" />
+        <location filename="../plugin/seams/cause_words.py" line="95"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="60" />
+        <location filename="../plugin/seams/cause_words.py" line="103"/>
         <source>The channels were corrected one by one, so that colours turned.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="61" />
+        <location filename="../plugin/seams/cause_words.py" line="110"/>
         <source>The mosaic does not lie where its sources do.</source>
         <translation>Mozaika nie leży tam, gdzie jej źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="62" />
+        <location filename="../plugin/seams/cause_words.py" line="118"/>
         <source>No step of production is found that took contrast away.</source>
         <translation>Nie znaleziono etapu opracowania, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/words.py" line="63" />
+        <location filename="../plugin/seams/cause_words.py" line="123"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="25" />
+        <location filename="../build/template_texts.py" line="47"/>
         <source>Pictures</source>
         <translation>Obrazy znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="28" />
+        <location filename="../build/template_texts.py" line="32"/>
         <source>Interior orientation of {name}</source>
         <translation>Orientacja wewnętrzna: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="33" />
+        <location filename="../build/template_texts.py" line="33"/>
         <source>{columns} x {rows} px. Marks measured: {measured}, given: {given}, failed: {failed}.</source>
         <translation>{columns} × {rows} px. Znaczki zmierzone: {measured}, podane: {given}, odrzucone: {failed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="37" />
+        <location filename="../build/template_texts.py" line="34"/>
         <source>Root mean square of the residuals: {rms:.1f} um.</source>
         <translation>Średnia kwadratowa odchyłek: {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="36"/>
         <source>Mark</source>
         <translation>Znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="37"/>
         <source>Column, px</source>
         <translation>Kolumna, px</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="38"/>
         <source>Row, px</source>
         <translation>Wiersz, px</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="39"/>
         <source>x, mm</source>
         <translation>x, mm</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="40"/>
         <source>y, mm</source>
         <translation>y, mm</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="41"/>
         <source>Residual x, um</source>
         <translation>Odchyłka x, µm</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="44" />
+        <location filename="../build/template_texts.py" line="42"/>
         <source>Residual y, um</source>
         <translation>Odchyłka y, µm</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="44" />
+        <location filename="../build/template_texts.py" line="43"/>
         <source>Correlation</source>
         <translation>Korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="44" />
+        <location filename="../build/template_texts.py" line="44"/>
         <source>Status</source>
         <translation>Stan</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="44" />
+        <location filename="../build/template_texts.py" line="45"/>
         <source>Reason</source>
         <translation>Przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="56" />
+        <location filename="../build/template_texts.py" line="46"/>
         <source>Pixel centres are at .5: the first pixel reaches from 0 to 1. Millimetres: x to the right, y upwards.</source>
         <translation>Środki pikseli mają końcówkę ,5: pierwszy piksel sięga od 0 do 1. Milimetry: x w prawo, y w górę.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="64" />
+        <location filename="../build/template_texts.py" line="53"/>
         <source>to millimetres</source>
         <translation>na milimetry</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="64" />
+        <location filename="../build/template_texts.py" line="54"/>
         <source>to pixels</source>
         <translation>na piksele</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="68" />
+        <location filename="../build/template_texts.py" line="50"/>
         <source>Model: {model}, marks: {marks}, degrees of freedom: {redundancy}.</source>
         <translation>Model {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="72" />
+        <location filename="../build/template_texts.py" line="51"/>
         <source>The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}.</source>
         <translation>Zdjęcie jest obrócone o {turned} stopni zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie: {evidence}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="74" />
+        <location filename="../build/template_texts.py" line="52"/>
         <source> and mirrored</source>
         <translation> i odbite lustrzanie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="83" />
+        <location filename="../build/template_texts.py" line="48"/>
         <source>Each pixel is shown {times} times as wide; the cross stands where the mark was found.</source>
         <translation>Każdy piksel jest pokazany w {times}-krotnym powiększeniu; krzyż stoi tam, gdzie znaleziono znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/mark_report.py" line="95" />
+        <location filename="../plugin/photos/report.py" line="72"/>
         <source>correlation {value:.2f}</source>
         <translation>korelacja {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="40" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="40"/>
         <source>windows flagged in vain (1 - specificity)</source>
         <translation>okna oznaczone niepotrzebnie (1 - swoistość)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="41" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="41"/>
         <source>visible losses flagged (sensitivity)</source>
         <translation>oznaczone widoczne straty (czułość)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="43" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="43"/>
         <source>a guess</source>
         <translation>zgadywanie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="63" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="63"/>
         <source>AUC {area:.3f} (95 %: {low:.3f} to {high:.3f})</source>
         <translation>AUC {area:.3f} (95 %: {low:.3f} do {high:.3f})</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="68" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="68"/>
         <source>threshold {value:g}: {hits} of {seen}, in vain {vain} of {unseen}</source>
         <translation>próg {value:g}: {hits} z {seen}, niepotrzebnie {vain} z {unseen}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="82" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="82"/>
         <source>visible ({count})</source>
         <translation>widoczne ({count})</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="82" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="82"/>
         <source>invisible ({count})</source>
         <translation>niewidoczne ({count})</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="97" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="97"/>
         <source>standard {value:g}</source>
         <translation>standardowy {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/calibration_chart.py" line="101" />
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="101"/>
         <source>threshold {value:g}</source>
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_charts.py" line="55" />
+        <location filename="../plugin/noise/charts.py" line="51"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_charts.py" line="121" />
+        <location filename="../plugin/noise/charts.py" line="116"/>
         <source>group {group}: mean and range of {count} windows</source>
         <translation>grupa {group}: średnia i zakres, liczba okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_charts.py" line="121" />
+        <location filename="../plugin/noise/charts.py" line="116"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres, liczba okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_charts.py" line="125" />
+        <location filename="../plugin/noise/charts.py" line="120"/>
         <source>All windows, judged band</source>
         <translation>Wszystkie okna, oceniany kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_charts.py" line="136" />
+        <location filename="../plugin/noise/charts.py" line="131"/>
         <source>group {group}:</source>
         <translation>grupa {group}:</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_charts.py" line="139" />
+        <location filename="../plugin/noise/charts.py" line="134"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="29" />
+        <location filename="../plugin/resolution/charts.py" line="30"/>
         <source>along the flight</source>
         <translation>wzdłuż kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="29" />
+        <location filename="../plugin/resolution/charts.py" line="30"/>
         <source>across the flight</source>
         <translation>w poprzek kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="45" />
+        <location filename="../plugin/resolution/charts.py" line="46"/>
         <source>not resolved</source>
         <translation>nierozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="46" />
+        <location filename="../plugin/resolution/charts.py" line="47"/>
         <source>aliasing</source>
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="47" />
+        <location filename="../plugin/resolution/charts.py" line="48"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_charts.py" line="138" />
+        <location filename="../plugin/resolution/charts.py" line="137"/>
         <source>group {group}, {grd:.2f} cm: {verdict}</source>
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="62" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="96"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="77" />
+        <location filename="../build/template_texts.py" line="27"/>
         <source>{name} (mosaic)</source>
         <translation>{name} (mozaika)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="89" />
-        <source>Detail at level 1 is {percent:.0f} % of the least sharp source's.</source>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="111"/>
+        <source>Detail at level 1 is {percent:.0f} % of the least sharp source&apos;s.</source>
         <translation>Detale na poziomie 1 to {percent:.0f} % detali najmniej ostrego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="95" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="117"/>
         <source>Cause: {cause}.</source>
         <translation>Przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="98" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="118"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="101" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="121"/>
         <source>Absolute contrast at level 1: {percent:.0f} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="103" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="123"/>
         <source>Pixels where no source wins clearly: {percent:.0f} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="107" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="131"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="108" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
         <source>against the hard-cut composite</source>
         <translation>względem złożenia z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="109" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="133"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="114" />
+        <location filename="../build/template_texts.py" line="26"/>
         <source>ratio, level</source>
         <translation>stosunek, poziom</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="132" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="148"/>
         <source>Clips at 2x, {side} px a side around x {x}, y {y}.</source>
         <translation>Wycinki w powiększeniu 2x, bok {side} px, wokół x {x}, y {y}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_windows.py" line="136" />
+        <location filename="../plugin/seams/report/flagged_windows.py" line="152"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="19" />
+        <location filename="../plugin/radiometry/report.py" line="22"/>
         <source>clipped at the dark end</source>
         <translation>obcięcie w cieniach</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="20" />
+        <location filename="../plugin/radiometry/report.py" line="23"/>
         <source>clipped at the bright end</source>
         <translation>obcięcie w światłach</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="21" />
+        <location filename="../plugin/radiometry/report.py" line="24"/>
         <source>histogram peak from mid-scale</source>
         <translation>odległość maksimum histogramu od środka skali</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="22" />
+        <location filename="../plugin/radiometry/report.py" line="25"/>
         <source>contrast</source>
         <translation>kontrast</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="23" />
+        <location filename="../plugin/radiometry/report.py" line="26"/>
         <source>signal to noise</source>
         <translation>stosunek sygnału do szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="24" />
+        <location filename="../plugin/radiometry/report.py" line="27"/>
         <source>colour balance</source>
         <translation>balans barw</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="25" />
+        <location filename="../plugin/radiometry/report.py" line="28"/>
         <source>step at the seams</source>
         <translation>skok na liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="75" />
+        <location filename="../build/template_texts.py" line="65"/>
         <source>contrast beside the seams</source>
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="59" />
+        <location filename="../build/template_texts.py" line="58"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="59" />
+        <location filename="../build/template_texts.py" line="59"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="34" />
+        <location filename="../build/template_texts.py" line="56"/>
         <source>Rules: {name}.</source>
         <translation>Reguły: {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="41" />
+        <location filename="../build/template_texts.py" line="55"/>
         <source>Radiometric acceptance</source>
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="49" />
+        <location filename="../plugin/radiometry/report.py" line="90"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="75" />
+        <location filename="../build/template_texts.py" line="57"/>
         <source>image</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="59" />
+        <location filename="../build/template_texts.py" line="61"/>
         <source>what failed</source>
         <translation>niespełnione reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="69" />
+        <location filename="../build/template_texts.py" line="63"/>
         <source>Tonal balancing and feathering lower the step at the seams and take contrast away with it, so both have to be looked at together.</source>
         <translation>Wyrównanie tonalne i wtapianie zmniejszają skok na liniach mozaikowania, ale odbierają przy tym kontrast, więc oba trzeba oceniać razem.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="73" />
+        <location filename="../build/template_texts.py" line="62"/>
         <source>Tonal unity and contrast</source>
         <translation>Jednolitość tonalna i kontrast</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="75" />
+        <location filename="../build/template_texts.py" line="64"/>
         <source>largest step at a seam</source>
         <translation>największy skok na linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="84" />
+        <location filename="../build/template_texts.py" line="66"/>
         <source>Available range: {low:g} to {high:g} DN.</source>
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="103" />
+        <location filename="../plugin/radiometry/report.py" line="106"/>
         <source>between bands</source>
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../build/template_texts.py" line="67"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="104" />
+        <location filename="../build/template_texts.py" line="69"/>
         <source>result</source>
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="104" />
+        <location filename="../build/template_texts.py" line="70"/>
         <source>source of the limit</source>
         <translation>źródło granicy</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="118" />
+        <location filename="../plugin/radiometry/report.py" line="139"/>
         <source>{least} to {most}</source>
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="120" />
+        <location filename="../plugin/radiometry/report.py" line="141"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="121" />
+        <location filename="../plugin/radiometry/report.py" line="142"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="149" />
+        <location filename="../build/template_texts.py" line="72"/>
         <source>Clipping, peak and contrast come from the histogram of all valid pixels. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range.</source>
         <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="153" />
+        <location filename="../build/template_texts.py" line="73"/>
         <source>Signal to noise: areas of {side} x {side} px, spread over the image, whose mean lies in the middle half of the range and whose four quadrants have the same mean as far as their noise lets one tell; the quarter with the least noise, mean over standard deviation.</source>
         <translation>Stosunek sygnału do szumu: obszary {side} × {side} px, rozłożone na obrazie, których średnia leży w środkowej połowie zakresu, a cztery ćwiartki mają tę samą średnią, o ile pozwala to stwierdzić ich szum; z ćwierci obszarów o najmniejszym szumie, średnia podzielona przez odchylenie standardowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="158" />
-        <source>Colour balance: such areas whose bands differ by at most 10 % of the range; the quarter with the least colour, largest difference between the bands' means.</source>
+        <location filename="../build/template_texts.py" line="74"/>
+        <source>Colour balance: such areas whose bands differ by at most 10 % of the range; the quarter with the least colour, largest difference between the bands&apos; means.</source>
         <translation>Balans barw: takie same obszary, których kanały różnią się o najwyżej 10% zakresu; z ćwierci obszarów o najsłabszej barwie, największa różnica między średnimi kanałów.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_report.py" line="162" />
-        <source>Step at the seams: difference of the means {near} to {far} px on either side for every {station} px of seam, their median along each seam, the largest of all seams as a share of the image's largest value. Contrast beside the seams is the standard deviation of the same pixels, as a share of the range.</source>
+        <location filename="../build/template_texts.py" line="75"/>
+        <source>Step at the seams: difference of the means {near} to {far} px on either side for every {station} px of seam, their median along each seam, the largest of all seams as a share of the image&apos;s largest value. Contrast beside the seams is the standard deviation of the same pixels, as a share of the range.</source>
         <translation>Skok na liniach mozaikowania: różnica średnich od {near} do {far} px po obu stronach, co {station} px linii, mediana wzdłuż każdej linii, największa ze wszystkich linii jako część największej wartości obrazu. Kontrast przy liniach mozaikowania to odchylenie standardowe tych samych pikseli jako część zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
+        <location filename="../build/template_texts.py" line="119"/>
         <source>Property</source>
         <translation>Właściwość</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
+        <location filename="../build/template_texts.py" line="120"/>
         <source>Value</source>
         <translation>Wartość</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
+        <location filename="../build/template_texts.py" line="121"/>
         <source>Unknowns</source>
         <translation>Niewiadome</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <location filename="../plugin/sensors/report.py" line="74"/>
         <source>{count}, held by priors</source>
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <location filename="../plugin/sensors/model_titles.py" line="7"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>wielomiany na płaszczyźnie, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <location filename="../plugin/sensors/model_titles.py" line="8"/>
         <source>polynomials of space, without physics</source>
         <translation>wielomiany przestrzenne, bez fizyki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <location filename="../plugin/sensors/model_titles.py" line="9"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazy wielomianów jak w RPC, bez fizyki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <location filename="../plugin/sensors/model_titles.py" line="10"/>
         <source>the direct linear transformation, without physics</source>
         <translation>bezpośrednia transformacja liniowa, bez fizyki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <location filename="../plugin/sensors/model_titles.py" line="11"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="1" />
+        <location filename="../plugin/sensors/model_titles.py" line="12"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
+        <location filename="../build/template_texts.py" line="122"/>
         <source>Iterations</source>
         <translation>Iteracje</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
+        <location filename="../build/template_texts.py" line="124"/>
         <source>Standard deviation of a control point</source>
         <translation>Odchylenie standardowe punktu osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="32" />
-        <source>Image outside the control points' outline</source>
+        <location filename="../build/template_texts.py" line="125"/>
+        <source>Image outside the control points&apos; outline</source>
         <translation>Część obrazu poza obrysem punktów osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="44" />
+        <location filename="../build/template_texts.py" line="126"/>
         <source>Accuracy</source>
         <translation>Dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="64" />
+        <location filename="../build/template_texts.py" line="127"/>
         <source>Points</source>
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="45" />
+        <location filename="../build/template_texts.py" line="128"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="94" />
+        <location filename="../build/template_texts.py" line="107"/>
         <source>Mean X (m)</source>
         <translation>Średni X (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="94" />
+        <location filename="../build/template_texts.py" line="108"/>
         <source>Mean Y (m)</source>
         <translation>Średni Y (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="94" />
+        <location filename="../build/template_texts.py" line="109"/>
         <source>Largest X (m)</source>
         <translation>Największy X (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="94" />
+        <location filename="../build/template_texts.py" line="110"/>
         <source>Largest Y (m)</source>
         <translation>Największy Y (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="45" />
+        <location filename="../build/template_texts.py" line="129"/>
         <source>Mean column (px)</source>
         <translation>Średni kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="45" />
+        <location filename="../build/template_texts.py" line="130"/>
         <source>Mean row (px)</source>
         <translation>Średni wiersza (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="52" />
+        <location filename="../build/template_texts.py" line="132"/>
         <source>Mean errors are root mean squares. Only check points, which took no part in the fit, say how accurate the image becomes.</source>
         <translation>Błędy średnie to błędy średniokwadratowe. Tylko punkty kontrolne, które nie brały udziału w dopasowaniu, mówią, jak dokładny będzie obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="60" />
+        <location filename="../build/template_texts.py" line="134"/>
         <source>Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated.</source>
         <translation>Model minus pomiar na obrazie, w powiększeniu; zacieniony obrys obejmuje to, co nie jest ekstrapolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../build/template_texts.py" line="135"/>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../build/template_texts.py" line="136"/>
         <source>Role</source>
         <translation>Rola</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../build/template_texts.py" line="139"/>
         <source>Blunder</source>
         <translation>Błąd gruby</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../plugin/sensors/report.py" line="27"/>
         <source>control</source>
         <translation>osnowa</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="65" />
+        <location filename="../plugin/sensors/report.py" line="27"/>
         <source>yes</source>
         <translation>tak</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="79" />
+        <location filename="../build/template_texts.py" line="118"/>
         <source>Sensor model: {name}</source>
         <translation>Model sensora: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="84" />
+        <location filename="../build/template_texts.py" line="113"/>
         <source>Each point was predicted by a fit to all others (leave-one-out), since check points are few.</source>
         <translation>Każdy punkt przewidziano z dopasowania do wszystkich pozostałych (leave-one-out), ponieważ punktów kontrolnych jest mało.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="84" />
+        <location filename="../build/template_texts.py" line="114"/>
         <source>Errors are those of check points, which took no part in the fit.</source>
         <translation>Błędy są błędami punktów kontrolnych, które nie brały udziału w dopasowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="92" />
+        <location filename="../build/template_texts.py" line="104"/>
         <source>The recommended model stands out.</source>
         <translation>Zalecany model jest wyróżniony.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="93" />
+        <location filename="../build/template_texts.py" line="105"/>
         <source>Table</source>
         <translation>Tabela</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="94" />
+        <location filename="../build/template_texts.py" line="112"/>
         <source>Judged on</source>
         <translation>Podstawa oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="110" />
+        <location filename="../build/template_texts.py" line="115"/>
         <source>Mean errors are root mean squares.</source>
         <translation>Błędy średnie to błędy średniokwadratowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="114" />
+        <location filename="../build/template_texts.py" line="116"/>
         <source>Not fitted, or not to be trusted</source>
         <translation>Niedopasowane lub niewiarygodne</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="115" />
+        <location filename="../build/template_texts.py" line="117"/>
         <source>Why</source>
         <translation>Dlaczego</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="116" />
+        <location filename="../build/template_texts.py" line="103"/>
         <source>Sensor models compared</source>
         <translation>Porównanie modeli sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sensor_reports.py" line="136" />
+        <location filename="../plugin/sensors/report.py" line="95"/>
         <source>unknown</source>
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="47" />
+        <location filename="../plugin/seams/window_summary.py" line="46"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="49" />
+        <location filename="../plugin/seams/window_summary.py" line="48"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="55" />
+        <location filename="../plugin/seams/window_summary.py" line="52"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="57" />
+        <location filename="../plugin/seams/window_summary.py" line="54"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="58" />
+        <location filename="../plugin/seams/window_summary.py" line="55"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="60" />
+        <location filename="../plugin/seams/window_summary.py" line="58"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="64" />
+        <location filename="../plugin/seams/window_summary.py" line="60"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="66" />
+        <location filename="../plugin/seams/window_summary.py" line="62"/>
         <source>the sources lie {length} px apart</source>
         <translation>ortoobrazy są od siebie odsunięte o {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="68" />
+        <location filename="../plugin/seams/window_summary.py" line="65"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="71" />
+        <location filename="../plugin/seams/window_summary.py" line="67"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="88" />
+        <location filename="../plugin/seams/verdict_words.py" line="22"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="96" />
-        <source>Detail at level 1 is {percent} % of the sources' and {composite} % of their composite's</source>
+        <location filename="../plugin/seams/window_summary.py" line="79"/>
+        <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="98" />
-        <source>Detail at level 1 is {percent} % of the source's and {composite} % of the levelled source's</source>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="100" />
-        <source>Detail at level 1 is {percent} % of the source's</source>
+        <location filename="../plugin/seams/window_summary.py" line="83"/>
+        <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="102" />
-        <source>Detail at level 1 is {percent} % of the sources'</source>
+        <location filename="../plugin/seams/window_summary.py" line="85"/>
+        <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="123" />
+        <location filename="../plugin/seams/cause_words.py" line="54"/>
         <source>blur to {value} % of their sharpness explains it</source>
         <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="123" />
+        <location filename="../plugin/seams/cause_words.py" line="54"/>
         <source>it is blurred to {value} % of their sharpness</source>
         <translation>jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="128" />
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>feathering of images {value} px apart explains it</source>
         <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="128" />
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="133" />
+        <location filename="../plugin/seams/cause_words.py" line="81"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zwężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="135" />
+        <location filename="../plugin/seams/cause_words.py" line="88"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>odcienie są zakrzywione, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="137" />
+        <location filename="../plugin/seams/cause_words.py" line="95"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="139" />
+        <location filename="../plugin/seams/cause_words.py" line="103"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="141" />
+        <location filename="../plugin/seams/cause_words.py" line="110"/>
         <source>the mosaic lies {value} px off its sources</source>
         <translation>ortofotomapa leży {value} px obok swoich ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="148" />
+        <location filename="../plugin/seams/cause_words.py" line="54"/>
         <source>blur explains it</source>
         <translation>wyjaśnia to rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="148" />
+        <location filename="../plugin/seams/cause_words.py" line="54"/>
         <source>it is blurred</source>
         <translation>jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="149" />
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>feathering explains it</source>
         <translation>wyjaśnia to wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="149" />
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="150" />
+        <location filename="../plugin/seams/cause_words.py" line="81"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zwężony</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="151" />
+        <location filename="../plugin/seams/cause_words.py" line="88"/>
         <source>grey values are bent by a gamma</source>
         <translation>odcienie są zakrzywione przez gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="152" />
+        <location filename="../plugin/seams/cause_words.py" line="95"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="153" />
+        <location filename="../plugin/seams/cause_words.py" line="103"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="154" />
+        <location filename="../plugin/seams/cause_words.py" line="110"/>
         <source>the mosaic does not lie where its sources do</source>
         <translation>ortofotomapa nie leży tam, gdzie jej ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="155" />
+        <location filename="../plugin/seams/cause_words.py" line="118"/>
         <source>no step of production took detail away</source>
         <translation>żaden etap produkcji nie zabrał detali</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/sentences.py" line="156" />
+        <location filename="../plugin/seams/cause_words.py" line="123"/>
         <source>the cause is unclear: its detail is not that of the sources</source>
         <translation>przyczyna jest niejasna: jej detale nie są detalami ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_curves.py" line="86" />
+        <location filename="../plugin/seams/report/curve_pictures.py" line="88"/>
         <source>hard-cut composite (dashed)</source>
         <translation>złożenie z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/report_curves.py" line="88" />
+        <location filename="../plugin/seams/report/curve_pictures.py" line="90"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (mozaika, gruba)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="16" />
+        <location filename="../build/template_texts.py" line="88"/>
         <source>Ground resolved distance: {name}</source>
         <translation>Terenowa zdolność rozdzielcza: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="89"/>
         <source>direction</source>
         <translation>kierunek</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="43" />
+        <location filename="../build/template_texts.py" line="90"/>
         <source>band</source>
         <translation>kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="35" />
+        <location filename="../build/template_texts.py" line="91"/>
         <source>distance, cm</source>
         <translation>GRD, cm</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="27" />
+        <location filename="../build/template_texts.py" line="92"/>
         <source>The target</source>
         <translation>Test</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="28" />
+        <location filename="../build/template_texts.py" line="94"/>
         <source>Full circles are bars, empty ones the gaps between them. The gaps must lie beyond the dashed line, which is {criterion:.0%} of the full amplitude away from the weakest bar. Grey lines: the ends of the line as drawn.</source>
         <translation>Pełne kółka to kreski, puste – przerwy między nimi. Przerwy muszą leżeć za linią przerywaną, która jest oddalona od najsłabszej kreski o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="32" />
+        <location filename="../build/template_texts.py" line="93"/>
         <source>Profiles</source>
         <translation>Profile</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="34" />
+        <location filename="../build/template_texts.py" line="95"/>
         <source>Measurements</source>
         <translation>Pomiary</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="35" />
+        <location filename="../build/template_texts.py" line="96"/>
         <source>bars</source>
         <translation>kreski</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="35" />
+        <location filename="../build/template_texts.py" line="97"/>
         <source>amplitude, DN</source>
         <translation>amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="35" />
+        <location filename="../build/template_texts.py" line="98"/>
         <source>full amplitude, DN</source>
         <translation>pełna amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="35" />
+        <location filename="../build/template_texts.py" line="99"/>
         <source>modulation</source>
         <translation>modulacja</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="35" />
+        <location filename="../build/template_texts.py" line="100"/>
         <source>shift, px</source>
         <translation>przesunięcie, px</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="42" />
+        <location filename="../build/template_texts.py" line="101"/>
         <source>Reasons</source>
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="52" />
+        <location filename="../plugin/resolution/report.py" line="46"/>
         <source>{direction}: {grd:.2f} cm</source>
         <translation>{direction}: {grd:.2f} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="54" />
+        <location filename="../plugin/resolution/report.py" line="48"/>
         <source>geometric mean: {grd:.2f} cm</source>
         <translation>średnia geometryczna: {grd:.2f} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/bar_report.py" line="55" />
+        <location filename="../plugin/resolution/report.py" line="49"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="78" />
+        <location filename="../build/template_texts.py" line="24"/>
         <source>Flagged windows</source>
         <translation>Oznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="80" />
+        <location filename="../build/template_texts.py" line="25"/>
         <source>None: no window has a significant loss, and in none did the observer see one.</source>
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="133" />
+        <location filename="../plugin/seams/report/inspection_report.py" line="145"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="137" />
+        <location filename="../build/template_texts.py" line="1"/>
         <source>{date}. {count} windows, {flagged} of them flagged: a significant loss, or one that the observer saw.</source>
         <translation>{date}. Okien: {count}, w tym oznaczonych: {flagged} (strata istotna lub zauważona przez obserwatora).</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="146" />
+        <location filename="../build/template_texts.py" line="2"/>
         <source>Summary</source>
         <translation>Podsumowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="171" />
+        <location filename="../build/template_texts.py" line="4"/>
         <source>windows</source>
         <translation>okna</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="150" />
+        <location filename="../build/template_texts.py" line="7"/>
         <source>median ratio 1</source>
         <translation>mediana stosunku 1</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="170" />
+        <location filename="../build/template_texts.py" line="10"/>
         <source>Causes</source>
         <translation>Przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="171" />
+        <location filename="../build/template_texts.py" line="12"/>
         <source>of them flagged</source>
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="186" />
+        <location filename="../build/template_texts.py" line="13"/>
         <source>Map</source>
         <translation>Mapa</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="187" />
+        <location filename="../build/template_texts.py" line="14"/>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="197" />
+        <location filename="../plugin/seams/report/inspection_report.py" line="194"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="198" />
+        <location filename="../plugin/seams/report/inspection_report.py" line="195"/>
         <source>, ratio 1: {ratio:.2f}</source>
         <translation>, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="217" />
+        <location filename="../build/template_texts.py" line="28"/>
         <source>How to read it</source>
         <translation>Jak to czytać</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="218" />
-        <source>Relative variance: the share of a clip's variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic's share at level 1 divided by a source's; a window's ratio is the largest over its sources.</source>
+        <location filename="../build/template_texts.py" line="29"/>
+        <source>Relative variance: the share of a clip&apos;s variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic&apos;s share at level 1 divided by a source&apos;s; a window&apos;s ratio is the largest over its sources.</source>
         <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział mozaiki na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="218" />
+        <location filename="../build/template_texts.py" line="30"/>
         <source>Significant: at most half of the finest detail is left, or the share that the inspection was set to. Reduced: less than all of it. Preserved: as much as in one of the sources, or more. Observer: what the operator saw at 2x magnification.</source>
         <translation>Istotna: została co najwyżej połowa najdrobniejszych detali albo tyle, ile ustawiono przy kontroli. Obniżona: mniej niż wszystkie. Zachowana: tyle co w jednym ze źródeł lub więcej. Obserwator: co operator widział w powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/window_report.py" line="218" />
+        <location filename="../build/template_texts.py" line="31"/>
         <source>The clips show, at 2x and all stretched alike, the part of the window where the mosaic lost most of the finest detail. JPEG takes a little of it from all of them.</source>
         <translation>Wycinki pokazują, w powiększeniu 2x i z jednakowym rozciągnięciem, część okna, w której mozaika straciła najwięcej najdrobniejszych detali. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/packages.py" line="32" />
+        <location filename="../plugin/toolkit/packages.py" line="34"/>
         <source>Seam Inspector needs the Python package(s) {packages}.</source>
         <translation>Seam Inspector wymaga pakietów Pythona: {packages}.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/packages.py" line="41" />
-        <source>The Python package {package} can't be loaded ({error}).</source>
+        <location filename="../plugin/toolkit/packages.py" line="43"/>
+        <source>The Python package {package} can&apos;t be loaded ({error}).</source>
         <translation>Nie można wczytać pakietu Pythona {package} ({error}).</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/packages.py" line="48" />
-        <source>Run '{command}' in the OSGeo4W shell, then restart QGIS.</source>
+        <location filename="../plugin/toolkit/packages.py" line="50"/>
+        <source>Run &apos;{command}&apos; in the OSGeo4W shell, then restart QGIS.</source>
         <translation>Uruchom '{command}' w powłoce OSGeo4W, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/packages.py" line="51" />
-        <source>Run '{command}' in a terminal, then restart QGIS.</source>
+        <location filename="../plugin/toolkit/packages.py" line="53"/>
+        <source>Run &apos;{command}&apos; in a terminal, then restart QGIS.</source>
         <translation>Uruchom '{command}' w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/packages.py" line="53" />
-        <source>Run '{command}' with the Python that QGIS uses, or install what requirements.txt in the plugin's folder names, then restart QGIS.</source>
+        <location filename="../plugin/toolkit/packages.py" line="55"/>
+        <source>Run &apos;{command}&apos; with the Python that QGIS uses, or install what requirements.txt in the plugin&apos;s folder names, then restart QGIS.</source>
         <translation>Uruchom '{command}' w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w folderze wtyczki, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/curves.py" line="148" />
+        <location filename="../plugin/seams/charts/window_curves.py" line="88"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_charts.py" line="40" />
+        <location filename="../plugin/radiometry/charts.py" line="38"/>
         <source>where the peak should lie</source>
         <translation>gdzie powinno leżeć maksimum</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_charts.py" line="44" />
+        <location filename="../plugin/radiometry/charts.py" line="42"/>
         <source>value (DN)</source>
         <translation>wartość (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_charts.py" line="45" />
+        <location filename="../plugin/radiometry/charts.py" line="43"/>
         <source>pixels (%)</source>
         <translation>piksele (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_charts.py" line="65" />
+        <location filename="../plugin/radiometry/charts.py" line="63"/>
         <source>largest step at a seam (% of the largest value)</source>
         <translation>największy skok na linii mozaikowania (% największej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/radiometry_charts.py" line="66" />
+        <location filename="../plugin/radiometry/charts.py" line="64"/>
         <source>contrast beside the seams (% of the range)</source>
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="144" />
+        <location filename="../plugin/seams/desk/dock.py" line="100"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/dock.py" line="185" />
+        <location filename="../plugin/desk_tabs.py" line="11"/>
         <source>How much random noise the mosaic, or a source, has in the selected window</source>
         <translation>Ile szumu losowego ma ortofotomapa albo ortoobraz źródłowy w zaznaczonym oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/noise_panel.py" line="63" />
+        <location filename="../plugin/noise/desk/noise_panel.py" line="57"/>
         <source>Raster whose noise is measured: the mosaic, or a source that covers the window</source>
         <translation>Raster, którego szum jest mierzony: ortofotomapa albo ortoobraz źródłowy pokrywający okno</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/noise_panel.py" line="165" />
+        <location filename="../plugin/noise/desk/noise_panel.py" line="130"/>
         <source>Measure the noise</source>
         <translation>Pomiar szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/noise_panel.py" line="170" />
+        <location filename="../plugin/noise/desk/noise_panel.py" line="135"/>
         <source>Select a window, in the table or on the map, to see its noise.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego szum.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/noise_panel.py" line="185" />
+        <location filename="../plugin/noise/desk/noise_panel.py" line="150"/>
         <source>The measurement was stopped. Select the window again to measure it.</source>
         <translation>Pomiar przerwano. Zaznacz okno ponownie, aby je zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/gui/noise_panel.py" line="224" />
+        <location filename="../plugin/noise/desk/noise_panel.py" line="189"/>
         <source>Relative variance of the details by level, 1 the finest; the bold curve is judged. It rises in an image with little random noise, and noise lifts level 1 above level 2 first.</source>
         <translation>Wariancja względna detali na kolejnych poziomach, od najdrobniejszego 1; oceniana jest gruba krzywa. W obrazie o małym szumie losowym rośnie ona z poziomu na poziom, a szum najpierw podnosi poziom 1 ponad poziom 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="26" />
+        <location filename="../plugin/noise/noise_summary.py" line="45"/>
         <source>{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="38" />
+        <location filename="../plugin/noise/noise_summary.py" line="57"/>
         <source>sigma {sigma} DN, kurtosis by level {kurtosis}</source>
         <translation>sigma {sigma} DN, kurtoza na kolejnych poziomach {kurtosis}</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="48" />
+        <location filename="../plugin/noise/noise_summary.py" line="67"/>
         <source>Low noise: the curve rises at every level</source>
         <translation>Mały szum: krzywa rośnie na każdym poziomie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="50" />
+        <location filename="../plugin/noise/noise_summary.py" line="69"/>
         <source>Strong noise: the curve falls from level 1 to 2 and from 2 to 3</source>
         <translation>Silny szum: krzywa opada z poziomu 1 na 2 i z 2 na 3</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="52" />
+        <location filename="../plugin/noise/noise_summary.py" line="71"/>
         <source>Moderate noise: the curve falls from level 1 to 2, then rises</source>
         <translation>Umiarkowany szum: krzywa opada z poziomu 1 na 2, potem rośnie</translation>
     </message>
     <message>
-        <location filename="../plugin/adapters/noise_words.py" line="53" />
+        <location filename="../plugin/noise/noise_summary.py" line="72"/>
         <source>Moderate noise</source>
         <translation>Umiarkowany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="151" />
-        <source>A verdict can't be taken against '{reference}'; choose one of {known}.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="8"/>
+        <source>A verdict can&apos;t be taken against &apos;{reference}&apos;; choose one of {known}.</source>
         <translation>Nie można oceniać względem '{reference}'; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/core/messages.py" line="152" />
-        <source>No source explains the mosaic's fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="71"/>
+        <source>No source explains the mosaic&apos;s fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="1" />
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>similarity</source>
         <translation>podobieństwa</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="1" />
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
