@@ -35,8 +35,8 @@ def whole_raster(path: str) -> Iterator[str]:
             drop_from_memory(path)
             raise
         return
-    older = _files_beside(Path(path))
     try:
+        older = _files_beside(Path(path))
         with replacing(Path(path)) as unfinished:
             yield str(unfinished)
             older -= set(os.listdir(unfinished.parent))

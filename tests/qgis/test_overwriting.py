@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from osgeo import gdal
+from osgeo import gdal, ogr
 from qgis.core import (
     QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputLayerDefinition,
@@ -20,6 +21,7 @@ from qgis.core import (
     QgsRasterLayer,
     QgsVectorLayer,
 )
+from qgis.PyQt.QtCore import QUrl
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
@@ -239,3 +241,48 @@ def test_an_older_result_is_replaced(image: Path, tmp_path: Path) -> None:
     rules = tmp_path / "rules.json"
     rules.write_text(json.dumps({}), encoding="utf-8")
     assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], RULES=str(rules), REPORT=str(rules))
+
+
+def seamlines_file(folder: Path) -> Path:
+    """A GeoPackage with a line."""
+    path = folder / "seam.gpkg"
+    dataset = gdal.GetDriverByName("GPKG").Create(str(path), 0, 0, 0, gdal.GDT_Unknown)
+    lines = dataset.CreateLayer("seamlines", geom_type=ogr.wkbLineString)
+    feature = ogr.Feature(lines.GetLayerDefn())
+    feature.SetGeometry(ogr.CreateGeometryFromWkt("LINESTRING (400000 5799999, 400001 5799999)"))
+    lines.CreateFeature(feature)
+    del feature, lines, dataset
+    return path
+
+
+def test_the_layers_of_a_virtual_dataset_are_kept(image: Path, tmp_path: Path) -> None:
+    seam, virtual = seamlines_file(tmp_path), tmp_path / "lines.vrt"
+    for source in (f'<SrcDataSource relativeToVRT="1">{seam.name}<', f"<SrcDataSource>{seam}<"):
+        layer = f'<OGRVRTLayer name="seamlines">{source}/SrcDataSource></OGRVRTLayer>'
+        virtual.write_text(f"<OGRVRTDataSource>{layer}</OGRVRTDataSource>")
+        given = {"SEAMLINES": str(virtual), "MOSAIC": str(image), "SIDE": 7}
+        assert_refused("placewindows", REFUSED, **given, OUTPUT=str(seam))
+        assert_refused("placewindows", REFUSED, **given, OUTPUT=str(virtual))
+
+
+def test_the_layers_of_a_query_are_kept(image: Path, tmp_path: Path, project: QgsProject) -> None:
+    seam = seamlines_file(tmp_path)
+    lines = QgsVectorLayer(str(seam), "lines", "ogr")
+    project.addMapLayer(lines)
+    by_name, by_id = (f'?query=select * from "{name}"' for name in (lines.name(), lines.id()))
+    brought_along = f"?layer=ogr:{QUrl.toPercentEncoding(str(seam)).data().decode()}:s:UTF-8&query=select * from s"
+    for address in (by_name, by_id, brought_along):
+        queried = QgsVectorLayer(address.replace(" ", "%20"), "queried", "virtual")
+        assert queried.isValid()
+        assert_refused("placewindows", REFUSED, SEAMLINES=queried, MOSAIC=str(image), SIDE=7, OUTPUT=str(seam))
+
+
+def test_the_sentence_names_the_file_at_risk(image: Path) -> None:
+    world = str(image.with_suffix(".tfw"))
+    assert_refused("simulatebayer", re.escape(world), RASTER=str(image), OUTPUT=world)
+
+
+@pytest.mark.parametrize(("name", "values"), [("simulatebayer", ["RASTER"]), ("enhancephoto", ["PHOTO"])])
+def test_a_name_that_is_too_long_gets_a_sentence(image: Path, name: str, values: list[str]) -> None:
+    output = str(image.parent / ("x" * 260 + ".tif"))
+    assert_sentence(run(name, **dict.fromkeys(values, str(image)), OUTPUT=output).complaint, "can't be written")

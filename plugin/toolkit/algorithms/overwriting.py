@@ -3,7 +3,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple, Union
+from xml.etree.ElementTree import ParseError
 
 from osgeo import gdal
 from qgis.core import (
@@ -21,10 +23,13 @@ from qgis.core import (
     QgsProperty,
     QgsProviderRegistry,
     QgsVectorFileWriter,
+    QgsVirtualLayerDefinition,
 )
+from qgis.PyQt.QtCore import QUrl
 
 from ...imagery.errors import SettingsError
 from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.xml_documents import xml_root
 from .. import messages
 from . import parameters as common
 
@@ -55,12 +60,17 @@ class _Output(NamedTuple):
     files: dict[_Identity, str]
     """All that would be written or removed."""
 
-    def meets(self, other: _DataPlace) -> bool:
-        """Whether it would be written over a file, or what lies beside it; not if it is another table of a database."""
+    def meets(self, other: _DataPlace) -> str:
+        """The file by which it would be written over another, or what lies beside that; empty where there is none.
+
+        Another table of a database is no matter.
+        """
         tables = {self.place.table.lower(), other.table.lower()}
-        if _identity(other.path) in self.files:
-            return "" in tables or len(tables) == 1
-        return any(_is_sidecar(file, other.path) for file in self.files.values() if os.path.exists(file))
+        same = self.files.get(_identity(other.path))
+        if same is not None:
+            return same if "" in tables or len(tables) == 1 else ""
+        beside = (file for file in self.files.values() if os.path.exists(file) and _is_sidecar(file, other.path))
+        return next(beside, "")
 
 
 def refuse_overwriting(
@@ -81,8 +91,8 @@ def refuse_overwriting(
         return  # what is not there yet is no input: most runs need no look at them
     for place in _inputs(algorithm, parameters, context):
         for output in outputs:
-            if output.meets(place):
-                raise SettingsError(messages.OUTPUT_IS_INPUT(output=output.title, path=place.path))
+            if met := output.meets(place):
+                raise SettingsError(messages.OUTPUT_IS_INPUT(output=output.title, path=met))
 
 
 def _output(
@@ -145,6 +155,9 @@ def _places(value: object, provider: str, context: QgsProcessingContext) -> Iter
         key, source = layer.providerType(), layer.source()
     elif not named:
         key, source = provider, text
+    if key == "virtual":
+        yield from _queried(source, context)
+        return
     parts = QgsProviderRegistry.instance().decodeUri(key, source)
     path = parts.get("path") or ""
     if _is_database(path):
@@ -152,6 +165,18 @@ def _places(value: object, provider: str, context: QgsProcessingContext) -> Iter
     elif path:
         yield _DataPlace(path)
         yield _DataPlace(source)  # in an archive, or a part of a file
+
+
+def _queried(source: str, context: QgsProcessingContext) -> Iterator[_DataPlace]:
+    """What a virtual layer is made of: layers that it brings along, and layers of the project that its query names."""
+    definition = QgsVirtualLayerDefinition.fromUrl(QUrl.fromEncoded(source.encode()))
+    for one in definition.sourceLayers():
+        address = one.reference() if one.isReferenced() else f"{one.provider()}://{one.source()}"
+        yield from _places(address, "ogr", context)
+    project = context.project()
+    for layer in project.mapLayers().values() if project is not None else ():
+        if any(name in definition.query() for name in (layer.id(), layer.name())):
+            yield from _places(layer, "ogr", context)
 
 
 def _table(parts: dict[str, Any]) -> str:
@@ -181,6 +206,21 @@ def _parts(path: str, seen: set[_Identity]) -> Iterator[_DataPlace]:
         yield _DataPlace(file)
         if file.lower().endswith(".vrt"):
             yield from _parts(file, seen)
+    if path.lower().endswith(".vrt"):
+        for file in _vector_sources(Path(path)):
+            yield _DataPlace(file)
+            yield from _parts(file, seen)
+
+
+def _vector_sources(path: Path) -> Iterator[str]:
+    """The files that a virtual dataset of features names: GDAL does not tell those."""
+    try:
+        root = xml_root(path.read_bytes())
+    except (OSError, ParseError):
+        return
+    for source in root.iter("SrcDataSource"):
+        is_relative = source.get("relativeToVRT", "0").lower() in ("1", "yes", "true")
+        yield str(path.parent / (source.text or "")) if is_relative else source.text or ""
 
 
 def _dataset_files(path: str, flags: int = 0) -> list[str]:
