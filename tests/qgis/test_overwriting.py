@@ -277,6 +277,14 @@ def test_the_layers_of_a_query_are_kept(image: Path, tmp_path: Path, project: Qg
         assert_refused("placewindows", REFUSED, SEAMLINES=queried, MOSAIC=str(image), SIDE=7, OUTPUT=str(seam))
 
 
+def test_a_query_that_is_called_as_what_it_asks_has_an_end(image: Path, tmp_path: Path, project: QgsProject) -> None:
+    lines = QgsVectorLayer(str(seamlines_file(tmp_path)), "lines", "ogr")
+    queried = QgsVectorLayer(f"?query=select%20*%20from%20%22{lines.name()}%22", "lines", "virtual")
+    project.addMapLayers([lines, queried])
+    given = {"SEAMLINES": queried, "MOSAIC": str(image), "SIDE": 7}
+    assert_refused("placewindows", REFUSED, **given, OUTPUT=lines.source())
+
+
 def test_the_sentence_names_the_file_at_risk(image: Path) -> None:
     world = str(image.with_suffix(".tfw"))
     assert_refused("simulatebayer", re.escape(world), RASTER=str(image), OUTPUT=world)

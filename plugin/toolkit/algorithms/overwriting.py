@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple, Union
@@ -140,11 +141,16 @@ def _inputs(
                     yield from _parts(path, seen)
 
 
-def _places(value: object, provider: str, context: QgsProcessingContext) -> Iterator[_DataPlace]:
-    """What an input's value names: a layer or its id or name, an address of a layer, a path, or a list of those."""
+def _places(
+    value: object, provider: str, context: QgsProcessingContext, queries: frozenset[str] = frozenset()
+) -> Iterator[_DataPlace]:
+    """What an input's value names: a layer or its id or name, an address of a layer, a path, or a list of those.
+
+    ``queries``: virtual layers on the way to it, which may name each other.
+    """
     if isinstance(value, (list, tuple)):
         for one in value:
-            yield from _places(one, provider, context)
+            yield from _places(one, provider, context, queries)
         return
     if isinstance(value, QgsProcessingFeatureSourceDefinition):
         value = value.source
@@ -156,7 +162,8 @@ def _places(value: object, provider: str, context: QgsProcessingContext) -> Iter
     elif not named:
         key, source = provider, text
     if key == "virtual":
-        yield from _queried(source, context)
+        if source not in queries:
+            yield from _queried(source, context, queries | {source})
         return
     parts = QgsProviderRegistry.instance().decodeUri(key, source)
     path = parts.get("path") or ""
@@ -167,16 +174,17 @@ def _places(value: object, provider: str, context: QgsProcessingContext) -> Iter
         yield _DataPlace(source)  # in an archive, or a part of a file
 
 
-def _queried(source: str, context: QgsProcessingContext) -> Iterator[_DataPlace]:
+def _queried(source: str, context: QgsProcessingContext, queries: frozenset[str]) -> Iterator[_DataPlace]:
     """What a virtual layer is made of: layers that it brings along, and layers of the project that its query names."""
     definition = QgsVirtualLayerDefinition.fromUrl(QUrl.fromEncoded(source.encode()))
     for one in definition.sourceLayers():
         address = one.reference() if one.isReferenced() else f"{one.provider()}://{one.source()}"
-        yield from _places(address, "ogr", context)
+        yield from _places(address, "ogr", context, queries)
     project = context.project()
     for layer in project.mapLayers().values() if project is not None else ():
-        if any(name in definition.query() for name in (layer.id(), layer.name())):
-            yield from _places(layer, "ogr", context)
+        names = "|".join(map(re.escape, (layer.id(), layer.name())))
+        if re.search(rf"(?<!\w)({names})(?!\w)", definition.query()):
+            yield from _places(layer, "ogr", context, queries)
 
 
 def _table(parts: dict[str, Any]) -> str:
