@@ -41,6 +41,10 @@ class WindowRecord(NumberedWindow):
     """Share of the pixels where no source wins clearly."""
     cause: str = ""
     """Word of what explains the loss."""
+    kept: tuple[float | None, ...] = ()
+    """kept_1..kept_R, of the seam profile."""
+    contrast: float | None = None
+    """contrast_1: absolute, against the composite."""
     fid: int = 0
     """Feature id; changes when a new feature is saved."""
     stale: bool = False
@@ -67,6 +71,11 @@ class WindowRecord(NumberedWindow):
     def composite_ratio(self) -> float | None:
         """At level 1."""
         return self.composite_ratios[0] if self.composite_ratios else None
+
+    @property
+    def kept_1(self) -> float | None:
+        """At level 1."""
+        return self.kept[0] if self.kept else None
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from .result_tables import WINDOW_COLUMNS
 
 _BACKGROUND = 0
+_KEPT, _CONTRAST = "kept", "contrast_1"  # fields that a record calls ``kept`` and ``contrast``
 
 
 def check_inspected(names: Iterable[str]) -> None:
@@ -38,6 +39,7 @@ def read_windows(
     read: dict[str, Callable[[object], Any]] = {"text": text, "real": number, "integer": whole_number}
     levels = [(f"{one.name}s", level_names(one.name, names)) for one in WINDOW_COLUMNS if one.by_level]
     single = [(one.name, read[one.kind]) for one in WINDOW_COLUMNS if not one.by_level]
+    kept = level_names(_KEPT, names)
     found = []
     for row in attributes(rows, names):
         values: dict[str, Any] = {name: value(row[name]) for name, value in single}
@@ -45,6 +47,7 @@ def read_windows(
         if values["window_id"] is None:
             values["window_id"] = unnumbered
         values["observer"] = values["observer"].lower()
+        values.update(kept=tuple([number(row[field]) for field in kept]), contrast=number(row[_CONTRAST]))
         found.append(WindowRecord(extent=outline_extent(row.feature, transform), fid=row.feature.id(), **values))
     return found
 

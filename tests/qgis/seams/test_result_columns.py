@@ -34,7 +34,7 @@ def record_of(found: WindowResult) -> WindowRecord:
 
 def test_a_record_has_what_the_columns_hold(project: object) -> None:
     known = {f"{column.name}s" if column.by_level else column.name for column in result_tables.WINDOW_COLUMNS}
-    assert known | {"extent", "fid", "stale"} == {field.name for field in fields(WindowRecord)}
+    assert known | {"kept", "contrast", "extent", "fid", "stale"} == {field.name for field in fields(WindowRecord)}
 
 
 def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
@@ -79,6 +79,19 @@ def test_the_desk_and_the_report_read_the_same(project: object) -> None:
     assert (desk[0].window_id, desk[0].ratios, desk[0].sources, desk[0].observer) == (4, (0.75,), 2, "visible")
     assert [desk[1].window_id, report[1].window_id] == [window_layer.UNNUMBERED, 0]
     assert desk[1].extent == report[1].extent
+
+
+def test_what_the_seam_kept_is_read_where_it_is_known(project: object) -> None:
+    values: dict[str, tuple[str, list[Any]]] = {
+        "kept_2": ("double", [0.9, None]), "kept_1": ("string", ["0.62", ""]), "contrast_1": ("double", [0.81, None]),
+    }  # fmt: skip
+    drawn = windows(SHARP, BLURRED, **values)
+    known, unknown = record_tables.read_windows(drawn.getFeatures(), drawn.fields().names())
+    assert (known.kept, known.kept_1, known.contrast) == ((0.62, 0.9), 0.62, 0.81)
+    assert (unknown.kept, unknown.kept_1, unknown.contrast) == ((None, None), None, None)
+    earlier = windows(SHARP, window_id=("integer", [1]))
+    (old,) = record_tables.read_windows(earlier.getFeatures(), earlier.fields().names())
+    assert (old.kept, old.kept_1, old.contrast) == ((), None, None)
 
 
 def test_a_pair_that_was_not_explained_has_its_ratios_alone(project: object) -> None:
