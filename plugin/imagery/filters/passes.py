@@ -1,0 +1,139 @@
+"""One step of the decomposition: periodic filtering along both axes, every second output kept.
+
+A block of outputs is one small matrix product with a band of the filter matrix (``filter_pair``). It runs strip by
+strip, so that what lies between two passes stays in the cache and the converted samples are never held whole.
+"""
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from .filter_pair import BLOCK, FilterPair
+
+Pair = tuple[int, int]
+"""Two bands by their index in a clip."""
+
+_MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS starts threads, which get in ours' way
+_PIECE = 64  # samples summed in their own type
+_HALVED_AT_A_TIME = 3 * 512 * 512  # samples
+_SPLIT_AT_A_TIME = 128 * 512
+
+_memory = threading.local()
+
+
+def halved(
+    bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtype: type, pairs: Sequence[Pair]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The coarse components of bands (bands, rows, columns) less their offsets, times twice the low-pass's scale.
+
+    Returns them, (bands, rows / 2, columns / 2), and the pairs' inner products of the input less its offsets.
+    """
+    count, rows, columns = bands.shape
+    matrix, margin = filters.low_matrix(dtype), filters.margin
+    coarse = np.empty((count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
+    products = np.zeros(len(pairs))
+    for start, samples in _strips(bands, offsets, margin, _HALVED_AT_A_TIME, dtype):
+        height = samples.shape[1] - 2 * margin
+        own = samples[:, margin : margin + min(height, rows - start), margin : margin + columns]
+        products += sums_of_products(own, pairs)
+        low = _reused("low", (count, height // 2, samples.shape[2]), dtype)
+        _banded(samples, matrix, low.reshape(count, -1, BLOCK, samples.shape[2]))
+        target = coarse[:, start // 2 : (start + height) // 2].swapaxes(1, 2)
+        _banded(low.swapaxes(1, 2), matrix, target.reshape(count, -1, BLOCK, height // 2))
+    return coarse[:, : rows // 2, : columns // 2], products
+
+
+def split(bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtype: type) -> np.ndarray:
+    """LL, LH, HL and HH of bands (bands, rows, columns) less their offsets, (4, bands, rows / 2, columns / 2)."""
+    count, rows, columns = bands.shape
+    matrix, margin = filters.both_matrix(dtype), filters.margin
+    parts = np.empty((2, 2, count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
+    for band in range(count):
+        alone = slice(band, band + 1)
+        for start, samples in _strips(bands[alone], offsets[alone], margin, _SPLIT_AT_A_TIME, dtype):
+            height, across = samples.shape[1] - 2 * margin, parts.shape[-1] // BLOCK
+            # Of each block of rows both filters' outputs, then the same of each block of columns.
+            down = _reused("down", (1, height, samples.shape[2]), dtype)
+            _banded(samples, matrix, down.reshape(1, -1, 2 * BLOCK, samples.shape[2]))
+            both = _reused("both", (1, across, height, 2 * BLOCK), dtype)
+            _banded(down.swapaxes(1, 2), matrix, both.swapaxes(2, 3))
+            target = parts[:, :, band, start // 2 : (start + height) // 2].reshape(2, 2, -1, BLOCK, across, BLOCK)
+            target[...] = both.reshape(across, -1, 2, BLOCK, 2, BLOCK).transpose(4, 2, 1, 3, 0, 5)
+    return parts.reshape(4, *parts.shape[2:])[..., : rows // 2, : columns // 2]
+
+
+def sums_of_products(x: np.ndarray, pairs: Sequence[Pair]) -> np.ndarray:
+    """Inner products of pairs of bands of (bands, rows, columns), float64 whatever the type of x.
+
+    A float32 dot product over a million pixels is off by per cents with some BLAS, and one over a row of 16 bit
+    values by some 1e-6, so only short pieces of a row are summed in the type of x, and their sums in float64.
+    """
+    body = x.shape[2] // _PIECE * _PIECE
+    parts = (x[..., :body].reshape(*x.shape[:2], -1, _PIECE), x[..., body:])
+    return np.array(
+        [sum(np.einsum("...i,...i->...", part[i], part[j]).sum(dtype=np.float64) for part in parts) for i, j in pairs]
+    )
+
+
+def _whole(length: int) -> int:
+    """Samples rounded up to whole blocks of outputs."""
+    return -(-length // (2 * BLOCK)) * 2 * BLOCK
+
+
+def _strips(
+    bands: np.ndarray, offsets: Sequence[float], margin: int, at_a_time: int, dtype: type
+) -> Iterator[tuple[int, np.ndarray]]:
+    """First row and samples (bands, rows, columns) of each strip, with a margin on all sides, periodically continued.
+
+    Rounded up to whole blocks within the margins. The next strip takes the same memory.
+    """
+    count, rows, columns = bands.shape
+    most = max(at_a_time // (count * columns * 2 * BLOCK), 1) * 2 * BLOCK
+    inside = slice(margin, margin + columns)
+    buffer = _reused("samples", (count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
+    left, right = np.arange(-margin, 0) % columns, np.arange(columns, buffer.shape[2] - margin) % columns
+    for start in range(0, rows, most):
+        first, last = start - margin, start + _whole(min(most, rows - start)) + margin
+        samples = buffer[:, : last - first]
+        held = slice(max(first, 0), min(last, rows))
+        samples[:, held.start - first : held.stop - first, inside] = bands[:, held]
+        for beyond in (np.arange(first, held.start), np.arange(held.stop, last)):
+            if len(beyond):
+                samples[:, beyond - first, inside] = bands[:, beyond % rows]
+        samples[:, :, : inside.start] = samples[:, :, margin + left]
+        samples[:, :, inside.stop :] = samples[:, :, margin + right]
+        for band, offset in zip(samples, offsets):
+            if offset:
+                band -= dtype(offset)  # whole rows: numpy takes them in one piece, which is six times as fast
+        yield start, samples
+
+
+def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray) -> None:
+    """Filtering along axis 1: (n, 2 BLOCK blocks + L - 2, m) -> ``out`` (n, blocks, outputs of a block, m).
+
+    The samples of neighbouring blocks overlap, so they are views into x and nothing is copied.
+    """
+    strides = (x.strides[0], 2 * BLOCK * x.strides[1], *x.strides[1:])
+    shape = (x.shape[0], out.shape[1], matrix.shape[1], x.shape[2])
+    samples = np.lib.stride_tricks.as_strided(x, shape, strides, writeable=False)
+    width = max(1, _MAX_MULTIPLICATIONS // matrix.size)
+    for left in range(0, x.shape[2], width):
+        part = np.s_[..., left : left + width]
+        np.matmul(matrix, samples[part], out=out[part])
+
+
+def _reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
+    """An array in this thread's own memory, to be used until the next one of that name.
+
+    Pages fresh from the system would cost half as much time as the arithmetic. It is some 5 MB in float32, however
+    large the clip.
+    """
+    size = math.prod(shape) * np.dtype(dtype).itemsize
+    memory = getattr(_memory, name, None)
+    if memory is None or memory.size < size:
+        memory = np.empty(size, dtype=np.uint8)
+        setattr(_memory, name, memory)
+    return memory[:size].view(dtype).reshape(shape)
