@@ -70,7 +70,7 @@ def run(band: np.ndarray, quick: bool) -> list[Goal]:
         rows,
         f"Medians of {repetitions} interleaved repetitions, ratios pair by pair. CPU: the first ratio in processor\n"
         "  time. Off by: largest difference of a share from PyWavelets in float64. For PyWavelets the clip is\n"
-        "  converted beforehand; it takes 8 and 16 bit as float64 itself. Ours runs in float64 below 1024 x 1024.\n"
+        "  converted beforehand; it takes 8 and 16 bit as float64 itself.\n"
         f"  Goal at 1024 px: {WANTED} times as fast, {WANTED_ON_DEBIAN} times with the BLAS of the system's packages.",
     )
     return goals

@@ -6,9 +6,9 @@ components only: with E_r the sum of squares of the coarse component at level r,
 
     detail_r = (E_(r-1) - E_r) / E_0        background = E_R / E_0
 
-The same holds for inner products of two clips. Large clips run in float32 where that is exact enough,
-others in float64; where a detail is too small to be a difference of energies (very smooth clips), all
-components are computed one by one.
+The same holds for inner products of two clips. The chain runs in float32 where that is exact enough, else in
+float64; where a detail is too small even there to be a difference of energies (very smooth clips), all components
+are computed one by one.
 
 Clips are arrays (bands, rows, columns). Each coefficient has the place where PyWavelets has it.
 """
@@ -26,9 +26,12 @@ from .errors import SettingsError
 from .filters.filter_pair import FilterPair, filter_pair, scale
 from .filters.passes import Pair, halved, split, sums_of_products
 
-MIN_CHAIN_SHARE = 1e-3  # a component smaller than 1e-7 / 1e-4 is computed for itself, not as a difference
-MIN_FLOAT32_PIXELS = 1024 * 1024  # smaller clips are fast in float64 too, and average less rounding out
-FLOAT32_WAVELETS = (  # those whose float32 shares stayed within 1e-7 on textures and orthoimages of 1024 x 1024 px
+# A component of a smaller share is not exact to 1e-4 in that chain of coarse components.
+MIN_FLOAT32_SHARE = 3e-3  # shares were off by 1.5e-7 at most, on textures and orthoimages from 256 x 256 px on
+MIN_FLOAT64_SHARE = 1e-5  # by ten times MAX_FILTER_ERROR, for all wavelets that are orthonormal
+MIN_EXACT_SHARE = 1e-9  # of the sum of several bands' energies, where each component is computed for itself
+MIN_FLOAT32_PIXELS = 256 * 256  # smaller clips are fast in float64 too, and average less rounding out
+FLOAT32_WAVELETS = (  # those whose float32 shares stay that near on all of these
     *("coif1", "coif2", "coif3", "db2", "db3", "db4", "db5", "db6"),
     *("sym2", "sym3", "sym4", "sym5", "sym6", "sym7", "sym8", "sym9"),
 )
@@ -60,6 +63,8 @@ class Products:
     """(pairs,), float64: inner products of the pairs, less their means."""
     coarse: np.ndarray
     """(bands, rows / 2^R, columns / 2^R): the coarse components at level R, up to a constant."""
+    least_share: float
+    """Parts of an energy from this share on are exact to 1e-4."""
 
 
 def check_decomposition(wavelet: str, levels: int) -> None:
@@ -99,7 +104,7 @@ def clip_curves(
     doubled = np.array([2 * weights[i] * weights[j] for i, j in pairs])
     own = weights**2 @ products.own[:mixed] + doubled @ products.cross
     bands_energy = weights**2 @ products.own_totals[:mixed]
-    if own.min() <= MIN_CHAIN_SHARE * bands_energy:  # the bands cancel each other, or all are smooth
+    if own.min() <= products.least_share * bands_energy:  # the bands cancel each other, or all are smooth
         mixture = np.tensordot(weights, bands[:mixed].astype(np.float64), axes=1)
         curves += clip_curves(mixture[np.newaxis], wavelet, levels)[0]
     else:
@@ -125,9 +130,10 @@ def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequ
             and bands[0].size >= MIN_FLOAT32_PIXELS
             and np.can_cast(bands.dtype, np.float32)  # of float64 and 32 bit integers it would drop digits
         )
-        products = _chain_products(bands, filters, levels, pairs, np.float32 if single else np.float64)
-        if (products.own > MIN_CHAIN_SHARE * products.own_totals[:, np.newaxis]).all():
-            return products
+        for dtype in (np.float32, np.float64) if single else (np.float64,):
+            products = _chain_products(bands, filters, levels, pairs, dtype)
+            if (products.own > products.least_share * products.own_totals[:, np.newaxis]).all():
+                return products
     return _exact_products(bands, filters, levels, pairs)
 
 
@@ -172,7 +178,7 @@ def _chain_products(
     missed = coarse.mean(axis=(1, 2), dtype=np.float64) / 2**levels
     energies = np.array(chain) - [bands[0].size * missed[i] * missed[j] for i, j in wanted]
     components = np.append(energies[:-1] - energies[1:], energies[-1:], axis=0)
-    return _products(components, energies[0], coarse)
+    return _products(components, energies[0], coarse, MIN_FLOAT32_SHARE if dtype is np.float32 else MIN_FLOAT64_SHARE)
 
 
 def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: Sequence[Pair]) -> Products:
@@ -189,7 +195,7 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
         components.append(sum(sums_of_products(detail, wanted) for detail in parts[1:]))
     coarse = parts[0]
     components.append(sums_of_products(coarse, wanted))
-    return _products(np.array(components), totals, coarse)
+    return _products(np.array(components), totals, coarse, MIN_EXACT_SHARE)
 
 
 def _levels(
@@ -215,10 +221,10 @@ def _own_pairs(bands: np.ndarray) -> list[Pair]:
     return [(i, i) for i in range(len(bands))]
 
 
-def _products(components: np.ndarray, totals: np.ndarray, coarse: np.ndarray) -> Products:
+def _products(components: np.ndarray, totals: np.ndarray, coarse: np.ndarray, least_share: float) -> Products:
     """Parts (R + 1, bands + pairs) and (bands + pairs,) into the bands' own products and the pairs'."""
     bands = len(coarse)
-    return Products(components.T[:bands], components.T[bands:], totals[:bands], totals[bands:], coarse)
+    return Products(components.T[:bands], components.T[bands:], totals[:bands], totals[bands:], coarse, least_share)
 
 
 def _centred(band: np.ndarray) -> np.ndarray:
