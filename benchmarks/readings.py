@@ -1,0 +1,147 @@
+"""What is read of a mosaic that an operation made: what the plugin says of the window, and what usual measures say.
+
+The plugin reads files, as it does for its users; here they lie in memory.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from uuid import uuid4
+
+import numpy as np
+from osgeo import gdal, osr
+from scipy import ndimage
+from seam_inspector.plugin.imagery.band_curves import luminance
+from seam_inspector.plugin.imagery.band_names import LUMINANCE
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.inspection import (
+    InspectionSettings,
+    WindowRequest,
+    WindowResult,
+    inspect_window,
+    make_block,
+)
+from skimage.measure import blur_effect
+from skimage.metrics import structural_similarity
+
+from .known_windows import KnownWindow
+from .operations import Made
+
+EPSG = 2180
+LEFT, TOP = 566200.0, 244700.0
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What the plugin says of one window; nan where it says nothing."""
+
+    verdict: str
+    causes: tuple[str, ...]
+    """Strongest first."""
+    kept: float
+    """kept_1, with its 95 % interval."""
+    low: float
+    high: float
+    band_width: float
+    """m"""
+    explained: float
+    contrast: float
+    composite_ratio: float
+    ratio: float
+    source_count: int
+
+    @property
+    def has_verdict(self) -> bool:
+        return self.verdict != "not_comparable"
+
+    @property
+    def cause(self) -> str:
+        """The main one."""
+        return self.causes[0] if self.causes else ""
+
+    def says_that_missing(self, share: float) -> bool:
+        """Whether it says in any way that about this share of the pixels is not from the given sources."""
+        return not self.has_verdict or "missing source" in self.causes or self.explained <= 1 - share / 2
+
+
+def read(made: Made, window: KnownWindow, settings: InspectionSettings | None = None) -> Reading:
+    """What the plugin says, with no labels given."""
+    return reading_of(inspected(made, window, settings or InspectionSettings()))
+
+
+def reading_of(result: WindowResult) -> Reading:
+    """The only place that knows how the plugin's results are built."""
+    found = result.explanation
+    profile = getattr(result, "profile", None)
+    change = found.changes[-1][LUMINANCE] if found else None
+    causes = getattr(result, "causes", (found.cause,) if found else ())
+    return Reading(
+        verdict=result.judgement.verdict.value,
+        causes=tuple(cause.value for cause in causes),
+        kept=_number(profile.kept[0]) if profile else np.nan,
+        low=_number(profile.low) if profile else np.nan,
+        high=_number(profile.high) if profile else np.nan,
+        band_width=_number(profile.band_width) if profile else np.nan,
+        explained=_number(getattr(result, "explained", None)),
+        contrast=_number(change.contrast[0]) if change else np.nan,
+        composite_ratio=_number(found.ratios[LUMINANCE].detail[0]) if found else np.nan,
+        ratio=_number(result.judgement.ratios.detail[0]),
+        source_count=result.source_count,
+    )
+
+
+def inspected(made: Made, window: KnownWindow, settings: InspectionSettings) -> WindowResult:
+    """The plugin's result for the window in the middle of the frame."""
+    rows, columns = window.middle
+    place = PixelWindow(columns.start, rows.start, window.side, window.side)
+    with _files(made, window.pixel_m) as (mosaic, sources):
+        block, _ = make_block(describe_mosaic(RasterRef(mosaic)), [RasterRef(path) for path in sources])
+        return inspect_window(WindowRequest(1, block.mosaic, block.sources_over(place), place, settings))
+
+
+@contextmanager
+def _files(made: Made, pixel_m: float) -> Iterator[tuple[str, list[str]]]:
+    folder = f"/vsimem/{uuid4().hex}"
+    mosaic, sources = f"{folder}/mosaic.tif", [f"{folder}/source_{number}.tif" for number in range(len(made.sources))]
+    _write(mosaic, made.bands, None, pixel_m)
+    for path, bands, mask, offset in zip(sources, made.sources, made.valid, made.offsets):
+        _write(path, bands, None if mask.all() else mask, pixel_m, offset)
+    try:
+        yield mosaic, sources
+    finally:
+        for path in (mosaic, *sources):
+            gdal.Unlink(path)
+
+
+def _write(
+    path: str, bands: np.ndarray, valid: np.ndarray | None, pixel_m: float, offset: tuple[float, float] = (0.0, 0.0)
+) -> None:
+    kind = gdal.GDT_Byte if bands.dtype == np.uint8 else gdal.GDT_UInt16
+    raster = gdal.GetDriverByName("GTiff").Create(path, bands.shape[2], bands.shape[1], len(bands), kind,
+                                                  ["PHOTOMETRIC=RGB"])
+    raster.SetGeoTransform((LEFT + offset[1] * pixel_m, pixel_m, 0, TOP - offset[0] * pixel_m, 0, -pixel_m))
+    system = osr.SpatialReference()
+    system.ImportFromEPSG(EPSG)
+    raster.SetProjection(system.ExportToWkt())
+    if valid is not None:
+        raster.GetRasterBand(1).SetNoDataValue(0)
+        bands = np.where(valid, np.maximum(bands, 1), 0).astype(bands.dtype)
+    raster.WriteArray(bands)
+
+
+def peers(made: Made, window: KnownWindow) -> tuple[float, float, float]:
+    """Variance of the Laplacian, ``blur_effect`` turned round, and the similarity of structure to the hard cut.
+
+    Each is higher the sharper the mosaic. The last is given the hard cut as it was before anything came over it, and
+    the true one at that, so it knows more than the plugin.
+    """
+    grey, reference = (luminance(bands[(slice(None), *window.middle)]) for bands in (made.bands, made.before))
+    similarity = structural_similarity(reference, grey, data_range=255)
+    return float(ndimage.laplace(grey).var()), -float(blur_effect(grey / 255)), float(similarity)
+
+
+def _number(value: float | None) -> float:
+    return np.nan if value is None else float(value)

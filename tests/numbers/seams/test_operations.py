@@ -1,0 +1,103 @@
+"""What the benchmark of the detection stands on: windows in two halves, operations, and how much they truly left."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+
+from benchmarks.known_windows import Imagery, KnownWindow, PlacedImage
+from benchmarks.operations import NOTHING, OPERATIONS, PLAIN, Operation
+from benchmarks.readings import read
+from benchmarks.seam_makings import seam_distance
+from benchmarks.true_profile import detail_energy, truth_kept, truth_of
+from tests.numbers.synthetic import orthoimage, texture
+
+SIDE = 128
+
+
+@pytest.fixture(scope="module")
+def imagery() -> Imagery:
+    """Four images that cover the same ground and have half of their detail in common."""
+    shape = (3 * SIDE, 8 * SIDE)
+    scene = orthoimage(shape) // 2
+    placed = tuple(PlacedImage(scene + orthoimage(shape, seed=seed) // 2, 0, 0, 0) for seed in range(1, 5))
+    return Imagery("made up", 0.1, placed, *shape)
+
+
+@pytest.fixture(scope="module")
+def window(imagery: Imagery) -> KnownWindow:
+    """One with three sources."""
+    return next(one for one in imagery.windows(SIDE, 6, held_back=False) if len(one.sources) == 3)
+
+
+def test_the_halves_have_no_ground_in_common(imagery: Imagery) -> None:
+    where = np.broadcast_to(1 + np.arange(imagery.columns) // 8, (3, imagery.rows, imagery.columns)).astype(np.uint8)
+    tape = Imagery("measuring tape", 0.1, (PlacedImage(where, 0, 0, 0),) * 2, imagery.rows, imagery.columns)
+    used, held = (np.stack([one.sources[0] for one in tape.windows(SIDE, 30, half)]) for half in (False, True))
+    assert len(used) == len(held) == 30
+    assert used.max() < held.min()
+
+
+def test_windows_stay_the_same(imagery: Imagery) -> None:
+    once, again = (imagery.windows(SIDE, 8, held_back=True) for _ in range(2))
+    for first, second in zip(once, again):
+        assert first.number == second.number
+        assert np.array_equal(first.labels, second.labels)
+        assert np.array_equal(first.sources, second.sources)
+
+
+def test_half_of_the_operations_are_held_back_and_none_stands_twice() -> None:
+    assert len({one.name for one in OPERATIONS}) == len(OPERATIONS)
+    assert 0.4 < np.mean([one.held_back for one in OPERATIONS]) < 0.6
+    for held_back in (False, True):
+        half = [one for one in OPERATIONS if one.in_half(held_back)]
+        assert {making.name for making in PLAIN} == {one.making.name for one in half if one.making in PLAIN}
+        assert {"none", "feathering", "missing source", "balanced"} <= {one.true_causes[0] for one in half}
+
+
+@pytest.mark.parametrize("operation", OPERATIONS, ids=lambda one: one.name)
+def test_detail_is_lost_along_the_seam_where_an_operation_says_so(operation: Operation, window: KnownWindow) -> None:
+    made = operation.make(window)
+    assert made.bands.dtype == np.uint8
+    assert made.bands.shape == made.hard.shape == window.sources[0].shape
+    near = truth_of(made, window.middle).near
+    if operation.lost_in_strip:
+        assert near < 0.93
+    elif not made.foreign.any():
+        assert near == pytest.approx(1, abs=0.05)
+
+
+@pytest.mark.parametrize("operation", [one for one in OPERATIONS if "missing" in one.name], ids=lambda one: one.name)
+def test_a_source_that_is_missing_has_its_share_of_the_window(operation: Operation, window: KnownWindow) -> None:
+    made = operation.make(window)
+    share = int(operation.name.split("%")[0].split()[-1]) / 100
+    assert made.foreign[window.middle].mean() == pytest.approx(share, abs=0.02)
+    assert len(made.sources) == len(window.sources) - 1
+
+
+def test_a_blend_of_strangers_keeps_half_and_ground_beyond_it_all() -> None:
+    one, other = texture((256, 256), 0, 1), texture((256, 256), 0, 2)
+    labels = (np.arange(256) >= 128)[np.newaxis].repeat(256, axis=0)
+    distance = seam_distance(labels)
+    made = np.where(distance < 32, (one + other) / 2, np.where(labels, other, one))
+    kept = truth_kept(np.where(labels, other, one), made, distance, 1, "coif3").kept
+    assert kept[0] == pytest.approx(0.5, abs=0.05)
+    assert kept[6] == pytest.approx(1, abs=0.01)
+
+
+@pytest.mark.parametrize("level", [1, 2, 3])
+@pytest.mark.parametrize("wavelet", ["haar", "db2", "coif3"])
+def test_detail_lies_where_it_comes_from(wavelet: str, level: int) -> None:
+    point = np.zeros((256, 256))
+    point[100, 150] = 1
+    centre = ndimage.center_of_mass(detail_energy(point, level, wavelet))
+    assert np.abs(np.subtract(centre, (100, 150))).max() <= 0.51
+
+
+def test_the_plugin_reads_what_was_made(window: KnownWindow) -> None:
+    plain = next(one for one in OPERATIONS if one.making is PLAIN[0] and one.aftermath is NOTHING)
+    reading = read(plain.make(window), window)
+    assert reading.has_verdict
+    assert reading.cause == "none"
+    assert reading.contrast == pytest.approx(1, abs=0.01)
+    assert reading.source_count == 3
