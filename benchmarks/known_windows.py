@@ -123,19 +123,20 @@ class Imagery:
 
     def _covering(self, frame: int) -> dict[tuple[int, int], list[int]]:
         """Upper left corners of all frames that two sources or more cover, and which do."""
-        sums = np.zeros((len(self.placed), self.rows + 1, self.columns + 1), np.int32)
-        for one, own in zip(self.placed, sums):
+        rows, columns = (range(0, size - frame + 1, STEP_PX) for size in (self.rows, self.columns))
+        if not rows or not columns:
+            return {}
+        first, last = np.ix_(rows, columns), np.ix_(np.array(rows) + frame, np.array(columns) + frame)
+        covered = np.empty((len(self.placed), len(rows), len(columns)), bool)
+        for one, own in zip(self.placed, covered):
+            sums = np.zeros((self.rows + 1, self.columns + 1), np.int32)
             bottom, right = one.row + one.bands.shape[1], one.column + one.bands.shape[2]
-            own[one.row + 1 : bottom + 1, one.column + 1 : right + 1] = one.valid
-        sums = sums.cumsum(axis=1, dtype=np.int32).cumsum(axis=2, dtype=np.int32)
-        found = {}
-        for row, column in self._corners(frame):
-            end = row + frame, column + frame
-            inside = sums[:, end[0], end[1]] - sums[:, row, end[1]] - sums[:, end[0], column] + sums[:, row, column]
-            covering = np.flatnonzero(inside >= MIN_VALID * frame**2).tolist()
-            if len(covering) > 1:
-                found[row, column] = covering
-        return found
+            sums[one.row + 1 : bottom + 1, one.column + 1 : right + 1] = one.valid
+            sums = sums.cumsum(axis=0, dtype=np.int32).cumsum(axis=1, dtype=np.int32)
+            inside = sums[last] - sums[first[0], last[1]] - sums[last[0], first[1]] + sums[first]
+            own[:] = inside >= MIN_VALID * frame**2
+        several = np.argwhere(covered.sum(axis=0) > 1)
+        return {(rows[i], columns[j]): np.flatnonzero(covered[:, i, j]).tolist() for i, j in several}
 
     def _crooked(
         self, corner: tuple[int, int], covering: Sequence[int], frame: int, turn: int, rng: np.random.Generator

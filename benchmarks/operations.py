@@ -8,6 +8,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from . import aftermaths as after
 from . import seam_makings as seams
 from .aftermaths import Change
 from .known_windows import KnownWindow, hard_cut
-from .seam_makings import Mix
+from .seam_makings import Mix, Mixed
 
 Offset = tuple[float, float]
 
@@ -121,8 +122,8 @@ class Operation:
 
     def make(self, window: KnownWindow) -> Made:
         """The mosaic of one window, always the same."""
-        seed = [zlib.crc32(self.name.encode()), zlib.crc32(window.imagery.encode()), window.number, window.side]
-        mixed = self.making.mix(window, np.random.default_rng(seed))
+        mixed, distance = _mixed(self.making, window)
+        seed = _seed(self.name, window)
         change = self.aftermath.fit(mixed.bands) if self.aftermath.fit else self.aftermath.change
         bands, hard = (change(one, np.random.default_rng(seed)) for one in (mixed.bands, mixed.hard))
         before = hard_cut(window.sources, mixed.labels)
@@ -137,7 +138,7 @@ class Operation:
             tuple(given),
             tuple(window.valid[k] for k in mixed.given),
             tuple(self._offset(k == window.main[1]) for k in mixed.given),
-            seams.seam_distance(mixed.labels),
+            distance,
             mixed.foreign,
             frozenset((*self.true_causes, *self.making.possible, *self.aftermath.possible, *clipped)),
         )
@@ -145,6 +146,17 @@ class Operation:
     def _offset(self, of_second: bool) -> Offset:
         own, whole = self.making.offset if of_second else (0.0, 0.0), self.aftermath.offset
         return own[0] + whole[0], own[1] + whole[1]
+
+
+@lru_cache(maxsize=2)
+def _mixed(making: Making, window: KnownWindow) -> tuple[Mixed, np.ndarray]:
+    """The mosaic before anything came over it, and the distance from its seam; asked for with every aftermath."""
+    mixed = making.mix(window, np.random.default_rng(_seed(making.name, window)))
+    return mixed, seams.seam_distance(mixed.labels)
+
+
+def _seed(name: str, window: KnownWindow) -> list[int]:
+    return [zlib.crc32(name.encode()), zlib.crc32(window.imagery.encode()), window.number, window.side]
 
 
 def deepened(bands: np.ndarray, depth: int, rng: np.random.Generator) -> np.ndarray:

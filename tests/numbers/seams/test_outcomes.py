@@ -1,0 +1,76 @@
+"""How the benchmark of the detection counts: right causes, pixels that nobody spoke of, areas under curves."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from benchmarks.detection_tables import area
+from benchmarks.known_windows import KnownWindow
+from benchmarks.operations import NOTHING, OPERATIONS, Operation
+from benchmarks.outcomes import Outcome, outcomes
+from benchmarks.readings import Reading
+from tests.numbers.synthetic import orthoimage
+
+SOUND = Reading("preserved", ("none",), 1.0, 0.9, 1.1, 0.0, 1.0, 1.0, 1.0, 1.0, 2)
+SIDE = 64
+
+
+@pytest.fixture(scope="module")
+def window() -> KnownWindow:
+    """Two images of one scene, cut from top to bottom."""
+    scene = orthoimage((SIDE, SIDE)) // 2
+    sources = tuple(scene + orthoimage((SIDE, SIDE), seed=seed) // 2 for seed in (1, 2))
+    labels = (np.arange(SIDE) >= SIDE // 2)[np.newaxis].repeat(SIDE, axis=0).astype(np.uint8)
+    return KnownWindow("made up", 0, False, 0.1, SIDE, sources, (np.ones((SIDE, SIDE), bool),) * 2, labels)
+
+
+def named(name: str) -> Operation:
+    return next(one for one in OPERATIONS if one.name == name)
+
+
+def judged(window: KnownWindow, operation: Operation, *causes: str) -> tuple[bool, bool, bool]:
+    """Whether the main cause is right, whether it is true, whether all are named."""
+    allowed = operation.make(window).allowed
+    one = Outcome(operation, window, replace(SOUND, causes=causes), (0.0, 0.0, 0.0), 1.0, 0.0, allowed)
+    return one.is_main_right, one.is_true, one.are_all_named
+
+
+def test_a_cause_is_right_where_it_is_the_main_one_and_true_where_it_took_part(window: KnownWindow) -> None:
+    both = named("feather 33 px, JPEG 75")
+    assert judged(window, both, "feathering", "compressed") == (True, True, True)
+    assert judged(window, both, "compressed", "feathering") == (False, True, True)
+    assert judged(window, both, "feathering") == (True, True, False)
+    assert judged(window, both, "none") == (False, False, False)
+    assert judged(window, named("hard cut"), "none") == (True, True, True)
+    assert judged(window, named("hard cut"), "feathering") == (False, False, False)
+    assert judged(window, named("pyramid blend"), "feathering") == (True, True, False)
+
+
+def test_pixels_are_unsaid_where_neither_cause_nor_share_tells_of_them(window: KnownWindow) -> None:
+    def unsaid(**said: object) -> bool:
+        reading = replace(SOUND, **said)
+        return Outcome(named("hard cut"), window, reading, (0.0, 0.0, 0.0), 1.0, 0.3, frozenset()).is_unsaid
+
+    assert unsaid()
+    assert unsaid(explained=float("nan"))
+    assert not unsaid(explained=0.75)
+    assert not unsaid(causes=("gamma", "missing source"))
+    assert not unsaid(verdict="not_comparable")
+
+
+def test_each_operation_gets_its_windows_and_other_ones_than_its_neighbour(window: KnownWindow) -> None:
+    windows = [replace(window, number=number) for number in range(4)]
+    plain = [one for one in OPERATIONS if one.aftermath is NOTHING and not one.making.three][:3]
+    found = [(one.operation.name, one.window.number) for one in outcomes(plain, windows, 2)]
+    assert len(set(found)) == len(found) == 6
+    assert {number for name, number in found if name == plain[0].name} == {0, 1}
+    assert {number for name, number in found if name == plain[1].name} == {2, 3}
+
+
+def test_the_area_is_the_share_of_pairs_in_order() -> None:
+    assert area([2, 3], [0, 1]) == 1
+    assert area([0, 3], [1, 2]) == 0.5
+    assert area([1], [1]) == 0.5
+    assert np.isnan(area([], [1]))
