@@ -44,14 +44,6 @@ def noise(sigma: float) -> Change:
     return lambda bands, rng: whole_values(bands + rng.normal(0, sigma, bands.shape))
 
 
-def line(gain: float, bias: float = 0.0) -> Change:
-    return lambda bands, rng: whole_values(bands * np.float32(gain) + np.float32(bias))
-
-
-def gamma(exponent: float) -> Change:
-    return lambda bands, rng: whole_values(255 * (bands / np.float32(255)) ** np.float32(exponent))
-
-
 def gains(factors: Sequence[float]) -> Change:
     """One for each band."""
     return lambda bands, rng: whole_values(bands * np.asarray(factors, np.float32)[:, None, None])
@@ -113,7 +105,7 @@ def clipping(share: float) -> Callable[[np.ndarray], Change]:
 
     def fitted(bands: np.ndarray) -> Change:
         low, high = np.percentile(bands, (50 * share, 100 - 50 * share))
-        return line(255 / (high - low), -low * 255 / (high - low))
+        return lambda found, rng: whole_values((found - low) * np.float32(255 / (high - low)))
 
     return fitted
 

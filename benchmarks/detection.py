@@ -23,10 +23,11 @@ from osgeo import gdal
 
 from demo.block import make_block
 
-from .detection_tables import print_areas, print_operations, print_summary, print_truth
+from .detection_tables import print_areas, print_operations, print_summary, print_tones, print_truth
 from .known_windows import Imagery, brighton, imagery, packo
-from .operations import OPERATIONS, Operation
+from .operations import OPERATIONS
 from .outcomes import POOL, Outcome, outcomes
+from .production import Operation
 
 SIDES = (512, 256)
 COUNT = 3
@@ -111,6 +112,7 @@ def report(title: str, found: Sequence[Outcome]) -> None:
         print_areas(f"{title}, {name}", own)
     print_areas(title, found)
     print_truth(title, found)
+    print_tones(title, found)
     print_summary(title, found)
 
 

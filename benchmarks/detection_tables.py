@@ -1,7 +1,7 @@
 """What `make benchmark-detection` prints of its outcomes."""
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
@@ -114,6 +114,21 @@ def print_truth(title: str, outcomes: Sequence[Outcome]) -> None:
     print_table(f"kept_1 against the truth, {title}", head, rows,
                 "Truth: detail energy against the known hard cut after the same aftermath, by PyWavelets, in the 8 px\n"
                 "  by distance from the true seam that lost most. Medians, but for 95 %.")
+
+
+def print_tones(title: str, outcomes: Sequence[Outcome]) -> None:
+    """Grey values and places of the sources against what was done to them."""
+    found: dict[str, list[float]] = defaultdict(list)
+    for one in outcomes:
+        for what, error in one.tone_errors():
+            found[what].append(error)
+    rows = []
+    for what, errors in found.items():
+        known = np.abs(_known(errors))
+        figures = (np.median(known), np.percentile(known, 95), known.max()) if len(known) else (np.nan,) * 3
+        rows.append([what, str(len(errors)), *map(_figure, figures), str(len(errors) - len(known))])
+    print_table(f"Measured less true, absolute, source by source, {title}",
+                ["", "sources", "median", "95 %", "largest", "not measured"], rows)
 
 
 def _of(outcomes: Sequence[Outcome], kind: str) -> list[Outcome]:

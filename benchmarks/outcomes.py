@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .known_windows import KnownWindow
-from .operations import Operation
+from .production import Operation
 from .readings import Reading, peers, read
 from .true_profile import truth_of
 
@@ -53,6 +53,22 @@ class Outcome:
     @property
     def has_kept(self) -> bool:
         return not np.isnan(self.reading.kept)
+
+    def tone_errors(self) -> Iterator[tuple[str, float]]:
+        """By how much what was measured of the main sources' grey values and places is off, each with what it is."""
+        for turn, source in enumerate(self.window.main):
+            change, tone = self.reading.tones.get(source), self.operation.tone(bool(turn))
+            if change is None or self.foreign:
+                continue
+            if tone is not None and tone.gamma == 1 and change.tone is not None:
+                yield "A, %", 100 * (change.tone.gain / tone.gain - 1)
+                yield "B, DN", change.tone.bias - tone.bias
+            if tone is not None:
+                yield "gamma", (change.tone.gamma if change.tone else np.nan) - tone.gamma
+            shift = self.operation.shift(bool(turn))
+            if shift is not None:
+                found = change.shift
+                yield "shift, px", float(np.hypot(found.y - shift[0], found.x - shift[1])) if found else np.nan
 
     @property
     def holds_truth(self) -> bool:

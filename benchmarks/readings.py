@@ -4,9 +4,9 @@ The plugin reads files, as it does for its users; here they lie in memory.
 """
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from uuid import uuid4
 
 import numpy as np
@@ -17,6 +17,7 @@ from seam_inspector.plugin.imagery.band_names import LUMINANCE
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.explanation import Change
 from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
     WindowRequest,
@@ -28,7 +29,7 @@ from skimage.measure import blur_effect
 from skimage.metrics import structural_similarity
 
 from .known_windows import KnownWindow
-from .operations import Made
+from .production import Made
 
 EPSG = 2180
 LEFT, TOP = 566200.0, 244700.0
@@ -52,6 +53,8 @@ class Reading:
     composite_ratio: float
     ratio: float
     source_count: int
+    tones: Mapping[int, Change] = field(default_factory=dict)
+    """What became of each given source's luminance, where it was compared as a whole."""
 
     @property
     def has_verdict(self) -> bool:
@@ -90,6 +93,10 @@ def reading_of(result: WindowResult) -> Reading:
         composite_ratio=_number(found.ratios[LUMINANCE].detail[0]) if found else np.nan,
         ratio=_number(result.judgement.ratios.detail[0]),
         source_count=result.source_count,
+        tones={
+            int(pair.source.partition(".")[0].rpartition("_")[2]): pair.change
+            for pair in result.pairs if pair.band == LUMINANCE and pair.change is not None
+        },
     )
 
 

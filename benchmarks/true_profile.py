@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 import pywt
 
-from .operations import Made
+from .production import Made
 
 BIN_PX = 8
 FARTHEST_PX = 64

@@ -6,7 +6,8 @@ import pytest
 from scipy import ndimage
 
 from benchmarks.known_windows import Imagery, KnownWindow, PlacedImage
-from benchmarks.operations import NOTHING, OPERATIONS, PLAIN, Operation
+from benchmarks.operations import NOTHING, OPERATIONS, PLAIN
+from benchmarks.production import Operation
 from benchmarks.readings import read
 from benchmarks.seam_makings import seam_distance
 from benchmarks.true_profile import detail_energy, truth_kept, truth_of

@@ -5,15 +5,20 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from seam_inspector.plugin.imagery.shifts import Shift
+from seam_inspector.plugin.seams.measure.explanation import Change
+from seam_inspector.plugin.seams.measure.tone import Tone
 
 from benchmarks.detection_tables import area
 from benchmarks.known_windows import KnownWindow
-from benchmarks.operations import NOTHING, OPERATIONS, Operation
+from benchmarks.operations import NOTHING, OPERATIONS
 from benchmarks.outcomes import Outcome, outcomes
+from benchmarks.production import Operation
 from benchmarks.readings import Reading
 from tests.numbers.synthetic import orthoimage
 
 SOUND = Reading("preserved", ("none",), 1.0, 0.9, 1.1, 0.0, 1.0, 1.0, 1.0, 1.0, 2)
+CHANGE = Change(Tone(1.0, 0.0), (1.0, 1.0, 1.0), 0.0, None, None)
 SIDE = 64
 
 
@@ -67,6 +72,21 @@ def test_each_operation_gets_its_windows_and_other_ones_than_its_neighbour(windo
     assert len(set(found)) == len(found) == 6
     assert {number for name, number in found if name == plain[0].name} == {0, 1}
     assert {number for name, number in found if name == plain[1].name} == {2, 3}
+
+
+def test_tones_and_places_are_compared_source_by_source(window: KnownWindow) -> None:
+    def errors(name: str, **change: object) -> dict[str, float]:
+        one = replace(CHANGE, **change)
+        reading = replace(SOUND, tones={window.main[0]: CHANGE, window.main[1]: one})
+        outcome = Outcome(named(name), window, reading, (0.0, 0.0, 0.0), 1.0, 0.0, frozenset())
+        return dict(outcome.tone_errors())  # of the second source, which comes last
+
+    assert errors("hard cut") == {"A, %": 0, "B, DN": 0, "gamma": 0}
+    assert errors("gains 0.9 and 1.1", tone=Tone(1.1, 2.0)) == {"A, %": 0, "B, DN": 2, "gamma": 0}
+    assert errors("hard cut, gain 0.6", tone=Tone(0.66, 20.0))["A, %"] == pytest.approx(10)
+    assert errors("hard cut, gamma 1.3", tone=Tone(1.0, 0.0, 1.2)) == {"gamma": pytest.approx(-0.1)}
+    assert errors("hard cut, of 12 bit") == {}
+    assert errors("one source 2 px off, feather 33 px", shift=Shift(0.1, 2.0, 1.0))["shift, px"] == pytest.approx(0.1)
 
 
 def test_the_area_is_the_share_of_pairs_in_order() -> None:

@@ -1,0 +1,198 @@
+"""What an operation is: one way to make a seam, one to treat the whole mosaic afterwards, and what both are called."""
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from . import seam_makings as seams
+from .known_windows import KnownWindow, hard_cut
+from .seam_makings import Change, Mix, Mixed, whole_values
+
+Offset = tuple[float, float]
+
+MIN_CLIPPED = 0.005
+"""Of the pixels: from there on an operation may be called clipping too."""
+NOTHING_NAME = "nothing"
+
+
+@dataclass(frozen=True)
+class KnownTone:
+    """What became of grey values: a line, or a power of the whole scale."""
+
+    gain: float = 1.0
+    bias: float = 0.0
+    gamma: float = 1.0
+
+    def __call__(self, bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+        if self.gamma != 1:
+            return whole_values(255 * (bands / np.float32(255)) ** np.float32(self.gamma))
+        return whole_values(bands * np.float32(self.gain) + np.float32(self.bias))
+
+
+AS_IT_IS = KnownTone()
+
+
+@dataclass(frozen=True)
+class Making:
+    """One way to make a seam."""
+
+    name: str
+    mix: Mix
+    cause: str = "none"
+    also: tuple[str, ...] = ()
+    possible: tuple[str, ...] = ()
+    """Causes that it is no mistake to name besides."""
+    lost: bool = False
+    """Whether detail was lost in a strip along the seam."""
+    kind: str = ""
+    """Column of the pooled tables that it belongs to."""
+    three: bool = False
+    covered: bool = False
+    """Whether it needs three sources, and sources that cover all of the frame."""
+    offset: Offset = (0.0, 0.0)
+    """How the grid of the second source lies beside the mosaic's: down and right, px."""
+    tones: tuple[KnownTone, KnownTone] = (AS_IT_IS, AS_IT_IS)
+    """What became of the grey values of the two sources with most pixels."""
+    shift: Offset | None = None
+    """By how much the second source was moved: down and right, px."""
+
+
+@dataclass(frozen=True)
+class Aftermath:
+    """One way to treat a whole mosaic."""
+
+    name: str
+    change: Change
+    cause: str = "none"
+    possible: tuple[str, ...] = ()
+    """Causes that it is no mistake to name besides."""
+    depth: int = 8
+    """Bits of the sources; the mosaic has 8."""
+    offset: Offset = (0.0, 0.0)
+    """How the grids of all sources lie beside the mosaic's."""
+    fit: Callable[[np.ndarray], Change] | None = None
+    """What the change follows from, where it depends on the mosaic."""
+    tone: KnownTone | None = AS_IT_IS
+    """What became of the grey values; None where that is not one line or power for all bands and pixels."""
+    shift: Offset | None = None
+    """By how much the mosaic was moved: down and right, px."""
+
+    @property
+    def is_nothing(self) -> bool:
+        return self.name == NOTHING_NAME
+
+
+@dataclass(frozen=True, eq=False)
+class Made:
+    """What an operation made of a window's frame."""
+
+    bands: np.ndarray
+    hard: np.ndarray
+    """The known hard cut after the same aftermath."""
+    before: np.ndarray
+    """The hard cut of the sources as they are, with no aftermath."""
+    sources: tuple[np.ndarray, ...]
+    """Those that are given, (bands, rows, columns) 8 or 16 bit."""
+    valid: tuple[np.ndarray, ...]
+    offsets: tuple[Offset, ...]
+    """How the grid of each lies beside the mosaic's."""
+    distance: np.ndarray
+    """From the true seam, px."""
+    foreign: np.ndarray
+    """Pixels from a source that is not given, (rows, columns) bool."""
+    allowed: frozenset[str]
+    """Causes that are true or that it is no mistake to name."""
+
+
+@dataclass(frozen=True)
+class Operation:
+    """A seam and what came afterwards."""
+
+    making: Making
+    aftermath: Aftermath
+    held_back: bool
+    always: bool = False
+    """Whether it belongs to both halves: the plain seams that everything is compared with."""
+
+    @property
+    def name(self) -> str:
+        return self.making.name if self.aftermath.is_nothing else f"{self.making.name}, {self.aftermath.name}"
+
+    @property
+    def true_causes(self) -> tuple[str, ...]:
+        """The main one first: a loss along the seam, else what came over the whole mosaic."""
+        making, aftermath = self.making, self.aftermath
+        whole = () if aftermath.cause == "none" else (aftermath.cause,)
+        own = () if making.cause == "none" else (making.cause, *making.also)
+        return (own + whole if making.lost or not whole else whole + own) or ("none",)
+
+    @property
+    def lost_in_strip(self) -> bool:
+        return self.making.lost
+
+    def in_half(self, held_back: bool) -> bool:
+        return self.always or self.held_back is held_back
+
+    def fits(self, window: KnownWindow) -> bool:
+        """Whether the window has the sources that it needs."""
+        making = self.making
+        return (len(window.sources) > 2 or not making.three) and (window.is_covered or not making.covered)
+
+    def tone(self, of_second: bool) -> KnownTone | None:
+        """What became of the grey values of a main source; None where it isn't known."""
+        own, whole = self.making.tones[of_second], self.aftermath.tone
+        return own if whole == AS_IT_IS else whole if own == AS_IT_IS else None
+
+    def shift(self, of_second: bool) -> Offset | None:
+        """By how much a main source was moved; None where it wasn't."""
+        return self.aftermath.shift or (self.making.shift if of_second else None)
+
+    def make(self, window: KnownWindow) -> Made:
+        """The mosaic of one window, always the same."""
+        mixed, distance = _mixed(self.making, window)
+        seed = _seed(self.name, window)
+        change = self.aftermath.fit(mixed.bands) if self.aftermath.fit else self.aftermath.change
+        bands, hard = (change(one, np.random.default_rng(seed)) for one in (mixed.bands, mixed.hard))
+        before = hard_cut(window.sources, mixed.labels)
+        ends = ((bands == 0) & (before > 0)) | ((bands == 255) & (before < 255))
+        clipped = ("clipping",) if ends.mean(axis=(1, 2)).max() >= MIN_CLIPPED else ()
+        depth = self.aftermath.depth
+        given = (deepened(window.sources[k], depth, np.random.default_rng([*seed, k])) for k in mixed.given)
+        return Made(
+            bands,
+            hard,
+            before,
+            tuple(given),
+            tuple(window.valid[k] for k in mixed.given),
+            tuple(self._offset(k == window.main[1]) for k in mixed.given),
+            distance,
+            mixed.foreign,
+            frozenset((*self.true_causes, *self.making.possible, *self.aftermath.possible, *clipped)),
+        )
+
+    def _offset(self, of_second: bool) -> Offset:
+        own, whole = self.making.offset if of_second else (0.0, 0.0), self.aftermath.offset
+        return own[0] + whole[0], own[1] + whole[1]
+
+
+@lru_cache(maxsize=2)
+def _mixed(making: Making, window: KnownWindow) -> tuple[Mixed, np.ndarray]:
+    """The mosaic before anything came over it, and the distance from its seam; asked for with every aftermath."""
+    mixed = making.mix(window, np.random.default_rng(_seed(making.name, window)))
+    return mixed, seams.seam_distance(mixed.labels)
+
+
+def _seed(name: str, window: KnownWindow) -> list[int]:
+    return [zlib.crc32(name.encode()), zlib.crc32(window.imagery.encode()), window.number, window.side]
+
+
+def deepened(bands: np.ndarray, depth: int, rng: np.random.Generator) -> np.ndarray:
+    """The scan that 8 bit were made of by a line: 12 bit of the whole scale, or 16 bit that use a sixth of it."""
+    if depth == 8:
+        return bands
+    step, first = (16, 0) if depth == 12 else (40, 500)
+    return (bands.astype(np.uint16) * step + first + rng.integers(0, step, bands.shape)).astype(np.uint16)
