@@ -1,8 +1,8 @@
 """How one image lies on another: the sub-pixel shift by phase correlation (Kuglin and Hines 1975).
 
-The phases of the two spectra alone decide, weighted towards the lower frequencies, which noise, blur and
-aliasing touch least. It is measured on square tiles, so that the part of a mosaic that stems from another image
-does not take part: the tile with the clearest peak leads, and those that agree with it are taken together.
+The phases of the two spectra alone decide, weighted towards the lower frequencies, which noise, blur and aliasing touch
+least. It is measured on square tiles, so that the part of a mosaic that stems from another image does not take part:
+the tile with the clearest peak leads, and those that agree with it are taken together.
 """
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ _Tile = tuple[int, int, int]
 _TILE_PX, _LEAST_TILE_PX = 256, 32
 _TILES_A_SIDE = 2
 _CUTOFF = 0.12  # cycles a pixel at which the weight has fallen to exp(-1/2)
+_ALL_FREQUENCIES_PX = 128  # side of a tile that needs all; a larger one is as exact without the upper half of them
 _STEPS, _ROUNDS = 8, 3  # of the fine search, each way: to 1/8, 1/64, 1/512 px
 _SPLINE_REACH_PX = 12  # further away a sample of a cubic spline counts for less than 1e-6
 _STRIDE = 4  # of the pixels of a mask that are looked at
@@ -53,12 +54,15 @@ class Spectra:
     _known: dict[_Tile, np.ndarray] = field(default_factory=dict)
 
     def of(self, tile: _Tile) -> np.ndarray:
-        """The spectrum of one tile less its mean, (side, side / 2 + 1)."""
+        """The spectrum of one tile less its mean, (rows, rows / 2 + 1), as far as it counts."""
         if tile not in self._known:
             row, column, side = tile
             pixels = self.pixels[row : row + side, column : column + side].astype(np.float32)
             pixels -= pixels.mean()
-            self._known[tile] = fft.rfft2(pixels * _window(side))
+            pixels *= _window(side)
+            half = _half(side)
+            down = fft.fft(fft.rfft(pixels, axis=1)[:, : half + 1], axis=0)
+            self._known[tile] = np.concatenate([down[:half], down[-half:]])
         return self._known[tile]
 
 
@@ -95,15 +99,16 @@ def find_shift(
     own, other = (one if isinstance(one, Spectra) else Spectra(one) for one in (image, reference))
     spectra = []
     for tile in _tiles(own.pixels.shape, where):
-        cross = _cross_phases(own.of(tile), other.of(tile))
-        shift = _nearest_pixel(cross)
-        if shift.peak >= max(MIN_SHIFT_PEAK, MIN_SHIFT_PEAK_PX / len(cross)):
+        side = tile[2]
+        cross = _cross_phases(own.of(tile), other.of(tile), side)
+        shift = _nearest_pixel(cross, side)
+        if shift.peak >= max(MIN_SHIFT_PEAK, MIN_SHIFT_PEAK_PX / side):
             spectra.append((shift, cross))
     if not spectra:
         return None
     leader = max((shift for shift, _ in spectra), key=lambda shift: shift.peak)
     agreeing = [cross for shift, cross in spectra if np.hypot(shift.x - leader.x, shift.y - leader.y) < SAME_SHIFT_PX]
-    return _refined(sum(agreeing) / len(agreeing), leader)
+    return _refined(sum(agreeing) / len(agreeing), side, leader)
 
 
 def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
@@ -135,11 +140,18 @@ def _grid(shape: tuple[int, ...], side: int, most: int) -> list[_Tile]:
     return [(row, column, side) for row in places[0] for column in places[1]]
 
 
-def _cross_phases(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """Phases of the cross spectrum, weighted; (side, side / 2 + 1), the sum of the weights over the spectrum 1."""
-    cross = image * reference.conj()
+def _cross_phases(image: np.ndarray, reference: np.ndarray, side: int) -> np.ndarray:
+    """Phases of the cross spectrum, weighted; the sum of the weights over the whole spectrum is 1."""
+    cross = reference.conj()
+    cross *= image
     magnitude = np.abs(cross)
-    return cross * (_weights(len(cross)) / np.maximum(magnitude, np.finfo(np.float32).tiny))
+    cross *= _weights(side) / np.maximum(magnitude, np.finfo(np.float32).tiny, out=magnitude)
+    return cross
+
+
+def _half(side: int) -> int:
+    """Frequencies each way that count."""
+    return side // 2 if side <= _ALL_FREQUENCIES_PX else side // 4
 
 
 @cache
@@ -151,47 +163,72 @@ def _window(side: int) -> np.ndarray:
 
 @cache
 def _weights(side: int) -> np.ndarray:
-    across = fft.rfftfreq(side)
-    weights = np.exp(-0.5 * (across**2 + fft.fftfreq(side)[:, np.newaxis] ** 2) / _CUTOFF**2)
-    weights[0, 0] = 0.0
+    down, across = _frequencies(side)
+    weights = np.exp(-0.5 * (across**2 + down[:, np.newaxis] ** 2) / _CUTOFF**2)
+    half = _half(side)
+    weights[0, 0] = weights[half] = weights[:, half] = 0.0  # the mean, and what has no counterpart
     return (weights / (weights * _halves(side)).sum()).astype(np.float32)
 
 
 @cache
 def _halves(side: int) -> np.ndarray:
     """How often each column of a real image's half spectrum stands in the whole one."""
-    across = fft.rfftfreq(side)
-    return np.where((across > 0) & (across < 0.5), 2.0, 1.0)
+    return np.where(_frequencies(side)[1] > 0, np.float32(2), np.float32(1))
 
 
-def _nearest_pixel(cross: np.ndarray) -> Shift:
+@cache
+def _frequencies(side: int) -> tuple[np.ndarray, np.ndarray]:
+    """Cycles a pixel down and across that are looked at."""
+    half = _half(side)
+    return np.concatenate([np.arange(half), np.arange(-half, 0)]) / side, np.arange(half + 1) / side
+
+
+def _nearest_pixel(cross: np.ndarray, side: int) -> Shift:
     """The highest point of the correlation, to the pixel; its height is that of the top itself, by a parabola."""
-    side = len(cross)
-    surface = fft.irfft2(cross, (side, side)) * side**2
-    row, column = divmod(int(surface.argmax()), side)
+    count = len(cross)
+    found = np.unravel_index(fft.irfft2(cross, (count, count)).argmax(), (count, count))
+    y, x = (round((place - count if place > count // 2 else place) * side / count) for place in map(int, found))
+    around = np.arange(-2, 3)[:, np.newaxis]  # the correlation may have been looked at every second pixel only
+    down, across = _frequencies(side)
+    surface = _correlation(cross, side, _turns(y + around, down), _turns(x + around, across))
+    row, column = (int(place) + 1 for place in np.unravel_index(surface[1:-1, 1:-1].argmax(), (3, 3)))
     top = surface[row, column]
     peak = top
     for before, after in (
-        (surface[row - 1, column], surface[(row + 1) % side, column]),
-        (surface[row, column - 1], surface[row, (column + 1) % side]),
+        (surface[row - 1, column], surface[row + 1, column]),
+        (surface[row, column - 1], surface[row, column + 1]),
     ):
         bend = 2 * top - before - after
         peak += (after - before) ** 2 / (8 * bend) if bend > 0 else 0.0
-    x, y = (place - side if place > side // 2 else place for place in (column, row))
-    return Shift(float(x), float(y), float(peak))
+    return Shift(float(x + column - 2), float(y + row - 2), float(peak))
 
 
-def _refined(cross: np.ndarray, start: Shift) -> Shift:
+def _refined(cross: np.ndarray, side: int, start: Shift) -> Shift:
     """The same to a five hundredth of a pixel, by the sum of the spectrum itself."""
-    side = len(cross)
-    down, across = fft.fftfreq(side), fft.rfftfreq(side)
-    near = (cross * _halves(side)).astype(np.complex64)
+    down, across = _frequencies(side)
     x, y, reach, height = start.x, start.y, 1.0, start.peak
-    for _ in range(_ROUNDS):
-        offsets = np.linspace(-reach, reach, 2 * _STEPS + 1)
-        left = np.exp(2j * np.pi * np.outer(y + offsets, down)).astype(np.complex64)
-        right = np.exp(2j * np.pi * np.outer(across, x + offsets)).astype(np.complex64)
-        values = (left @ near @ right).real
+    for turns_down, turns_across in _searches(side):
+        values = _correlation(cross, side, turns_down * _turns(y, down), turns_across * _turns(x, across))
         i, j = np.unravel_index(values.argmax(), values.shape)
+        offsets = np.linspace(-reach, reach, 2 * _STEPS + 1)
         x, y, reach, height = x + offsets[j], y + offsets[i], reach / _STEPS, values[i, j]
     return Shift(float(x), float(y), float(height))
+
+
+def _correlation(cross: np.ndarray, side: int, turns_down: np.ndarray, turns_across: np.ndarray) -> np.ndarray:
+    """The correlation of two tiles by their cross spectrum, at places given by how they turn it."""
+    values: np.ndarray = (turns_down @ cross @ (turns_across * _halves(side)).T).real
+    return values
+
+
+@cache
+def _searches(side: int) -> list[tuple[np.ndarray, np.ndarray]]:
+    """For each round how a spectrum's rows and columns turn by the offsets tried, (offsets, rows or columns)."""
+    reaches = [_STEPS**-number for number in range(_ROUNDS)]
+    tried = [np.linspace(-reach, reach, 2 * _STEPS + 1)[:, np.newaxis] for reach in reaches]
+    down, across = _frequencies(side)
+    return [(_turns(offsets, down), _turns(offsets, across)) for offsets in tried]
+
+
+def _turns(by: float | np.ndarray, frequencies: np.ndarray) -> np.ndarray:
+    return np.exp(2j * np.pi * by * frequencies).astype(np.complex64)
