@@ -68,7 +68,8 @@ def fit_tones(
     numbers = np.flatnonzero(varied)
     gains, biases, spreads = _linear(x[varied], y[varied])
     bends = (gains > 0) & (spreads > MIN_TONE_RESIDUAL)
-    bends[bends] = _bends(x[varied][bends], y[varied][bends], spreads[bends])
+    if bends.any():
+        bends[bends] = _bends(x[varied][bends], y[varied][bends], spreads[bends])
     for number, gain, bias, bent in zip(numbers.tolist(), gains.tolist(), biases.tolist(), bends.tolist()):
         bands, weights = pixels[number]
         gamma = _gamma(bands, weights, source.shape[1:], (rows, columns), y[number]) if bent else 1.0
@@ -111,21 +112,22 @@ def _linear(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
     """Gain, bias and the residuals' scale of each row of x and y, (rows, points)."""
     x_middle, y_middle = _median(x), _median(y)
     x_off, y_off = x - x_middle[:, np.newaxis], y - y_middle[:, np.newaxis]
+    squares, products = x_off * x_off, x_off * y_off
     x_spread, y_spread = _median(np.abs(x_off)), _median(np.abs(y_off))
-    sign = np.where(_median(x_off * y_off) < 0, -1.0, 1.0)
-    least = (x_off * y_off).sum(axis=1) / np.maximum((x_off**2).sum(axis=1), _LEAST_SCALE)
+    sign = np.where(_median(products) < 0, -1.0, 1.0)
+    least = products.sum(axis=1) / np.maximum(squares.sum(axis=1), _LEAST_SCALE)
     gain = np.where(x_spread > 0, sign * y_spread / np.where(x_spread > 0, x_spread, 1), least)
-    bias = y_middle - gain * x_middle
+    bias = np.zeros_like(gain)
+    terms = np.stack([np.ones_like(x), x_off, y_off, squares, products], axis=1)
     for _ in range(_ROUNDS):
-        weights = _weights(y - gain[:, np.newaxis] * x - bias[:, np.newaxis])
-        total = weights.sum(axis=1)
-        x_mean, y_mean = (weights * x).sum(axis=1) / total, (weights * y).sum(axis=1) / total
-        off = x - x_mean[:, np.newaxis]
-        spread = (weights * off**2).sum(axis=1)
-        fitted = (weights * off * (y - y_mean[:, np.newaxis])).sum(axis=1) / np.maximum(spread, _LEAST_SCALE)
+        weights = _weights(y_off - gain[:, np.newaxis] * x_off - bias[:, np.newaxis])
+        total, of_x, of_y, of_squares, of_products = (terms @ weights[..., np.newaxis])[..., 0].T
+        spread = of_squares - of_x**2 / total
+        fitted = (of_products - of_x * of_y / total) / np.maximum(spread, _LEAST_SCALE)
         gain = np.where(spread > _LEAST_SCALE, fitted, gain)
-        bias = np.where(spread > _LEAST_SCALE, y_mean - gain * x_mean, bias)
-    return gain, bias, _reach_of(y - gain[:, np.newaxis] * x - bias[:, np.newaxis])
+        bias = np.where(spread > _LEAST_SCALE, (of_y - gain * of_x) / total, bias)
+    scale = _reach_of(y_off - gain[:, np.newaxis] * x_off - bias[:, np.newaxis])
+    return gain, bias + y_middle - gain * x_middle, scale
 
 
 def _gamma(
@@ -151,8 +153,15 @@ def _gamma(
     with np.errstate(divide="ignore"):  # the power of 0 is 0
         logarithms = np.log((pixels / top).astype(np.float32))
 
+    power = np.empty_like(logarithms)
+
+    def averaged(gamma: np.floating) -> np.ndarray:
+        np.exp(np.multiply(logarithms, np.float32(gamma), out=power), out=power)
+        means: np.ndarray = power.mean(axis=2) @ weighted
+        return means
+
     def spreads(gammas: np.ndarray) -> np.ndarray:
-        powers = [np.exp(np.float32(gamma) * logarithms).mean(axis=2, dtype=np.float64) @ weighted for gamma in gammas]
+        powers = [averaged(gamma) for gamma in gammas]
         return _linear(np.stack(powers), np.broadcast_to(means, (len(gammas), means.shape[1])))[2]
 
     weighted = np.asarray(weights)
@@ -169,30 +178,40 @@ def _gamma(
 def _bends(x: np.ndarray, y: np.ndarray, linear_spreads: np.ndarray) -> np.ndarray:
     """For each row whether a parabola does better than a line: where it does not, no power function will."""
     scaled = (x - x.mean(axis=1, keepdims=True)) / x.std(axis=1, keepdims=True)
-    terms = np.stack([np.ones_like(x), scaled, scaled**2], axis=2)
+    powers = [np.ones_like(x), scaled, scaled**2]
+    terms = np.stack([*powers, scaled**3, scaled**4, y, scaled * y, powers[2] * y], axis=1)
     weights = np.ones_like(y)
     for _ in range(_ROUNDS // 2):
-        weighted = terms * weights[..., np.newaxis]
-        normal = np.einsum("bpi,bpj->bij", weighted, terms)
-        right = np.einsum("bpi,bp->bi", weighted, y)
-        residuals = y - np.einsum("bpi,bi->bp", terms, (np.linalg.pinv(normal) @ right[..., np.newaxis])[..., 0])
+        sums = (terms @ weights[..., np.newaxis])[..., 0]
+        normal = np.stack([sums[:, i : i + 3] for i in range(3)], axis=1)
+        constant, slope, bend = (np.linalg.pinv(normal) @ sums[:, 5:, np.newaxis]).T[0, :, :, np.newaxis]
+        residuals = y - (constant + (slope + bend * scaled) * scaled)
         weights = _weights(residuals)
     return _reach_of(residuals) <= (1 - MIN_GAMMA_GAIN / 2) * linear_spreads
 
 
 def _weights(residuals: np.ndarray) -> np.ndarray:
     """Tukey's; their scale is a normal distribution's standard deviation by the median."""
-    scale = np.maximum(1.4826 * _median(np.abs(residuals)), _LEAST_SCALE)[:, np.newaxis]
-    return np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2 + 1e-12
+    weights = np.abs(residuals)
+    weights /= np.maximum(1.4826 * _TUKEY * _median(weights), _TUKEY * _LEAST_SCALE)[:, np.newaxis]
+    weights *= weights
+    np.subtract(1, weights, out=weights)
+    np.maximum(weights, 0, out=weights)
+    weights *= weights
+    weights += 1e-12
+    return weights
 
 
 def _reach_of(residuals: np.ndarray) -> np.ndarray:
     """Standard deviation by what four fifths stay within: a bend shows in dark and bright parts, which are few."""
-    last = int(0.8 * residuals.shape[1])
-    return np.partition(np.abs(residuals), last, axis=1)[:, last] / _FOUR_FIFTHS
+    return _ranked(np.abs(residuals), int(0.8 * residuals.shape[1])) / _FOUR_FIFTHS
 
 
 def _median(values: np.ndarray) -> np.ndarray:
-    """The upper median of each row: a third of the time of numpy's for a few hundred values."""
-    middle = values.shape[1] // 2
-    return np.partition(values, middle, axis=1)[:, middle]
+    """The upper median of each row."""
+    return _ranked(values, values.shape[1] // 2)
+
+
+def _ranked(values: np.ndarray, rank: int) -> np.ndarray:
+    """Of each row the value of that rank, to seven digits: half the time of all, and a sixth of numpy's median."""
+    return np.partition(values.astype(np.float32), rank, axis=1)[:, rank].astype(np.float64)
