@@ -1839,6 +1839,31 @@
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <source>Width of the feather (metres)</source>
+        <translation>Szerokość pasa wtapiania (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is foretold, where both images weigh the same.</source>
+        <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <source>Ramp of the feather</source>
+        <translation>Przebieg wag w pasie wtapiania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
+        <translation>Jak w poprzek pasa zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold is the mean over the directions it may have.</source>
+        <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
+    </message>
+    <message>
         <location filename="../plugin/seams/algorithms/predictloss.py" line="65"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
@@ -3052,6 +3077,21 @@
         <location filename="../plugin/seams/measure/messages.py" line="77"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz, więc nic nie będzie tam wtapiane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="1"/>
+        <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
+        <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="1"/>
+        <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
+        <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="1"/>
+        <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
+        <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="78"/>

@@ -5,7 +5,7 @@ import math
 from contextlib import suppress
 
 import numpy as np
-from osgeo import osr
+from osgeo import ogr, osr
 
 from . import messages
 from .errors import RasterError
@@ -29,6 +29,24 @@ def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
     if not all(map(math.isfinite, bounds)):
         raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
     return tuple(bounds)
+
+
+def geometry_on(geometry: ogr.Geometry, wkt: str, target_wkt: str) -> ogr.Geometry:
+    """A geometry in the target reference system.
+
+    Raises RasterError when it can't be transformed.
+    """
+    if same_system(wkt, target_wkt):
+        return geometry
+    moved = geometry.Clone()
+    with gdal_silenced():
+        try:
+            failed = moved.Transform(osr.CoordinateTransformation(_system(wkt), _system(target_wkt)))
+        except (RuntimeError, TypeError):
+            failed = True
+    if failed:
+        raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
+    return moved
 
 
 def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> bool:

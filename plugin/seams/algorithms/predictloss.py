@@ -25,13 +25,16 @@ from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import messages
+from ..measure.limits import COSINE, RAMPS
 from .block_parameters import check_sources, gathered_sources, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.loss_forecast import ForecastRequest
+    from ..measure.feathers.seam_places import Seamlines
+    from ..measure.loss_forecast import ForecastRequest, ForecastSettings
     from ..measure.source_images import Source
 
-WINDOWS, OUTPUT, PAIRS = "WINDOWS", "OUTPUT", "PAIRS"
+WINDOWS, WIDTH, RAMP, SEAMLINES = "WINDOWS", "WIDTH", "RAMP", "SEAMLINES"
+OUTPUT, PAIRS = "OUTPUT", "PAIRS"
 WINDOW_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "NOT_COMPARABLE_COUNT"
 
 
@@ -50,7 +53,8 @@ class PredictLoss(SeamInspectorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        polygon, table = QgsProcessing.SourceType.TypeVectorPolygon, QgsProcessing.SourceType.TypeVector
+        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
+        table = QgsProcessing.SourceType.TypeVector
         self.addDescribed(
             QgsProcessingParameterFeatureSource(WINDOWS, tr("Windows"), [polygon]),
             tr(
@@ -63,6 +67,31 @@ class PredictLoss(SeamInspectorAlgorithm):
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
         self.addDescribed(
+            common.real(WIDTH, tr("Width of the feather (metres)"), 0, 0, optional=True),
+            tr(
+                "Full width, from where the one image is all to where the other is. What such a feather would leave, "
+                "in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the "
+                "middle of the feather is foretold, where both images weigh the same."
+            ),
+        )
+        self.addDescribed(
+            common.choice(RAMP, tr("Ramp of the feather"), RAMPS, COSINE, optional=True),
+            tr(
+                "How the weights of the two images change across the feather: in a straight line, as half a wave of "
+                "the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from "
+                "weights of 0.02 to 0.98."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon], optional=True),
+            tr(
+                "Lines along which the images are to be joined, or polygons with such borders, where they are known. "
+                "Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold "
+                "is the mean over the directions it may have."
+            ),
+            advanced=True,
+        )
+        self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Predicted windows"), polygon),
             tr("The rectangles as measured, in the sources' reference system, with the smallest ratio over the pairs."),
         )
@@ -73,9 +102,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         self.addNumbers({WINDOW_COUNT: tr("Windows"), NOT_COMPARABLE_COUNT: tr("Windows that can't be compared")})
 
     def check(self, run: Run) -> None:
-        from ...imagery.wavelets import check_decomposition
-
-        check_decomposition(*run.decomposition())
+        self._settings(run).check()
         check_sources(run)
 
     def prepare(self, run: Run) -> None:
@@ -89,15 +116,16 @@ class PredictLoss(SeamInspectorAlgorithm):
         from ..measure.window_runs import in_order
         from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS, forecast_pair_features
 
-        wavelet, levels = run.decomposition()
         self.check(run)
+        settings = self._settings(run)
+        levels = settings.levels
         windows = run.source(WINDOWS)
         if windows.featureCount() == 0:
             raise SettingsError(toolkit_messages.NO_WINDOWS())
         crs, wkt = self._system(windows, run)
         sources = gathered_sources(run, self._given, crs, wkt)
         drawn = WindowFeatures(windows, crs, run)
-        requests = self._requests(drawn, sources, wkt, wavelet, levels)
+        requests = self._requests(drawn, sources, self._seamlines(run, crs), wkt, settings)
 
         count = not_comparable = 0
         with open_executor() as (executor, ahead):
@@ -136,14 +164,32 @@ class PredictLoss(SeamInspectorAlgorithm):
             crs = index.sourceCrs() if index.sourceCrs().isValid() else crs
         return crs, layers.system_wkt(crs)
 
+    def _settings(self, run: Run) -> ForecastSettings:
+        from ..measure.loss_forecast import ForecastSettings
+
+        return ForecastSettings(*run.decomposition(), run.real(WIDTH), run.text(RAMP) or COSINE)
+
+    def _seamlines(self, run: Run, crs: QgsCoordinateReferenceSystem) -> Seamlines | None:
+        """Those that are known, in the windows' reference system; None where the parameter is not given."""
+        from ...toolkit import layers
+        from ..measure.feathers.seam_places import Seamlines
+
+        if not run.parameters.get(SEAMLINES):
+            return None
+        lines = run.source(SEAMLINES)
+        transform = run.transform(lines, crs)
+        geometries = (layers.line_wkb(feature, transform) for feature in layers.features(lines))
+        return Seamlines(wkb for wkb in geometries if wkb is not None)
+
     @staticmethod
     def _requests(
-        drawn: WindowFeatures, sources: list[Source], wkt: str, wavelet: str, levels: int
+        drawn: WindowFeatures, sources: list[Source], seamlines: Seamlines | None, wkt: str,
+        settings: ForecastSettings,
     ) -> Iterator[ForecastRequest]:
         from ..measure.loss_forecast import ForecastRequest, forecast_request
 
         for window in drawn.windows():
             if window.extent is None:
-                yield ForecastRequest(window.window_id, (), None, wkt, wavelet, levels, window.reason)
+                yield ForecastRequest(window.window_id, (), None, wkt, settings, reason=window.reason)
             else:
-                yield forecast_request(sources, window.window_id, window.extent, wkt, wavelet, levels)
+                yield forecast_request(sources, window.window_id, window.extent, wkt, settings, seamlines)

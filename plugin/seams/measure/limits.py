@@ -3,3 +3,6 @@ from __future__ import annotations
 
 STANDARD_SPACING_M = 200.0  # along the seam: every second window length
 MIN_MISREGISTRATION_PX = 0.4  # half a pixel less what a shift measured in a small part is off by
+LINEAR, COSINE, GAUSSIAN = "linear", "cosine", "gaussian"
+RAMPS = (LINEAR, COSINE, GAUSSIAN)
+"""How a feather leads from one source to the other."""

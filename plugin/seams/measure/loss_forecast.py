@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import zip_longest
 
 import numpy as np
 
@@ -15,16 +16,42 @@ from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.band_curves import judged_plane
 from ...imagery.clips import Clip, read_clip
-from ...imagery.errors import NotCoveredError, RasterError, WindowError
+from ...imagery.errors import NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster, placed
 from ...imagery.rasters import Raster
-from ...imagery.reference_systems import extent_on
+from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.shifts import Shift, Spectra, find_shift
+from ...imagery.wavelets import check_decomposition
 from . import messages
 from .feather_prediction import Feather, expected_ratios, feathers
+from .feathers.feathered_detail import KeptDetail, kept_detail, least_kept, place_feather
+from .feathers.seam_places import Seamlines, assumed_seams, drawn_seam
+from .limits import COSINE, RAMPS
 from .source_images import Source, covers, sources_over
+
+
+@dataclass(frozen=True)
+class ForecastSettings:
+    """What is foretold."""
+
+    wavelet: str = imagery_limits.DEFAULT_WAVELET
+    """Any orthogonal wavelet of PyWavelets."""
+    levels: int = imagery_limits.DEFAULT_LEVELS
+    """R, 1 to 8."""
+    width_m: float = 0.0
+    """Full width of the feather; 0: of its middle only."""
+    ramp: str = COSINE
+    """How it leads from one source to the other, one of ``limits.RAMPS``."""
+
+    def check(self) -> None:
+        """Raise SettingsError when a value is out of its range."""
+        check_decomposition(self.wavelet, self.levels)
+        if not 0 <= self.width_m < np.inf:
+            raise SettingsError(messages.WIDTH_NEGATIVE(width=self.width_m))
+        if self.ramp not in RAMPS:
+            raise SettingsError(messages.RAMP_UNKNOWN(ramp=self.ramp, known=", ".join(RAMPS)))
 
 
 @dataclass(frozen=True)
@@ -37,9 +64,10 @@ class ForecastRequest:
     extent: Extent | None
     """The window; None when what was drawn can't be measured."""
     wkt: str
-    """Reference system of the window and the footprints."""
-    wavelet: str
-    levels: int
+    """Reference system of the window, the footprints and the seamlines."""
+    settings: ForecastSettings
+    seamlines: tuple[bytes, ...] | None = None
+    """WKB of those that may run through the window; None where nobody knows them."""
     reason: Message | None = None
     """Why there is no window."""
 
@@ -58,6 +86,8 @@ class ForecastPair:
     """How ``other`` lies on ``source`` on the ground, px; None where they show nothing in common."""
     resampled: bool
     """Whether one of them was warped to the window's grid."""
+    kept: KeptDetail | None = None
+    """What a feather of the width asked for would leave; None where none was."""
 
 
 @dataclass(frozen=True)
@@ -74,6 +104,8 @@ class Forecast:
     pairs: tuple[ForecastPair, ...]
     expected: tuple[float | None, ...]
     """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs."""
+    kept: KeptDetail | None = None
+    """What a feather of the width asked for would leave, the smallest over the pairs; None where none was."""
     reason: Message | None = None
     """Why nothing can be foretold."""
     notices: tuple[Message, ...] = field(default=(), compare=False)
@@ -81,10 +113,16 @@ class Forecast:
 
 
 def forecast_request(
-    sources: Sequence[Source], window_id: int, extent: Extent, wkt: str, wavelet: str, levels: int
+    sources: Sequence[Source],
+    window_id: int,
+    extent: Extent,
+    wkt: str,
+    settings: ForecastSettings,
+    seamlines: Seamlines | None = None,
 ) -> ForecastRequest:
-    """The request for a rectangle in the reference system of the sources' footprints."""
-    return ForecastRequest(window_id, sources_over(sources, extent), extent, wkt, wavelet, levels)
+    """The request for a rectangle in the reference system of the sources' footprints and the seamlines."""
+    over = None if seamlines is None else seamlines.over(extent)
+    return ForecastRequest(window_id, sources_over(sources, extent), extent, wkt, settings, over)
 
 
 def forecast_window(request: ForecastRequest) -> Forecast:
@@ -108,25 +146,28 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     clips, refused = _comparable_clips(place, sources, band)
     notices = (*unreadable, *refused)
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
-    found = feathers(planes, request.wavelet, request.levels)
+    wavelet, levels = request.settings.wavelet, request.settings.levels
+    found = feathers(planes, wavelet, levels)
+    expected = expected_ratios(found, levels)
+    kept, assumed = _kept(request, place, planes, found)
     spectra = [Spectra(plane) for plane in planes]
-    expected = expected_ratios(found, request.levels)
     mosaic = place.mosaic
     return Forecast(
         request.window_id,
         extent_on(mosaic.grid.window_extent(place.window), mosaic.wkt, request.wkt or mosaic.wkt),
         len(clips),
         band,
-        tuple(_pair(clips, spectra, feather) for feather in found),
+        tuple(_pair(clips, spectra, feather, one) for feather, one in zip_longest(found, kept)),
         expected,
+        least_kept(kept) if kept else None,
         _reason(len(clips), expected, notices),
-        notices,
+        (*notices, *assumed),
     )
 
 
 def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:
     """The result of a window of which nothing can be foretold."""
-    return Forecast(request.window_id, None, 0, None, (), (None,) * request.levels, reason)
+    return Forecast(request.window_id, None, 0, None, (), (None,) * request.settings.levels, reason=reason)
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,7 +224,7 @@ def _place_on(source: OpenRaster, request: ForecastRequest) -> _ForecastPlace:
     extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
     if not covers(raster.extent, extent, grid.pixel_width, grid.pixel_height):
         raise NotCoveredError(imagery_messages.NOT_COVERED(name=raster.ref.name))
-    window = snap_window(grid, extent, request.levels)
+    window = snap_window(grid, extent, request.settings.levels)
     return _ForecastPlace(raster, window, read_clip(source, raster, window))
 
 
@@ -215,14 +256,48 @@ def _check_comparable(clip: Clip, band: str | None) -> None:
         raise RasterError(messages.SOURCE_CONSTANT(name=name))
 
 
-def _pair(clips: Sequence[Clip], spectra: Sequence[Spectra], feather: Feather) -> ForecastPair:
+def _kept(
+    request: ForecastRequest, place: _ForecastPlace, planes: Sequence[np.ndarray], pairs: Sequence[Feather]
+) -> tuple[list[KeptDetail], list[Message]]:
+    """What a feather of the width asked for would leave of each pair, and what had to be assumed for it."""
+    settings = request.settings
+    if not settings.width_m or not pairs:
+        return [], []
+    grid = place.mosaic.grid
+    metres_x, metres_y = metres_per_unit(place.mosaic.wkt, grid.window_extent(place.window)[1])
+    pixel_m = grid.pixel_height * metres_y, grid.pixel_width * metres_x
+    seams, assumed = _seams(request, place, pixel_m)
+    places = [place_feather(distance, settings.ramp, settings.width_m, pixel_m) for distance in seams]
+    return [
+        kept_detail(planes[pair.first], planes[pair.second], places, settings.wavelet, settings.levels)
+        for pair in pairs
+    ], assumed
+
+
+def _seams(
+    request: ForecastRequest, place: _ForecastPlace, pixel_m: tuple[float, float]
+) -> tuple[list[np.ndarray], list[Message]]:
+    """Where the seam may run in the window, and whether that had to be assumed though seamlines are given."""
+    assumed = assumed_seams(place.window.height, place.window.width, pixel_m)
+    if request.seamlines is None:
+        return assumed, []
+    try:
+        drawn = drawn_seam(request.seamlines, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
+    except RasterError:
+        drawn = None
+    return (assumed, [messages.SEAM_ASSUMED()]) if drawn is None else ([drawn], [])
+
+
+def _pair(
+    clips: Sequence[Clip], spectra: Sequence[Spectra], feather: Feather, kept: KeptDetail | None
+) -> ForecastPair:
     source, other = clips[feather.first], clips[feather.second]
     shift = find_shift(spectra[feather.second], spectra[feather.first])
     if shift is not None:  # their pixel grids may lie beside each other
         x, y = source.offset_x - other.offset_x, source.offset_y - other.offset_y
         shift = replace(shift, x=shift.x + x, y=shift.y + y)
     return ForecastPair(
-        source.raster.ref.name, other.raster.ref.name, feather, shift, source.resampled or other.resampled
+        source.raster.ref.name, other.raster.ref.name, feather, shift, source.resampled or other.resampled, kept
     )
 
 

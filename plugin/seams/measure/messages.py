@@ -76,6 +76,12 @@ WINDOW_FAILED = Message("The window could not be measured ({error}); please repo
 # why no loss is foretold
 ONE_SOURCE = Message("Only one source covers the window, so nothing will be feathered there.", INFO)
 ONE_SOURCE_COMPARABLE = Message("Only one source can be compared here: {why}", INFO)
+# the feather whose loss is foretold
+WIDTH_NEGATIVE = Message("The feather is {width} m wide; give a width in metres, or 0 for its middle alone.")
+RAMP_UNKNOWN = Message("A feather can't have the ramp '{ramp}'; choose one of {known}.")
+SEAM_ASSUMED = Message(
+    "Where no seamline divides a window in two, the seam is assumed to run through its middle.", INFO
+)
 # tables of inspected windows
 WINDOWS_WITHOUT_FIELD = Message(
     "The window layer has no field '{field}'; choose a layer of inspected windows, as 'Inspect windows' leaves it."

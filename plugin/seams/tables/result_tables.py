@@ -96,6 +96,8 @@ FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (
     Column("reason", "text", lambda forecast: _words(forecast.reason)),
     Column("sources", "integer", lambda forecast: forecast.sources),
     Column("expected_ratio", "real", lambda forecast: forecast.expected, by_level=True),
+    Column("window_kept", "real", lambda forecast: forecast.kept and forecast.kept.window, by_level=True),
+    Column("strip_kept", "real", lambda forecast: forecast.kept and forecast.kept.strip, by_level=True),
 )
 """OUTPUT of ``predictloss``: one polygon per window."""
 
@@ -106,6 +108,8 @@ FORECAST_PAIR_COLUMNS: tuple[Column[tuple[Forecast, ForecastPair]], ...] = (
     Column("band", "text", lambda row: row[0].band),
     Column("rho", "real", lambda row: row[1].feather.rho, by_level=True),
     Column("ratio", "real", lambda row: row[1].feather.ratios, by_level=True),
+    Column("window_kept", "real", lambda row: row[1].kept and row[1].kept.window, by_level=True),
+    Column("strip_kept", "real", lambda row: row[1].kept and row[1].kept.strip, by_level=True),
     Column("shift_x", "real", lambda row: row[1].shift and row[1].shift.x),
     Column("shift_y", "real", lambda row: row[1].shift and row[1].shift.y),
     Column("resampled", "integer", lambda row: int(row[1].resampled)),

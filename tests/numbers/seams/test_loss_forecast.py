@@ -8,13 +8,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-from osgeo import gdal
+from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.clips import read_clip
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
 from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.feathers.seam_places import Seamlines
 from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
     inspect_window,
@@ -24,6 +26,7 @@ from seam_inspector.plugin.seams.measure.inspection import (
 from seam_inspector.plugin.seams.measure.loss_forecast import (
     Forecast,
     ForecastRequest,
+    ForecastSettings,
     forecast_request,
     forecast_window,
 )
@@ -42,10 +45,12 @@ def box(column: float, row: float, width: float = 128, height: float = 128) -> E
     return left, top - 0.1 * height, left + 0.1 * width, top
 
 
-def forecast(*paths: str, extent: Extent | None = None, system: int = UTM33, **changed: Any) -> Forecast:
+def forecast(
+    *paths: str, extent: Extent | None = None, system: int = UTM33, seamlines: Seamlines | None = None, **changed: Any
+) -> Forecast:
     sources, _ = gather_sources([RasterRef(path) for path in paths], [], wkt(system))
-    given = {"wavelet": "coif3", "levels": 3, **changed}
-    return forecast_window(forecast_request(sources, 7, extent or box(64, 64), wkt(system), **given))
+    settings = ForecastSettings(**changed)
+    return forecast_window(forecast_request(sources, 7, extent or box(64, 64), wkt(system), settings, seamlines))
 
 
 def images(count: int = 2, shape: tuple[int, int] = SIZE) -> list[np.ndarray]:
@@ -153,7 +158,7 @@ def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_fo
     found = []
     for number, window in enumerate(windows):
         extent = mosaic.grid.window_extent(window)
-        one = forecast_window(forecast_request(sources, number, extent, mosaic.wkt, "coif3", 3))
+        one = forecast_window(forecast_request(sources, number, extent, mosaic.wkt, ForecastSettings()))
         if one.reason is not None:
             continue
         assert one.extent == pytest.approx(extent)
@@ -169,6 +174,53 @@ def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_fo
     assert 0.5 < np.median(first) < 0.65  # half of the finest detail would go: noise of two photos, 0.9 px apart
     lengths = [one.pairs[0].shift.length for one in found if one.pairs[0].shift is not None]
     assert 0.4 < np.median(lengths) < 1.8  # as measured on these images by others
+
+
+# --- feathers of a width ---------------------------------------------------------------------------------------
+
+
+def test_without_a_width_only_the_middle_is_foretold(make_raster: MakeRaster) -> None:
+    found = forecast(*(make_raster(f"{number}.tif", image) for number, image in enumerate(images())))
+    assert found.kept is None
+    assert [pair.kept for pair in found.pairs] == [None]
+
+
+def test_a_mosaic_feathered_at_that_width_keeps_what_was_foretold(make_raster: MakeRaster) -> None:
+    a, b = (image.astype(np.float32) for image in images(shape=(256, 256)))
+    weight = np.clip((np.arange(256) + 0.5 - 128) / 20 + 0.5, 0, 1).astype(np.float32)  # 20 px of 0.1 m
+    left, top = ORIGIN
+    line = ogr.CreateGeometryFromWkt(f"LINESTRING ({left + 12.8} {top}, {left + 12.8} {top - 30})")
+    paths = [make_raster(name, image) for name, image in (("a.tif", a), ("b.tif", b))]
+    seams = Seamlines([bytes(line.ExportToWkb())])
+    found = forecast(*paths, extent=box(64, 64), seamlines=seams, width_m=2.0, ramp="linear")
+    cut = np.where(weight > 0.5, b, a)
+    window = np.s_[:, 64:192, 64:192]
+    blended, hard = (
+        np.array([np.sum(part**2) for part in decompose(luminance(image[window])).details])
+        for image in (weight * b + (1 - weight) * a, cut)
+    )
+    assert found.kept is not None
+    assert found.kept == found.pairs[0].kept
+    assert found.kept.window == pytest.approx(blended / hard, abs=0.02)
+    assert all(strip < whole for strip, whole in zip(found.kept.strip, found.kept.window) if strip and whole)
+    assert found.notices == ()
+
+
+def test_a_seam_that_had_to_be_assumed_is_told(make_raster: MakeRaster) -> None:
+    paths = [make_raster(f"{number}.tif", image) for number, image in enumerate(images())]
+    unknown = forecast(*paths, width_m=2.0)
+    beside = forecast(*paths, width_m=2.0, seamlines=Seamlines([]))
+    assert unknown.notices == ()
+    assert templates(beside.notices) == [
+        "Where no seamline divides a window in two, the seam is assumed to run through its middle."
+    ]
+    assert beside.kept == unknown.kept
+
+
+@pytest.mark.parametrize("changed", [{"width_m": -1.0}, {"width_m": math.nan}, {"ramp": "steep"}, {"wavelet": "x"}])
+def test_settings_out_of_range_are_refused(changed: dict[str, Any]) -> None:
+    with pytest.raises(SettingsError):
+        ForecastSettings(**changed).check()
 
 
 # --- whose pixels ----------------------------------------------------------------------------------------------
@@ -233,7 +285,7 @@ def test_indexed_sources_are_opened_only_where_they_cover_the_window(make_raster
     a, b = (make_raster(f"{i}.tif", image) for i, image in enumerate(images()))
     far = make_raster("far.tif", images()[0], origin=(ORIGIN[0] + 1000, ORIGIN[1]))
     sources, _ = gather_sources([RasterRef(path) for path in (a, b, far)], [], wkt(UTM33))
-    request = forecast_request(sources, 1, box(64, 64), wkt(UTM33), "haar", 1)
+    request = forecast_request(sources, 1, box(64, 64), wkt(UTM33), ForecastSettings("haar", 1))
     assert [source.ref.path for source in request.sources] == [a, b]
 
 
@@ -261,7 +313,7 @@ def test_windows_that_cant_be_measured(make_raster: MakeRaster, extent: Extent, 
 
 def test_a_window_that_was_not_drawn_well_keeps_its_reason() -> None:
     reason = Message("The window has no outline.")
-    request = ForecastRequest(3, (), None, wkt(UTM33), "coif3", 3, reason)
+    request = ForecastRequest(3, (), None, wkt(UTM33), ForecastSettings(), reason=reason)
     assert_nothing_foretold(forecast_window(request), str(reason))
 
 
@@ -278,7 +330,7 @@ def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path
     (tmp_path / "cut.tif").write_bytes((tmp_path / "cut.tif").read_bytes()[:60_000])
     lost = [type(sources[0])(RasterRef(path), sources[0].extent) for path in bad[3:]]
     for order in ([*sources, *added, *lost], [*lost, *reversed(added), *sources], [*added, *lost, *sources]):
-        found = forecast_window(forecast_request(order, 1, box(64, 64), wkt(UTM33), "coif3", 3))
+        found = forecast_window(forecast_request(order, 1, box(64, 64), wkt(UTM33), ForecastSettings()))
         assert [(pair.source, pair.other) for pair in found.pairs][-1] == ("0.tif", "1.tif")
         assert found.reason is None
         said = " ".join(templates(found.notices))
@@ -286,9 +338,9 @@ def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path
                       "text.tif is not a raster", "lost.tif does not exist"):
             assert words in said
         assert len(found.notices) == 5
-    alone = forecast_window(forecast_request([*lost, sources[0]], 1, box(64, 64), wkt(UTM33), "coif3", 3))
+    alone = forecast_window(forecast_request([*lost, sources[0]], 1, box(64, 64), wkt(UTM33), ForecastSettings()))
     assert_nothing_foretold(alone, "Only one source can be compared here: text.tif is not a raster")
-    none = forecast_window(forecast_request(lost, 1, box(64, 64), wkt(UTM33), "coif3", 3))
+    none = forecast_window(forecast_request(lost, 1, box(64, 64), wkt(UTM33), ForecastSettings()))
     assert_nothing_foretold(none, "No source can be compared here: text.tif is not a raster")
 
 

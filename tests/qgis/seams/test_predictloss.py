@@ -57,13 +57,15 @@ def expected(scene: Scene, provider: object) -> list[dict[str, Any]]:
 def test_parameters() -> None:
     job = algorithm("predictloss")
     definitions = {one.name(): one for one in job.parameterDefinitions()}
-    assert list(definitions) == "WINDOWS SOURCES SOURCE_INDEX WAVELET LEVELS OUTPUT PAIRS".split()
+    assert list(definitions) == "WINDOWS SOURCES SOURCE_INDEX WAVELET LEVELS WIDTH RAMP SEAMLINES OUTPUT PAIRS".split()
     optional = {
         name for name, one in definitions.items() if one.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional
     }
-    assert optional == {"SOURCES", "SOURCE_INDEX", "PAIRS"}
-    assert {name: definitions[name].defaultValue() for name in ("WAVELET", "LEVELS")} == {
-        "WAVELET": "coif3", "LEVELS": 3
+    assert optional == {"SOURCES", "SOURCE_INDEX", "WIDTH", "RAMP", "SEAMLINES", "PAIRS"}
+    assert definitions["RAMP"].options() == ["linear", "cosine", "gaussian"]
+    assert definitions["RAMP"].usesStaticStrings()
+    assert {name: definitions[name].defaultValue() for name in ("WAVELET", "LEVELS", "WIDTH", "RAMP")} == {
+        "WAVELET": "coif3", "LEVELS": 3, "WIDTH": 0, "RAMP": "cosine"
     }
     for definition in definitions.values():
         assert len(definition.help()) > 20
@@ -83,13 +85,20 @@ def test_fields(scene: Scene, levels: int) -> None:
         return [(f"{name}_{level}", REAL) for level in range(1, levels + 1)]
 
     assert fields("OUTPUT") == [
-        ("window_id", INTEGER), ("reason", TEXT), ("sources", INTEGER), *by_level("expected_ratio")
+        ("window_id", INTEGER),
+        ("reason", TEXT),
+        ("sources", INTEGER),
+        *by_level("expected_ratio"),
+        *by_level("window_kept"),
+        *by_level("strip_kept"),
     ]
     assert fields("PAIRS") == [
         ("window_id", INTEGER),
         *[(name, TEXT) for name in ("source", "other", "band")],
         *by_level("rho"),
         *by_level("ratio"),
+        *by_level("window_kept"),
+        *by_level("strip_kept"),
         ("shift_x", REAL),
         ("shift_y", REAL),
         ("resampled", INTEGER),
@@ -266,6 +275,7 @@ def test_what_is_refused(scene: Scene) -> None:
     assert_refused("predictloss", "No sources are given", WINDOWS=drawn)
     assert_refused("predictloss", "No sources are given", WINDOWS=drawn, SOURCES=[])
     assert_refused("predictloss", "The window layer is empty", WINDOWS=windows(), SOURCES=scene.sources)
+    assert_refused("predictloss", "The feather is -1.0 m wide", WINDOWS=drawn, SOURCES=scene.sources, WIDTH=-1.0)
     assert_refused(
         "predictloss", "no field 'location'", WINDOWS=drawn, SOURCE_INDEX=layer("Polygon", [outline(SHARP)])
     )

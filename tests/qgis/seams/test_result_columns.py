@@ -119,7 +119,10 @@ def test_a_constant_clip_has_no_relative_variance(project: object) -> None:
 @pytest.mark.parametrize("levels", [1, 3])
 def test_columns_by_level_follow_their_count(project: object, levels: int) -> None:
     names = column_fields(result_tables.FORECAST_COLUMNS, levels).names()
-    assert names == ["window_id", "reason", "sources", *(f"expected_ratio_{level + 1}" for level in range(levels))]
+    by_level = ("expected_ratio", "window_kept", "strip_kept")
+    assert names == [
+        "window_id", "reason", "sources", *(f"{name}_{level + 1}" for name in by_level for level in range(levels))
+    ]
 
 
 def test_every_verdict_is_registered_in_its_order() -> None:

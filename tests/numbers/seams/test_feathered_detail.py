@@ -1,0 +1,299 @@
+"""What a feather of a given width leaves, against sources that are really feathered and cut, by PyWavelets."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from scipy import ndimage
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.imagery.reference_systems import geometry_on
+from seam_inspector.plugin.seams.measure.feathers.feathered_detail import (
+    KeptDetail,
+    kept_detail,
+    least_kept,
+    place_feather,
+)
+from seam_inspector.plugin.seams.measure.feathers.seam_places import Seamlines, assumed_seams, drawn_seam
+from seam_inspector.plugin.seams.measure.limits import COSINE, GAUSSIAN, LINEAR, RAMPS
+
+from tests.numbers.synthetic import luminance, read_pixels, texture, wavedec, wkt
+
+LEVELS = 3
+PIXEL = (1.0, 1.0)
+Pair = tuple[np.ndarray, np.ndarray]
+MAX_BIAS, MAX_SPREAD = 0.01, 0.05
+"""What is promised: mean and standard deviation of the difference from what is found."""
+
+
+def found(a: np.ndarray, b: np.ndarray, seconds: np.ndarray, width: float, ramp: str) -> KeptDetail:
+    """``a`` and ``b`` feathered over the border of ``seconds``, where ``b`` lies: their detail over that of the cut."""
+    distance = np.where(seconds, ndimage.distance_transform_edt(seconds) - 0.5,
+                        0.5 - ndimage.distance_transform_edt(~seconds))
+    across = np.clip(distance / width, -0.5, 0.5)
+    weight = {
+        LINEAR: 0.5 + across,
+        COSINE: (1 - np.cos(np.pi * (across + 0.5))) / 2,
+        GAUSSIAN: ndimage.gaussian_filter(seconds.astype(float), width / 4),
+    }[ramp]
+    blend, cut = (energies(image) for image in (weight * b + (1 - weight) * a, np.where(seconds, b, a)))
+    strip = abs(distance) <= width / 2
+    return KeptDetail(tuple(x.sum() / y.sum() for x, y in zip(blend, cut)),
+                      tuple(x[strip].sum() / y[strip].sum() for x, y in zip(blend, cut)))
+
+
+def energies(image: np.ndarray) -> list[np.ndarray]:
+    """Squares of the details, level by level, each over the pixels that it stands for."""
+    _, *details = wavedec(image, "coif3", LEVELS)
+    return [
+        np.kron(sum(part**2 for part in parts), np.ones((2**level, 2**level)))
+        for level, parts in enumerate(reversed(details), 1)
+    ]
+
+
+def crooked(side: int, rng: np.random.Generator) -> np.ndarray:
+    """Where the second source lies: beyond a crooked seam of any direction through the middle of the window."""
+    y, x = np.mgrid[:side, :side] - (side - 1) / 2
+    turn = rng.uniform(0, 2 * np.pi)
+    across, along = x * np.cos(turn) + y * np.sin(turn), y * np.cos(turn) - x * np.sin(turn)
+    bends = ndimage.gaussian_filter1d(rng.normal(size=3 * side), side / 12)
+    bends = (bends - bends[3 * side // 2]) * side / 20 / bends.std()
+    return np.asarray(across > np.interp(along, np.arange(3 * side) - 1.5 * side, bends))
+
+
+def straight(side: int, rng: np.random.Generator) -> np.ndarray:
+    y, x = np.mgrid[:side, :side] - (side - 1) / 2
+    turn = rng.uniform(0, 2 * np.pi)
+    return np.asarray(x * np.cos(turn) + y * np.sin(turn) > 0)
+
+
+def foretold(
+    a: np.ndarray, b: np.ndarray, distances: list[np.ndarray], width: float, ramp: str, levels: int = LEVELS
+) -> KeptDetail:
+    return kept_detail(a, b, [place_feather(one, ramp, width, PIXEL) for one in distances], "coif3", levels)
+
+
+def signed(seconds: np.ndarray) -> np.ndarray:
+    """Distance from the border of a mask, px."""
+    inside, outside = (ndimage.distance_transform_edt(side) for side in (seconds, ~seconds))
+    return np.where(seconds, inside - 0.5, 0.5 - outside)
+
+
+def related(seed: int, side: int = 256) -> tuple[np.ndarray, np.ndarray]:
+    """Two grey images of one ground, rough at one end and calm at the other, each with its own noise."""
+    ground, *own = (texture((side, side), beta, 10 * seed + i) for i, beta in enumerate((1.6, 0.5, 0.5)))
+    rough = np.linspace(0.5, 1.5, side)
+    return 120 + rough * (20 * ground + 4 * own[0]), 118 + rough * (20 * ground + 5 * own[1])
+
+
+def brighton_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
+    """Pairs of orthoimages in windows that both cover, at whole pixels."""
+    mosaic = describe_mosaic(RasterRef(str(folder / "mosaic_hardseam.tif"))).grid
+    planes = []
+    for path in sorted(folder.glob("DJI_*_ortho.tif")):
+        grid = describe(RasterRef(str(path))).grid
+        row, column = round((mosaic.top - grid.top) / 0.03), round((grid.left - mosaic.left) / 0.03)
+        plane = np.zeros((mosaic.rows + 2 * grid.rows, mosaic.columns + 2 * grid.columns), np.float32)
+        row, column = row + grid.rows, column + grid.columns
+        own = luminance(read_pixels(str(path), 0, 0, grid.columns, grid.rows))
+        plane[row : row + grid.rows, column : column + grid.columns] = own
+        planes.append(plane[grid.rows : grid.rows + mosaic.rows, grid.columns : grid.columns + mosaic.columns])
+    for row in range(0, mosaic.rows - side, step):
+        for column in range(0, mosaic.columns - side, step):
+            clips = [plane[row : row + side, column : column + side] for plane in planes]
+            yield from combinations([clip for clip in clips if (clip > 0).all()], 2)
+
+
+def packo_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
+    planes = [luminance(read_pixels(str(path), 0, 0, 256, 256)) for path in sorted(folder.glob("*.tif"))]
+    for row in range(0, 256 - side + 1, step):
+        for column in range(0, 256 - side + 1, step):
+            yield from combinations([plane[row : row + side, column : column + side] for plane in planes], 2)
+
+
+def errors(
+    pairs: list[Pair], width: float, ramp: str, is_seam_known: bool
+) -> tuple[np.ndarray, np.ndarray]:
+    """What was foretold less what is found in each pair, in the window and in the strip: (pairs, levels) each."""
+    rng = np.random.default_rng(7)
+    windows, strips = [], []
+    for a, b in pairs:
+        seconds = (crooked if is_seam_known else straight)(len(a), rng)
+        places = [signed(seconds)] if is_seam_known else assumed_seams(*a.shape, PIXEL)
+        one, seen = foretold(a, b, places, width, ramp), found(a, b, seconds, width, ramp)
+        windows.append(np.subtract(one.window, seen.window))
+        strips.append(np.subtract(one.strip, seen.strip))
+    return np.array(windows), np.array(strips)
+
+
+def assert_promise_kept(differences: np.ndarray) -> None:
+    """In the mean of few windows, which may be off by two standard errors."""
+    spread = differences.std(axis=0)
+    assert spread.max() < MAX_SPREAD
+    assert (abs(differences.mean(axis=0)) < MAX_BIAS + 2 * spread / np.sqrt(len(differences))).all()
+
+
+@pytest.fixture(scope="module")
+def brighton(data_folder: Path) -> list[Pair]:
+    pairs = list(brighton_pairs(data_folder / "seams" / "brighton", 512, 128))
+    return pairs[:: max(len(pairs) // 12, 1)]
+
+
+@pytest.fixture(scope="module")
+def packo(data_folder: Path) -> list[Pair]:
+    return list(packo_pairs(data_folder / "seams" / "packo", 192, 32))
+
+
+# --- what is promised ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ramp", RAMPS)
+@pytest.mark.parametrize("width", [13, 66])
+def test_the_detail_of_generated_images_is_foretold(width: float, ramp: str) -> None:
+    pairs = [related(seed) for seed in range(12)]
+    for differences in errors(pairs, width, ramp, is_seam_known=True):
+        assert_promise_kept(differences)
+    window, _ = errors(pairs, width, ramp, is_seam_known=False)
+    assert_promise_kept(window)
+
+
+@pytest.mark.parametrize(("width", "ramp"), [(13, COSINE), (33, GAUSSIAN), (66, LINEAR), (256, COSINE)])
+def test_the_detail_of_brightons_orthoimages_is_foretold(brighton: list[Pair], width: float, ramp: str) -> None:
+    assert len(brighton) >= 12
+    for differences in errors(brighton, width, ramp, is_seam_known=True):
+        assert_promise_kept(differences)
+    window, strip = errors(brighton, width, ramp, is_seam_known=False)
+    assert_promise_kept(window)
+    assert_promise_kept(strip[:, :1])  # coarser detail is too sparse in a strip whose place is not known
+
+
+@pytest.mark.parametrize(("width", "ramp"), [(13, COSINE), (33, LINEAR), (66, GAUSSIAN)])
+def test_the_detail_of_packos_orthoimages_is_foretold(packo: list[Pair], width: float, ramp: str) -> None:
+    for differences in errors(packo, width, ramp, is_seam_known=True):
+        assert_promise_kept(differences)
+    window, _ = errors(packo, width, ramp, is_seam_known=False)
+    assert_promise_kept(window)
+
+
+# --- what follows from arithmetic ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ramp", RAMPS)
+def test_equal_images_keep_all_but_the_edge_of_a_step_in_tone(ramp: str) -> None:
+    a, _ = related(1, 64)
+    seams = assumed_seams(64, 64, PIXEL)
+    assert foretold(a, a, seams, 9, ramp).strip == pytest.approx((1, 1, 1))
+    assert foretold(a, a, seams, 9, ramp).window == pytest.approx((1, 1, 1))
+    lighter = foretold(a, a + 60, seams, 9, ramp).window[0]
+    assert lighter is not None
+    assert lighter < 0.99
+
+
+def test_it_does_not_matter_which_of_two_comes_first() -> None:
+    a, b = related(2, 64)
+    places = [signed(crooked(64, np.random.default_rng(2)))]
+    one, turned = foretold(a, b, places, 20, COSINE), foretold(b, a, places, 20, COSINE)
+    assert one.window == pytest.approx(turned.window)
+    assert one.strip == pytest.approx(turned.strip)
+
+
+@pytest.mark.parametrize("ramp", RAMPS)
+def test_wider_feathers_leave_less_in_the_window(ramp: str) -> None:
+    a, b = related(3)
+    seams = assumed_seams(*a.shape, PIXEL)
+    left = [foretold(a, b, seams, width, ramp).window[0] for width in (0.5, 4, 16, 64, 256)]
+    assert left == sorted(left, reverse=True)  # type: ignore[type-var]
+    assert left[0] == pytest.approx(1, abs=0.005)
+
+
+def test_widths_are_metres_on_the_ground() -> None:
+    metres = (0.5, 0.25)
+    for distance in assumed_seams(64, 64, metres):
+        feather = place_feather(distance, LINEAR, 6.0, metres)
+        down, right = np.gradient(feather.weight)
+        steep = (feather.weight > 0.15) & (feather.weight < 0.85)
+        slopes = np.hypot(down / metres[0], right / metres[1])[steep]
+        np.testing.assert_allclose(slopes, 1 / 6.0, rtol=1e-3)
+
+
+def test_without_detail_there_is_no_figure() -> None:
+    flat = np.full((64, 64), 7.0)
+    kept = foretold(flat, flat, assumed_seams(64, 64, PIXEL), 9, COSINE)
+    assert kept == KeptDetail((None,) * LEVELS, (None,) * LEVELS)
+
+
+def test_of_several_pairs_the_least_counts_at_every_level() -> None:
+    pairs = [KeptDetail((0.9, None), (0.7, None)), KeptDetail((0.95, 0.8), (0.6, None))]
+    assert least_kept(pairs) == KeptDetail((0.9, 0.8), (0.6, None))
+
+
+# --- where the seam runs ---------------------------------------------------------------------------------------
+
+
+WINDOW = PixelWindow(64, 32, 128, 96)
+
+
+def wkb(text: str) -> bytes:
+    return bytes(ogr.CreateGeometryFromWkt(text).ExportToWkb())
+
+
+def vertices(mosaic: Raster, *places: tuple[float, float]) -> str:
+    """Places in px from the window's upper left corner."""
+    xmin, _, _, ymax = mosaic.grid.window_extent(WINDOW)
+    size = mosaic.grid.pixel_width
+    return ", ".join(f"{xmin + column * size} {ymax - row * size}" for column, row in places)
+
+
+def line(mosaic: Raster, *places: tuple[float, float]) -> str:
+    return f"LINESTRING ({vertices(mosaic, *places)})"
+
+
+def drawn(mosaic: Raster, *lines: str) -> np.ndarray | None:
+    return drawn_seam([wkb(one) for one in lines], mosaic.wkt, mosaic, WINDOW, (0.1, 0.1))
+
+
+def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:
+    distance = drawn(mosaic, line(mosaic, (48, -20), (48, 150)))
+    assert distance is not None
+    expected = 0.1 * (np.arange(128) + 0.5 - 48)
+    np.testing.assert_allclose(distance, np.broadcast_to(expected, (96, 128)), atol=0.11)  # to a pixel
+    assert (distance[:, 60:] > 0).all()  # the larger part
+
+
+def test_the_border_of_a_polygon_and_a_line_in_pieces_are_the_same_seam(mosaic: Raster) -> None:
+    whole = drawn(mosaic, line(mosaic, (48, -20), (48, 150)))
+    assert whole is not None
+    corners = vertices(mosaic, (-30, -20), (48, -20), (48, 150), (-30, 150), (-30, -20))
+    pieces = [line(mosaic, (48, row), (48, row + 1)) for row in range(-5, 100)]
+    np.testing.assert_array_equal(drawn(mosaic, f"POLYGON (({corners}))"), whole)
+    np.testing.assert_array_equal(drawn(mosaic, *pieces), whole)
+
+
+def test_lines_that_do_not_divide_the_window_are_no_seam(mosaic: Raster) -> None:
+    assert drawn(mosaic) is None
+    assert drawn(mosaic, line(mosaic, (48, -20), (48, 50))) is None
+    assert drawn(mosaic, line(mosaic, (-9, -20), (-9, 150))) is None
+
+
+def test_lines_in_another_reference_system(mosaic: Raster) -> None:
+    own = line(mosaic, (48, -20), (48, 150))
+    degrees = wkt(4326)
+    moved = geometry_on(ogr.CreateGeometryFromWkt(own), mosaic.wkt, degrees)
+    assert abs(moved.GetX(0)) < 180
+    distance = drawn_seam([bytes(moved.ExportToWkb())], degrees, mosaic, WINDOW, (0.1, 0.1))
+    assert distance is not None
+    same = drawn(mosaic, own)
+    assert same is not None
+    np.testing.assert_allclose(distance, same, atol=0.11)
+
+
+def test_seamlines_over_a_window() -> None:
+    lines = [wkb(f"LINESTRING ({x} 0, {x} 10)") for x in (0, 5, 9)]
+    assert Seamlines(lines).over((4, 2, 6, 3)) == (lines[1],)
+    assert Seamlines(lines).over((-2, -2, 9, 0)) == tuple(lines)
+    assert Seamlines([]).over((0, 0, 1, 1)) == ()
