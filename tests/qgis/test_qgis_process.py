@@ -128,15 +128,18 @@ def test_predict(qgis_process: Process, scene: Scene, tmp_path: Path) -> None:
     )
     run = qgis_process(
         "run", "--json", "seaminspector:predictloss", f"--WINDOWS={drawn}",
-        *(f"--SOURCES={path}" for path in scene.sources), "--LEVELS=1", f"--OUTPUT={predicted}", f"--PAIRS={pairs}",
+        *(f"--SOURCES={path}" for path in scene.sources), "--LEVELS=1", "--WIDTH=3.5",
+        "--RAMP=linear", f"--OUTPUT={predicted}", f"--PAIRS={pairs}",
     )
     assert run.returncode == 0, run.stderr
     results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
     assert (results["WINDOW_COUNT"], results["NOT_COMPARABLE_COUNT"]) == (2, 0)
     opened = QgsVectorLayer(str(predicted), "result", "ogr")
     assert [0.5 < feature["expected_ratio_1"] < 1 for feature in opened.getFeatures()] == [True, True]
+    for feature in opened.getFeatures():
+        assert feature["expected_ratio_1"] < feature["strip_kept_1"] < feature["window_kept_1"] < 1
     header, *rows = pairs.read_text(encoding="utf-8").splitlines()
-    assert header == "window_id,source,other,band,rho_1,ratio_1,shift_x,shift_y,resampled"
+    assert header == "window_id,source,other,band,rho_1,ratio_1,window_kept_1,strip_kept_1,shift_x,shift_y,resampled"
     assert len(rows) == 2
 
 
