@@ -39,6 +39,16 @@
         <translation>Scheduler Dask</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="1"/>
+        <source>Detail by direction</source>
+        <translation>Detale według kierunków</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="1"/>
+        <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
+        <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy składowe kierunkowe każdego poziomu: LH, w której ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
+    </message>
+    <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="85"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>

@@ -35,6 +35,9 @@ FLOAT32_WAVELETS = (  # those whose float32 shares stay that near on all of thes
     *("coif1", "coif2", "coif3", "db2", "db3", "db4", "db5", "db6"),
     *("sym2", "sym3", "sym4", "sym5", "sym6", "sym7", "sym8", "sym9"),
 )
+DIRECTIONS = ("LH", "HL", "HH")
+"""The three components of a level's detail, as ``detail_components`` has them: lines that run horizontally, vertically
+and diagonally show up in them. PyWavelets calls them cH, cV and cD."""
 
 
 @dataclass(frozen=True)

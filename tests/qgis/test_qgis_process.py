@@ -65,7 +65,7 @@ def test_list_and_help(qgis_process: Process) -> None:
     for name in ("placewindows", "inspectwindows", "predictloss", "inspect_mosaic"):
         assert f"seaminspector:{name}" in said.stdout
     described = qgis_process("help", "seaminspector:inspectwindows").stdout
-    names = "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO SCHEDULER".split()
+    names = "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO DIRECTIONS SCHEDULER".split()
     for name in (*names, "OUTPUT", "CURVES", "PAIRS"):
         assert f"\n{name}: " in described
     assert "SIGNIFICANT_COUNT" in described

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
+    QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterString,
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from ..measure.inspection import Block, InspectionSettings, WindowRequest
     from ..measure.seam_cells import Cell
 
-WINDOWS, CELLS, REFERENCE, SCHEDULER = "WINDOWS", "CELLS", "REFERENCE", "SCHEDULER"
+WINDOWS, CELLS, REFERENCE, DIRECTIONS, SCHEDULER = "WINDOWS", "CELLS", "REFERENCE", "DIRECTIONS", "SCHEDULER"
 OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
 
@@ -81,6 +82,15 @@ class InspectWindows(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             *common.max_ratio(tr("A window is significant when its ratio at level 1 is this or less.")), advanced=True
+        )
+        self.addDescribed(
+            QgsProcessingParameterBoolean(DIRECTIONS, tr("Detail by direction"), False, optional=True),
+            tr(
+                "Adds to the curves of the mosaic and the sources the three directional components of each level: LH, "
+                "in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level's "
+                "detail. Takes several times as long as the curves alone."
+            ),
+            advanced=True,
         )
         self.addDescribed(
             QgsProcessingParameterString(SCHEDULER, tr("Dask scheduler"), optional=True),
@@ -171,7 +181,9 @@ class InspectWindows(SeamInspectorAlgorithm):
     def _settings(self, run: Run) -> InspectionSettings:
         from ..measure.inspection import InspectionSettings
 
-        return InspectionSettings(*run.decomposition(), run.real(common.MAX_RATIO), run.text(REFERENCE))
+        return InspectionSettings(
+            *run.decomposition(), run.real(common.MAX_RATIO), run.text(REFERENCE), run.flag(DIRECTIONS)
+        )
 
     def _cells(self, run: Run) -> list[Cell]:
         from ...toolkit import layers

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from ...imagery import limits as imagery_limits
-from ...imagery.band_curves import correlation, measure_clip
+from ...imagery.band_curves import Directions, correlation, measure_clip, measure_directions
 from ...imagery.clips import read_clip
 from ...imagery.errors import NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
@@ -34,6 +34,8 @@ class InspectionSettings:
     """Largest ratio_1 that is a significant loss."""
     reference: str = REFERENCES[0]
     """What the verdict is taken against, one of ``REFERENCES``."""
+    directions: bool = False
+    """Whether the detail of the mosaic and the sources is told by direction too."""
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
@@ -85,6 +87,8 @@ class ClipResult:
     """``mosaic``, ``source`` or ``composite``."""
     curves: dict[str, Curve]
     """By band name, ``luminance`` first where there is one."""
+    directions: dict[str, Directions] = field(default_factory=dict)
+    """The same by direction; empty where that was not asked for."""
 
 
 @dataclass(frozen=True)
@@ -194,7 +198,10 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     if not sources and refused and mosaic.curves[band].variance > 0:
         why = refused[: imagery_limits.MAX_REASONS]
         judgement = Judgement(judgement.verdict, judgement.ratios, messages.NO_SOURCE_COMPARABLE(why=why))
-    clips = [_clip_result(mosaic, "mosaic"), *(_clip_result(one, "source") for one in sources)]
+    clips = [
+        _clip_result(one, role, request.settings)
+        for one, role in ((mosaic, "mosaic"), *((source, "source") for source in sources))
+    ]
     if judgement.verdict is Verdict.NOT_COMPARABLE:
         pairs = [pair for one in sources for pair in _pairs(mosaic, one, {})]
         return WindowResult(
@@ -215,8 +222,10 @@ def _measured(ref: RasterRef, request: WindowRequest) -> MeasuredClip:
     return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
 
 
-def _clip_result(measured: MeasuredClip, role: str) -> ClipResult:
-    return ClipResult(measured.clip.raster.ref.name, role, measured.curves)
+def _clip_result(measured: MeasuredClip, role: str, settings: InspectionSettings) -> ClipResult:
+    clip = measured.clip
+    directions = measure_directions(clip, settings.wavelet, settings.levels) if settings.directions else {}
+    return ClipResult(clip.raster.ref.name, role, measured.curves, directions)
 
 
 def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[MeasuredClip], list[Message], list[Message]]:

@@ -81,7 +81,9 @@ def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, l
         if window_id is None or level is None:
             continue
         raster, role, band = (text(row[name]) for name in ("raster", "role", "band"))
-        place = level if text(row["component"]) == "detail" else _BACKGROUND
+        place = {"detail": level, "background": _BACKGROUND}.get(text(row["component"]))
+        if place is None:  # a part of the detail, by direction
+            continue
         curves = windows.setdefault(window_id, {}).setdefault(band, [])
         own = [one for one in curves if (one.raster, one.role) == (raster, role)]
         if not own or place in own[-1].shares:

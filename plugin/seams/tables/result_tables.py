@@ -11,7 +11,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
 from ...imagery.message import Message
 from ...imagery.shifts import Shift
-from ...imagery.wavelets import Curve
+from ...imagery.wavelets import DIRECTIONS, Curve
 from ...toolkit.table_fields import Column, column_features, column_fields, column_values, feature
 from ...toolkit.translation import sentence
 from ..measure.explanation import Change
@@ -163,6 +163,8 @@ def _curve_rows(result: WindowResult) -> Iterator[_CurveRow]:
         for band, curve in clip.curves.items():
             shares = [*(("detail", level, share) for level, share in enumerate(curve.detail, 1)),
                       ("background", len(curve.detail), curve.background)]
+            for level, directions in enumerate(clip.directions.get(band, ()), 1):
+                shares += [(component, level, share) for component, share in zip(DIRECTIONS, directions)]
             for component, level, share in shares:
                 yield _CurveRow(result.window_id, clip, band, curve, component, level, share)
 

@@ -52,14 +52,15 @@ def test_parameters() -> None:
     job = algorithm("inspectwindows")
     definitions = {one.name(): one for one in job.parameterDefinitions()}
     assert list(definitions) == (
-        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO SCHEDULER OUTPUT CURVES PAIRS"
+        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO DIRECTIONS "
+        "SCHEDULER OUTPUT CURVES PAIRS"
     ).split()
     flags = QgsProcessingParameterDefinition.Flag
     optional = {name for name, one in definitions.items() if one.flags() & flags.FlagOptional}
     advanced = {name for name, one in definitions.items() if one.flags() & flags.FlagAdvanced}
     # Mandatory, REFERENCE would make every model invalid that was drawn before there was such a choice.
-    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "SCHEDULER", "CURVES", "PAIRS"}
-    assert advanced == {"CELLS", "MAX_RATIO", "SCHEDULER"}
+    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "DIRECTIONS", "SCHEDULER", "CURVES", "PAIRS"}
+    assert advanced == {"CELLS", "MAX_RATIO", "DIRECTIONS", "SCHEDULER"}
     defaults = {name: definitions[name].defaultValue() for name in ("WAVELET", "LEVELS", "REFERENCE", "MAX_RATIO")}
     assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "REFERENCE": "sources", "MAX_RATIO": 0.5}
     assert definitions["WAVELET"].usesStaticStrings()
