@@ -16,7 +16,7 @@ from .filter_pair import BLOCK, FilterPair
 Pair = tuple[int, int]
 """Two bands by their index in a clip."""
 
-_MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS starts threads, which get in ours' way
+MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS starts threads, which get in ours' way
 _PIECE = 64  # samples summed in their own type
 _HALVED_AT_A_TIME = 3 * 512 * 512  # samples
 _SPLIT_AT_A_TIME = 128 * 512
@@ -39,7 +39,7 @@ def halved(
         height = samples.shape[1] - 2 * margin
         own = samples[:, margin : margin + min(height, rows - start), margin : margin + columns]
         products += sums_of_products(own, pairs)
-        low = _reused("low", (count, height // 2, samples.shape[2]), dtype)
+        low = reused("low", (count, height // 2, samples.shape[2]), dtype)
         _banded(samples, matrix, low.reshape(count, -1, BLOCK, samples.shape[2]))
         target = coarse[:, start // 2 : (start + height) // 2].swapaxes(1, 2)
         _banded(low.swapaxes(1, 2), matrix, target.reshape(count, -1, BLOCK, height // 2))
@@ -56,9 +56,9 @@ def split(bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtyp
         for start, samples in _strips(bands[alone], offsets[alone], margin, _SPLIT_AT_A_TIME, dtype):
             height, across = samples.shape[1] - 2 * margin, parts.shape[-1] // BLOCK
             # Of each block of rows both filters' outputs, then the same of each block of columns.
-            down = _reused("down", (1, height, samples.shape[2]), dtype)
+            down = reused("down", (1, height, samples.shape[2]), dtype)
             _banded(samples, matrix, down.reshape(1, -1, 2 * BLOCK, samples.shape[2]))
-            both = _reused("both", (1, across, height, 2 * BLOCK), dtype)
+            both = reused("both", (1, across, height, 2 * BLOCK), dtype)
             _banded(down.swapaxes(1, 2), matrix, both.swapaxes(2, 3))
             target = parts[:, :, band, start // 2 : (start + height) // 2].reshape(2, 2, -1, BLOCK, across, BLOCK)
             target[...] = both.reshape(across, -1, 2, BLOCK, 2, BLOCK).transpose(4, 2, 1, 3, 0, 5)
@@ -93,7 +93,7 @@ def _strips(
     count, rows, columns = bands.shape
     most = max(at_a_time // (count * columns * 2 * BLOCK), 1) * 2 * BLOCK
     inside = slice(margin, margin + columns)
-    buffer = _reused("samples", (count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
+    buffer = reused("samples", (count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
     left, right = np.arange(-margin, 0) % columns, np.arange(columns, buffer.shape[2] - margin) % columns
     for start in range(0, rows, most):
         first, last = start - margin, start + _whole(min(most, rows - start)) + margin
@@ -119,13 +119,13 @@ def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray) -> None:
     strides = (x.strides[0], 2 * BLOCK * x.strides[1], *x.strides[1:])
     shape = (x.shape[0], out.shape[1], matrix.shape[1], x.shape[2])
     samples = np.lib.stride_tricks.as_strided(x, shape, strides, writeable=False)
-    width = max(1, _MAX_MULTIPLICATIONS // matrix.size)
+    width = max(1, MAX_MULTIPLICATIONS // matrix.size)
     for left in range(0, x.shape[2], width):
         part = np.s_[..., left : left + width]
         np.matmul(matrix, samples[part], out=out[part])
 
 
-def _reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
+def reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
     """An array in this thread's own memory, to be used until the next one of that name.
 
     Pages fresh from the system would cost half as much time as the arithmetic. It is some 5 MB in float32, however
