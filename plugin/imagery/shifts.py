@@ -23,6 +23,7 @@ _Tile = tuple[int, int, int]
 
 _TILE_PX, _LEAST_TILE_PX = 256, 32
 _TILES_A_SIDE = 2
+_ENOUGH_LARGE_TILES = 2  # that agree: strangers don't
 _CUTOFF = 0.12  # cycles a pixel at which the weight has fallen to exp(-1/2)
 _ALL_FREQUENCIES_PX = 128  # side of a tile that needs all; a larger one is as exact without the upper half of them
 _STEPS, _ROUNDS = 8, 3  # of the fine search, each way: to 1/8, 1/64, 1/512 px
@@ -97,25 +98,31 @@ def find_shift(
     where there is no such tile, or none with a peak that stands out, so that no number is made up.
     """
     own, other = (one if isinstance(one, Spectra) else Spectra(one) for one in (image, reference))
-    spectra = []
+    found: list[tuple[Shift, np.ndarray]] = []
+    agreeing: list[np.ndarray] = []
+    leader = None
     for tile in _tiles(own.pixels.shape, where):
         side = tile[2]
         cross = _cross_phases(own.of(tile), other.of(tile), side)
         shift = _nearest_pixel(cross, side)
-        if shift.peak >= max(MIN_SHIFT_PEAK, MIN_SHIFT_PEAK_PX / side):
-            spectra.append((shift, cross))
-    if not spectra:
-        return None
-    leader = max((shift for shift, _ in spectra), key=lambda shift: shift.peak)
-    agreeing = [cross for shift, cross in spectra if np.hypot(shift.x - leader.x, shift.y - leader.y) < SAME_SHIFT_PX]
-    return _refined(sum(agreeing) / len(agreeing), side, leader)
+        if shift.peak < max(MIN_SHIFT_PEAK, MIN_SHIFT_PEAK_PX / side):
+            continue
+        found.append((shift, cross))
+        leader = max((one for one, _ in found), key=lambda one: one.peak)
+        agreeing = [one for at, one in found if np.hypot(at.x - leader.x, at.y - leader.y) < SAME_SHIFT_PX]
+        if len(agreeing) >= _ENOUGH_LARGE_TILES and side > _ALL_FREQUENCIES_PX:
+            break
+    return None if leader is None else _refined(sum(agreeing) / len(agreeing), side, leader)
 
 
 def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
-    """Tiles spread over the image, as large as they can be; of those the ones that lie mostly ``where`` it matters."""
+    """Tiles spread over the image, as large as they can be; of those the ones that lie mostly ``where`` it matters.
+
+    The second is the one farthest from the first, since two may be enough.
+    """
     side = min(_TILE_PX, *shape[:2])
     if where is None:
-        return _grid(shape, side, _TILES_A_SIDE)
+        return _far_apart(_grid(shape, side, _TILES_A_SIDE))
     within = np.pad(where[::_STRIDE, ::_STRIDE].astype(np.int32).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     while side >= _LEAST_TILE_PX:
         shares = []
@@ -126,9 +133,14 @@ def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
             shares.append((float(count) / ((bottom - top) * (right - left)), tile))
         shares = sorted((one for one in shares if one[0] >= MIN_TILE_SHARE), key=lambda one: -one[0])
         if shares:
-            return [tile for _, tile in shares[: _TILES_A_SIDE**2]]
+            return _far_apart([tile for _, tile in shares[: _TILES_A_SIDE**2]])
         side //= 2
     return []
+
+
+def _far_apart(tiles: list[_Tile]) -> list[_Tile]:
+    first, *others = tiles
+    return [first, *sorted(others, key=lambda tile: -np.hypot(tile[0] - first[0], tile[1] - first[1]))]
 
 
 def _grid(shape: tuple[int, ...], side: int, most: int) -> list[_Tile]:
