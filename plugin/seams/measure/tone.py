@@ -17,6 +17,7 @@ MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this 
 _ROUNDS = 6  # of reweighting; it settles in four or five
 _MOST_POINTS = 1024
 _GAMMA_POINTS = 384
+_GAMMA_VALUES = 1024  # that pixels are told apart by: of 8 bit and 10 bit ones all
 _GAMMA_STEPS = (13, 7, 7)  # exponents that are tried, then between the neighbours of the best: to 1 %
 _FEWEST_POINTS = 16
 _TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
@@ -145,26 +146,18 @@ def _gamma(
     rows, columns = (index[::step] for index in places)
     side = bands.shape[1] // shape[0]
     split = bands.reshape(len(bands), shape[0], side, shape[1], side)[:, rows, :, columns]  # points come first
-    pixels = split.reshape(*split.shape[:2], side * side)
-    top = float(pixels.max())
-    if pixels.min() < 0 or top <= 0:
+    lowest, highest = float(split.min()), float(split.max())
+    if lowest < 0 or highest <= lowest:
         return 1.0
+    count = _GAMMA_VALUES if bands.dtype.kind == "f" else min(int(highest - lowest) + 1, _GAMMA_VALUES)
+    shares = _value_shares(split.swapaxes(0, 1), weights, lowest, (count - 1) / (highest - lowest), count)
+    values = np.linspace(lowest, highest, count) / highest
     means = y[np.newaxis, ::step]
-    with np.errstate(divide="ignore"):  # the power of 0 is 0
-        logarithms = np.log((pixels / top).astype(np.float32))
-
-    power = np.empty_like(logarithms)
-
-    def averaged(gamma: np.floating) -> np.ndarray:
-        np.exp(np.multiply(logarithms, np.float32(gamma), out=power), out=power)
-        means: np.ndarray = power.mean(axis=2) @ weighted
-        return means
 
     def spreads(gammas: np.ndarray) -> np.ndarray:
-        powers = [averaged(gamma) for gamma in gammas]
-        return _linear(np.stack(powers), np.broadcast_to(means, (len(gammas), means.shape[1])))[2]
+        powers = values ** gammas[:, np.newaxis] @ shares.T
+        return _linear(powers, np.broadcast_to(means, powers.shape))[2]
 
-    weighted = np.asarray(weights)
     low, high = MIN_GAMMA, MAX_GAMMA
     for count in _GAMMA_STEPS:
         grid = np.geomspace(low, high, count)
@@ -173,6 +166,18 @@ def _gamma(
         low, high = grid[max(best - 1, 0)], grid[min(best + 1, count - 1)]
     line = spreads(np.ones(1))[0]
     return float(grid[best]) if found[best] <= (1 - MIN_GAMMA_GAIN) * line else 1.0
+
+
+def _value_shares(
+    pixels: np.ndarray, weights: Sequence[float], lowest: float, scale: float, count: int
+) -> np.ndarray:
+    """Of the pixels (bands, points, rows, columns) of each point the weighted share at each value, (points, count)."""
+    points = pixels.shape[1]
+    number = ((pixels - np.float32(lowest)) * np.float32(scale) + np.float32(0.5)).astype(np.intp)
+    number += count * np.arange(points)[:, np.newaxis, np.newaxis]
+    each = number[0, 0].size
+    shares = np.bincount(number.ravel(), np.repeat(np.asarray(weights) / each, points * each), points * count)
+    return shares.reshape(points, count)
 
 
 def _bends(x: np.ndarray, y: np.ndarray, linear_spreads: np.ndarray) -> np.ndarray:
