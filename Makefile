@@ -13,7 +13,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qgis test-desktop demo benchmark benchmark-detection translate package icon clean
+.PHONY: help install link lint test test-numbers test-qgis test-desktop demo benchmark benchmark-detection benchmark-calibration translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -58,6 +58,9 @@ benchmark: link ## Measure the speed, on one core
 
 benchmark-detection: link ## Measure how well lost contrast and its causes are found; real data by SEAM_INSPECTOR_DATA
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.detection
+
+benchmark-calibration: link ## Measure how often the calibration's range covers the true threshold; takes an hour
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.calibration
 
 translate: link ## Collect new texts into the translations, then compile them
 	$(PYTHON) tools/template_texts.py resources/reports > build/template_texts.py

@@ -2235,18 +2235,28 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="33"/>
-        <source>Finds the largest ratio of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1); the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
-        <translation>Znajduje największy stosunek istotnej straty, który potwierdzają oceny obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1); pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0.5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Przy mniej niż 5 ocenach widocznych lub 5 niewidocznych nie ma liczby.</translation>
+        <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
+        <translation>Znajduje granicę istotnej straty, którą potwierdzają oceny obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) ocen wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0.5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 ocenach widocznych lub 5 niewidocznych nie ma liczby.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="44"/>
-        <source>Windows that were inspected and judged: fields &apos;ratio_1&apos; and &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos;; &apos;composite_ratio_1&apos; takes part where it is there.</source>
-        <translation>Okna skontrolowane i ocenione: pola 'ratio_1' i 'observer' ze słowami 'visible' (stratę widać przy 2x) i 'invisible'; 'composite_ratio_1' bierze udział, jeśli jest.</translation>
+        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos;, and the measures &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
+        <translation>Okna skontrolowane i ocenione: pole &apos;observer&apos; ze słowami &apos;visible&apos; (stratę widać przy 2x) i &apos;invisible&apos; oraz miary &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; i &apos;ratio_1&apos;, o ile są.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="51"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny 'contrast_1': względem złożenia, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="62"/>
+        <source>The measure that the numbers are of: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all of them.</source>
+        <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: &apos;kept_1&apos;, jeśli ocenione okna ją mają, w przeciwnym razie &apos;ratio_1&apos;. Tabela i wykres zawierają wszystkie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="60"/>
+        <source>Measure</source>
+        <translation>Miara</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/photo_parameters.py" line="47"/>
@@ -2255,13 +2265,18 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
-        <source>For each measure a summary with the threshold to set, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
-        <translation>Dla każdej miary podsumowanie z progiem do ustawienia, polem i liczbą potrzebnych ocen, działanie progu standardowego oraz każdego innego.</translation>
+        <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
+        <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych ocen, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="77"/>
+        <source>Threshold of the measure</source>
+        <translation>Próg miary</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
@@ -3142,6 +3157,16 @@
         <location filename="../plugin/seams/measure/messages.py" line="100"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="116"/>
+        <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
+        <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="112"/>
+        <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
+        <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="104"/>

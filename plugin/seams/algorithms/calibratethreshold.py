@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink, QgsProcessingParameterFeatureSource
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
@@ -18,11 +18,16 @@ from ..measure.window_records import WindowRecord, contrast_of
 if TYPE_CHECKING:
     from ..measure.threshold_calibration import ThresholdCalibration, Verdicts
 
-WINDOWS, PAIRS, OUTPUT = "WINDOWS", "PAIRS", "OUTPUT"
+WINDOWS, PAIRS, MEASURE, OUTPUT = "WINDOWS", "PAIRS", "MEASURE", "OUTPUT"
 MAX_RATIO, AUC, AUC_LOW, AUC_HIGH = "MAX_RATIO", "AUC", "AUC_LOW", "AUC_HIGH"
 VISIBLE_COUNT, INVISIBLE_COUNT, WANTED_COUNT = "VISIBLE_COUNT", "INVISIBLE_COUNT", "WANTED_COUNT"
 
-_HIGHEST_RATIO = 1.0  # MAX_RATIO of 'Inspect windows' stays below it
+_KEPT, _COMPOSITE_RATIO, _CONTRAST, _RATIO = "kept_1", "composite_ratio_1", "contrast_1", "ratio_1"
+_MEASURES = (_KEPT, _COMPOSITE_RATIO, _CONTRAST, _RATIO)
+_KINDS = ("visible", "invisible")
+_HIGHEST_RATIO = 1.0  # a ratio that is a limit stays below it
+
+_Values = list[tuple[WindowRecord, Optional[float]]]
 
 
 class CalibrateThreshold(SeamInspectorAlgorithm):
@@ -32,11 +37,12 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     NAME = QT_TRANSLATE_NOOP("@default", "Calibrate the threshold")
     HELP = QT_TRANSLATE_NOOP(
         "@default",
-        "Finds the largest ratio of a significant loss that an observer's verdicts support. For every threshold it "
+        "Finds the limit of a significant loss that an observer's verdicts support. For every threshold it "
         "counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The "
-        "threshold to set is the one with the largest Youden index (sensitivity + specificity - 1); the area under "
-        "the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % "
-        "bootstrap interval. With fewer than 5 visible or 5 invisible verdicts there is no number."
+        "threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed "
+        "verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the "
+        "measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near "
+        "each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -44,8 +50,9 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         self.addDescribed(
             QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [table]),
             tr(
-                "Windows that were inspected and judged: fields 'ratio_1' and 'observer' with the words 'visible' "
-                "(a loss was seen at 2x) and 'invisible'; 'composite_ratio_1' takes part where it is there."
+                "Windows that were inspected and judged: the field 'observer' with the words 'visible' (a loss was "
+                "seen at 2x) and 'invisible', and the measures 'kept_1', 'composite_ratio_1', 'contrast_1' and "
+                "'ratio_1', as far as they are there."
             ),
         )
         self.addDescribed(
@@ -56,17 +63,24 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             ),
         )
         self.addDescribed(
+            common.choice(MEASURE, tr("Measure"), _MEASURES, default=None, optional=True),
+            tr(
+                "The measure that the numbers are of: the one the windows are judged by. Not set: 'kept_1' where the "
+                "judged windows have it, else 'ratio_1'. The table and the chart hold all of them."
+            ),
+        )
+        self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Calibration"), table),
             tr(
-                "For each measure a summary with the threshold to set, the area and the verdicts wanted, what the "
-                "standard limit does, and what every other threshold would do."
+                "For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, "
+                "what the standard limit does, and what every other threshold would do."
             ),
         )
         self.addDescribed(
             *common.chart(tr("ROC curves with their areas, and the judged windows of each measure."), by_default=True)
         )
         self.addNumbers({
-            MAX_RATIO: tr("Largest ratio of a significant loss"),
+            MAX_RATIO: tr("Threshold of the measure"),
             AUC: tr("Area under the ROC curve"),
             AUC_LOW: tr("Area, lower end of its interval"),
             AUC_HIGH: tr("Area, upper end of its interval"),
@@ -82,7 +96,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         run.check_chart()
         found = []
         for verdicts in self._verdicts(run):
-            most = float("inf") if verdicts.measure == "contrast_1" else _HIGHEST_RATIO
+            most = float("inf") if verdicts.measure == _CONTRAST else _HIGHEST_RATIO
             found.append(calibrate(verdicts, most))
             run.tell(*found[-1].notices)
         output, output_id = run.sink(OUTPUT, calibration_table.calibration_fields())
@@ -92,43 +106,83 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         return {OUTPUT: output_id, **_numbers(found[0]), **chart}
 
     def _verdicts(self, run: Run) -> list[Verdicts]:
-        """The measures that are there, ratio_1 first, in the judged windows."""
+        """The measures that are there in the judged windows, the one that the numbers are of first."""
+        names, judged = self._judged(run)
+        measures = self._measures(run, names, judged)
+        asked = run.word(MEASURE)
+        if asked and asked not in measures:
+            raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field=asked))
+        has_kept = any(value is not None for _, value in measures.get(_KEPT, ()))
+        first = asked or next(one for one in ((_KEPT,) if has_kept else ()) + (_RATIO, *measures) if one in measures)
+        ordered = sorted(measures, key=lambda measure: measure != first)
+        return [self._measured(measure, measures[measure], run) for measure in ordered]
+
+    @staticmethod
+    def _judged(run: Run) -> tuple[list[str], list[WindowRecord]]:
+        """The windows' fields, and those that an observer judged."""
         from ...toolkit import layers
-        from ..tables.record_tables import check_inspected, read_pairs, read_windows
+        from ..tables.record_tables import read_windows
 
         windows = run.source(WINDOWS)
         names = windows.fields().names()
         if "observer" not in names:
             raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="observer"))
-        judged, unknown = [], 0
-        check_inspected(names)
-        for window in read_windows(layers.features(windows), names):
-            judged += [window] if window.observer in ("visible", "invisible") else []
-            unknown += window.observer not in ("visible", "invisible", "")
-        if unknown:
-            run.tell(messages.VERDICTS_UNKNOWN(count=unknown))
-        measures = {"ratio_1": [(window, window.ratio) for window in judged]}
-        if "composite_ratio_1" in names:
-            measures["composite_ratio_1"] = [(window, window.composite_ratio) for window in judged]
+        found = [window for window in read_windows(layers.features(windows), names) if window.observer]
+        judged = [window for window in found if window.observer in _KINDS]
+        if len(judged) < len(found):
+            run.tell(messages.VERDICTS_UNKNOWN(count=len(found) - len(judged)))
+        without = sum(window.extent is None for window in judged)
+        if without:
+            run.tell(messages.VERDICTS_WITHOUT_OUTLINE(count=without))
+        return names, judged
+
+    @staticmethod
+    def _measures(run: Run, names: list[str], judged: list[WindowRecord]) -> dict[str, _Values]:
+        """What is there of each measure."""
+        from ...toolkit import layers
+        from ..tables.record_tables import check_inspected, read_pairs
+
+        read = {
+            _KEPT: lambda window: window.kept_1,
+            _COMPOSITE_RATIO: lambda window: window.composite_ratio,
+            _CONTRAST: lambda window: window.contrast,
+            _RATIO: lambda window: window.ratio,
+        }
         if run.parameters.get(PAIRS):
             table = run.source(PAIRS)
             pairs = read_pairs(layers.features(table), table.fields().names())
-            if "contrast_1" in table.fields().names():
-                measures["contrast_1"] = [(one, contrast_of(pairs.get(one.window_id, ()))) for one in judged]
-            else:  # of an earlier version
+            if _CONTRAST in table.fields().names():
+                names = [*names, _CONTRAST]
+                read[_CONTRAST] = lambda window: contrast_of(pairs.get(window.window_id, ()))
+            elif _CONTRAST not in names:  # of an earlier version
                 run.tell(messages.PAIRS_WITHOUT_CONTRAST())
-        return [self._measured(measure, values, run) for measure, values in measures.items()]
+        found = {
+            measure: [(one, read[measure](one)) for one in judged] for measure in _MEASURES if measure in names
+        }
+        if not found:
+            check_inspected(names)
+        return found
 
     @staticmethod
-    def _measured(measure: str, values: list[tuple[WindowRecord, float | None]], run: Run) -> Verdicts:
-        """The windows where the measure has a value, by the observer's word."""
+    def _measured(measure: str, values: _Values, run: Run) -> Verdicts:
+        """The windows where the measure has a value, by the observer's word, and their neighbourhoods."""
         from ..measure.threshold_calibration import Verdicts
+        from ..measure.verdict_statistics.neighbourhoods import find_neighbourhoods
 
-        known = [(window.observer, value) for window, value in values if value is not None]
+        known = [(window, value) for window, value in values if value is not None]
         if len(known) < len(values):
             run.tell(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=len(values) - len(known)))
-        groups = (tuple(value for word, value in known if word == one) for one in ("visible", "invisible"))
-        return Verdicts(measure, *groups)
+        places = find_neighbourhoods(
+            [window.extent for window, _ in known], [window.observer == "visible" for window, _ in known]
+        )
+        rows = [(window.observer == "visible", value, place) for (window, value), place in zip(known, places)]
+        return Verdicts(
+            measure,
+            visible=tuple(value for is_visible, value, _ in rows if is_visible),
+            invisible=tuple(value for is_visible, value, _ in rows if not is_visible),
+            visible_places=tuple(place for is_visible, _, place in rows if is_visible),
+            invisible_places=tuple(place for is_visible, _, place in rows if not is_visible),
+        )
 
 
 def _save_chart(path: Path, found: list[ThresholdCalibration]) -> None:

@@ -8,17 +8,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...imagery import limits as imagery_limits
 from ...toolkit.charts.chart_style import PAPER, ChartStyle
 from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.translation import sentence, tr
-from ..measure.threshold_calibration import ThresholdCalibration, Verdicts
+from ..measure.threshold_calibration import STANDARD_LIMITS, ThresholdCalibration, Verdicts
 
 _CURVES_SIDE, _WORDS_WIDTH, _MEASURE_HEIGHT = 4.2, 3.0, 1.45  # inches; together as wide as A4 between its margins
 _WORDS_LETTERS = 40  # a line of words beside the curves
 _FARTHEST = 2.0  # measures above are drawn at the edge: no threshold lies there
 _SCATTER = 0.22  # rows: how far points that would hide each other are moved apart
-_WIDTHS = (4.0, 2.6, 1.4)  # of the curves, so that one on top of another does not hide it
+_WIDTHS = (5.2, 4.0, 2.6, 1.4)  # of the curves, so that one on top of another does not hide it
 
 
 def calibration_figure(found: Sequence[ThresholdCalibration]) -> Figure:
@@ -93,8 +92,9 @@ def _draw_verdicts(axes: Axes, found: ThresholdCalibration, style: ChartStyle) -
     axes.set_xlim(*_reach(verdicts))
     axes.set_xlabel(verdicts.measure, labelpad=1)
     axes.grid(True, axis="x", color=style.grid, linewidth=0.8)
-    if verdicts.measure == "ratio_1":
-        _line(axes, imagery_limits.MAX_SIGNIFICANT_RATIO, tr("standard {value:g}"), style.text, "--")
+    standard = STANDARD_LIMITS.get(verdicts.measure)
+    if standard is not None:
+        _line(axes, standard, tr("standard {value:g}"), style.text, "--")
     if found.best is not None:
         if found.best_range is not None:
             axes.axvspan(*found.best_range, color=style.limit, alpha=0.12, linewidth=0)

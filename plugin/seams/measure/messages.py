@@ -115,6 +115,14 @@ VERDICTS_FULLY_APART = Message(
     "{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the "
     "interval is the score interval.", WARNING
 )
+VERDICTS_IN_ONE_PLACE = Message(
+    "{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do "
+    "with another and are too narrow; judge windows elsewhere too.", WARNING
+)
+VERDICTS_WITHOUT_OUTLINE = Message(
+    "Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too "
+    "narrow; use the window layer itself.", WARNING
+)
 NO_THRESHOLD = Message(
     "{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another "
     "measure.", WARNING

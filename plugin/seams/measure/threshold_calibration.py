@@ -13,17 +13,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...imagery import limits as imagery_limits
 from ...imagery.message import Message
 from . import messages
+from .verdict_statistics.intervals import Interval
+from .verdict_statistics.neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods
+from .verdict_statistics.roc_area import MIN_VERDICTS, roc_area, wanted_verdicts
+from .verdict_statistics.smoothed_youden import smoothed_threshold
 
-MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %
-RESAMPLES = 2000  # of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends
-PERCENTILES_95 = (2.5, 97.5)
-NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %
-WANTED_AREA_ERROR = 0.05  # half of the 95 % interval of an area under the ROC curve that is known well enough
+STANDARD_LIMITS = {"ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO}
+"""What the plugin itself takes a measure to be too low at."""
 
-_SEED = 20100705  # the same verdicts give the same interval
-_CELLS_AT_ONCE = 1 << 20  # of a table of resamples by values, 8 MB a table
+_ROUNDING = 1 / 40  # of the threshold's range: a twentieth of what it is off by at most, so nothing is lost
+_FINEST_STEP = 1e-9  # a threshold that has to stay below a number stays that far below it
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,17 @@ class Verdicts:
     """Where a loss was seen."""
     invisible: tuple[float, ...]
     """Where none was seen."""
+    visible_places: tuple[int, ...] = ()
+    """The neighbourhood of each visible verdict; without these every window stands for itself."""
+    invisible_places: tuple[int, ...] = ()
+    """The neighbourhood of each invisible verdict."""
+
+    @property
+    def neighbourhoods(self) -> Neighbourhoods:
+        """What is resampled."""
+        if self.visible_places or self.invisible_places:
+            return Neighbourhoods(self.visible_places, self.invisible_places)
+        return Neighbourhoods.of_single_windows(len(self.visible), len(self.invisible))
 
 
 @dataclass(frozen=True)
@@ -60,15 +73,6 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Interval:
-    """A value with its 95 % confidence interval."""
-
-    value: float
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
 class ThresholdCalibration:
     """What the verdicts say of one measure."""
 
@@ -78,11 +82,13 @@ class ThresholdCalibration:
     area: Interval | None = None
     """Under the ROC curve; 0.5 is a guess, 1 is without fault. None with too few verdicts."""
     best: Step | None = None
-    """The threshold with the largest Youden index; None where none is better than a guess."""
+    """The threshold with the largest Youden index of the smoothed verdicts; None where none is better than a guess."""
     best_range: tuple[float, float] | None = None
-    """The 95 % of thresholds that resampled verdicts would have chosen."""
+    """Where the best threshold of all windows like these lies, by 95 %."""
     wanted: tuple[int, int] | None = None
     """How many visible and invisible verdicts would be enough; None with too few to say."""
+    neighbourhoods: int | None = None
+    """How many neighbourhoods the judged windows form; None where they were taken as if each stood for itself."""
     notices: tuple[Message, ...] = ()
     """Why there is no number, or how far to trust it."""
 
@@ -93,168 +99,85 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     ``most``: the threshold has to stay below it, as one that can be set does. With fewer than five visible or five
     invisible verdicts there is a notice and no number.
     """
-    visible, invisible = len(verdicts.visible), len(verdicts.invisible)
-    if min(visible, invisible) < MIN_VERDICTS:
+    visible, invisible = (np.array(kind, np.float64) for kind in (verdicts.visible, verdicts.invisible))
+    if min(len(visible), len(invisible)) < MIN_VERDICTS:
         too_few = messages.TOO_FEW_VERDICTS(
-            measure=verdicts.measure, visible=visible, invisible=invisible, fewest=MIN_VERDICTS
+            measure=verdicts.measure, visible=len(visible), invisible=len(invisible), fewest=MIN_VERDICTS
         )
         return ThresholdCalibration(verdicts, notices=(too_few,))
-    table = _Table(verdicts, most)
-    area, best = table.area(), table.best()
-    wanted = wanted_verdicts(area.value, visible, invisible)
+    places = verdicts.neighbourhoods
+    is_one_place = places.fewest < MIN_NEIGHBOURHOODS
+    if is_one_place:
+        places = Neighbourhoods.of_single_windows(len(visible), len(invisible))
+    area, smoothed = roc_area(visible, invisible, places), smoothed_threshold(visible, invisible, places)
+    steps = tuple(_steps(np.sort(visible), np.sort(invisible)))
+    best = _best(verdicts, steps, smoothed, most)
     return ThresholdCalibration(
-        verdicts, table.steps(), area, best, table.best_range(best) if best else None, wanted,
-        tuple(_notices(verdicts, table, area, best)),
-    )
+        verdicts, steps, area, best,
+        best_range=_range(best, smoothed, most) if best else None,
+        wanted=wanted_verdicts(area.value, len(visible), len(invisible)),
+        neighbourhoods=places.count if verdicts.visible_places and not is_one_place else None,
+        notices=tuple(_notices(verdicts, area, smoothed, best, most, is_one_place)),
+    )  # fmt: skip
 
 
 def step_at(verdicts: Verdicts, threshold: float) -> Step:
     """What a threshold does to judged windows, of which there is at least one of either kind."""
-    seen, unseen = len(verdicts.visible), len(verdicts.invisible)
     hits = sum(value <= threshold for value in verdicts.visible)
     vain = sum(value <= threshold for value in verdicts.invisible)
+    return _step(threshold, hits, vain, len(verdicts.visible), len(verdicts.invisible))
+
+
+def _steps(visible: np.ndarray, invisible: np.ndarray) -> Iterator[Step]:
+    """One at every value of both kinds, which are ascending."""
+    values = np.unique(np.concatenate([visible, invisible]))
+    hits, vain = (np.searchsorted(kind, values, side="right").tolist() for kind in (visible, invisible))
+    for value, flagged, flagged_in_vain in zip(values.tolist(), hits, vain):
+        yield _step(value, flagged, flagged_in_vain, len(visible), len(invisible))
+
+
+def _step(threshold: float, hits: int, vain: int, seen: int, unseen: int) -> Step:
     return Step(threshold, hits, vain, hits / seen, (unseen - vain) / unseen)
 
 
-def area_interval(area: float, visible: int, invisible: int) -> tuple[float, float]:
-    """The 95 % score interval of an area under the ROC curve.
-
-    Newcombe 2006 (Statistics in Medicine 25, 559-573), method 5: the limits are the areas whose standard error after
-    Hanley and McNeil 1982, averaged over both kinds, puts the observed area at 1.96 of it. It holds its width where
-    all pairs are in order and a bootstrap has none.
-    """
-
-    def limit(end: float) -> float:
-        inside, outside = area, end  # the observed area lies within 1.96 standard errors of the first, not the second
-        for _ in range(60):
-            middle = (inside + outside) / 2
-            if abs(area - middle) <= NORMAL_95 * _standard_error(middle, visible, invisible):
-                inside = middle
-            else:
-                outside = middle
-        return inside
-
-    return limit(0.0), limit(1.0)
+def _best(verdicts: Verdicts, steps: tuple[Step, ...], smoothed: Interval, most: float) -> Step | None:
+    """At the smoothed threshold; where that can't be set or is but a guess, the best step of the judged windows."""
+    if smoothed.value < most:
+        reach = min((smoothed.high - smoothed.low) * _ROUNDING, most - smoothed.value)
+        found = step_at(verdicts, min(_round_within(smoothed.value, reach), most - _FINEST_STEP))
+        if found.youden > 0:
+            return found
+    settable = [step for step in steps if step.threshold < most and step.youden > 0]
+    if not settable:
+        return None
+    best = max(settable, key=lambda step: step.youden)  # the first of several: it flags least
+    above = next((step.threshold for step in steps if step.threshold > best.threshold), most)
+    gap = min(above, most) - best.threshold
+    return step_at(verdicts, _round_within(best.threshold + gap / 2, gap / 4))
 
 
-def wanted_verdicts(area: float, visible: int, invisible: int) -> tuple[int, int]:
-    """How many visible and invisible verdicts make the score interval of this area narrow enough (0.10 wide).
-
-    At the present share of both kinds, and not fewer than five of either.
-    """
-    share = visible / (visible + invisible)
-
-    def split(total: int) -> tuple[int, int]:
-        return max(MIN_VERDICTS, round(total * share)), max(MIN_VERDICTS, round(total * (1 - share)))
-
-    def is_enough(total: int) -> bool:
-        low, high = area_interval(area, *split(total))
-        return high - low <= 2 * WANTED_AREA_ERROR
-
-    few, many = 0, 2 * MIN_VERDICTS
-    while not is_enough(many):
-        few, many = many, 2 * many
-    while many - few > 1:
-        middle = (few + many) // 2
-        few, many = (few, middle) if is_enough(middle) else (middle, many)
-    return split(many)
+def _range(best: Step, smoothed: Interval, most: float) -> tuple[float, float]:
+    """Of thresholds that can be set, the given one among them."""
+    return min(smoothed.low, best.threshold), max(min(smoothed.high, most), best.threshold)
 
 
-def _standard_error(area: float, visible: int, invisible: int) -> float:
-    """Hanley and McNeil 1982, equation 1, with the mean number of both kinds in the place of either (Newcombe)."""
-    others = (visible + invisible) / 2 - 1
-    spread = 1 + others * (1 - area) / (2 - area) + others * area / (1 + area)
-    return math.sqrt(max(area * (1 - area) * spread, 0) / (visible * invisible))
+def _round_within(middle: float, reach: float) -> float:
+    """The number with the fewest decimals that is no farther off."""
+    return next((rounded for digits in range(12) if abs((rounded := round(middle, digits)) - middle) <= reach), middle)
 
 
-def _notices(verdicts: Verdicts, table: _Table, area: Interval, best: Step | None) -> list[Message]:
+def _notices(
+    verdicts: Verdicts, area: Interval, smoothed: Interval, best: Step | None, most: float, is_one_place: bool
+) -> list[Message]:
     name, found = verdicts.measure, []
     if area.low <= 0.5:
         found.append(messages.NO_BETTER_THAN_CHANCE(measure=name, low=area.low, high=area.high))
     if area.value == 1:
         found.append(messages.VERDICTS_FULLY_APART(measure=name))
-    free = table.best(settable=False)
     if best is None:
         found.append(messages.NO_THRESHOLD(measure=name))
-    elif free is not None and free.youden > best.youden:
-        found.append(messages.THRESHOLD_TOO_HIGH(measure=name, threshold=free.threshold, most=table.most))
+    elif smoothed.value >= most:
+        found.append(messages.THRESHOLD_TOO_HIGH(measure=name, threshold=smoothed.value, most=most))
+    if is_one_place:
+        found.append(messages.VERDICTS_IN_ONE_PLACE(measure=name))
     return found
-
-
-class _Table:
-    """Judged windows counted by value, and what follows from the counts of these or of resampled ones."""
-
-    def __init__(self, verdicts: Verdicts, most: float) -> None:
-        self.most = most
-        groups = [np.array(group, np.float64) for group in (verdicts.visible, verdicts.invisible)]
-        self._values, places = np.unique(np.concatenate(groups), return_inverse=True)
-        size = len(self._values)
-        self._visible = np.bincount(places[: len(groups[0])], minlength=size)
-        self._invisible = np.bincount(places[len(groups[0]) :], minlength=size)
-        self._settable = self._values < most
-        self._above = np.append(self._values[1:], self._values[-1])  # the next value, up to which nothing changes
-        self._above[self._settable] = np.minimum(self._above[self._settable], most)
-
-    def steps(self) -> tuple[Step, ...]:
-        """One at every value."""
-        return tuple(self._step(place, value) for place, value in enumerate(self._values.tolist()))
-
-    def area(self) -> Interval:
-        """Under the ROC curve, with the percentile interval of a bootstrap that keeps the number of either kind."""
-        value = float(_areas(self._visible[np.newaxis], self._invisible[np.newaxis])[0])
-        if value in (0, 1):  # every resample has the same area, which says nothing of its error
-            return Interval(value, *area_interval(value, int(self._visible.sum()), int(self._invisible.sum())))
-        areas = np.concatenate([_areas(*counts) for counts in self._resamples()])
-        return Interval(value, *map(float, np.percentile(areas, PERCENTILES_95)))
-
-    def best(self, settable: bool = True) -> Step | None:
-        """The step with the largest Youden index, the lowest of those: it flags least."""
-        place = int(_best_places(self._visible[np.newaxis], self._invisible[np.newaxis], self._mask(settable))[0])
-        step = self._step(place, _round_between(float(self._values[place]), float(self._above[place])))
-        return step if step.youden > 0 and self._mask(settable)[place] else None
-
-    def best_range(self, best: Step) -> tuple[float, float]:
-        """Where resampled verdicts would put the threshold, and these do."""
-        places = [_best_places(*counts, self._mask(True)) for counts in self._resamples()]
-        cuts = (self._values + self._above) / 2
-        low, high = np.percentile(cuts[np.concatenate(places)], PERCENTILES_95)
-        return min(float(low), best.threshold), max(float(high), best.threshold)
-
-    def _mask(self, settable: bool) -> np.ndarray:
-        return self._settable if settable else np.ones(len(self._values), bool)
-
-    def _step(self, place: int, threshold: float) -> Step:
-        seen, unseen = int(self._visible.sum()), int(self._invisible.sum())
-        hits, vain = int(self._visible[: place + 1].sum()), int(self._invisible[: place + 1].sum())
-        return Step(threshold, hits, vain, hits / seen, (unseen - vain) / unseen)
-
-    def _resamples(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Counts of resampled verdicts, (resamples, values) of either kind, in parts that fit the memory."""
-        random = np.random.default_rng(_SEED)
-        rows = max(1, _CELLS_AT_ONCE // len(self._values))
-        for done in range(0, RESAMPLES, rows):
-            size = min(rows, RESAMPLES - done)
-            yield _resample(random, self._visible, size), _resample(random, self._invisible, size)
-
-
-def _round_between(low: float, high: float) -> float:
-    """The number with the fewest decimals in the middle half of a range."""
-    middle, reach = (low + high) / 2, (high - low) / 4
-    return next((rounded for digits in range(12) if abs((rounded := round(middle, digits)) - middle) <= reach), middle)
-
-
-def _resample(random: np.random.Generator, counts: np.ndarray, size: int) -> np.ndarray:
-    return random.multinomial(counts.sum(), counts / counts.sum(), size)
-
-
-def _areas(visible: np.ndarray, invisible: np.ndarray) -> np.ndarray:
-    """Areas under the ROC curve of counts (resamples, values): pairs in order, those alike for a half."""
-    below = np.cumsum(visible, axis=1) - visible / 2
-    return (below * invisible).sum(axis=1) / (visible.sum(axis=1) * invisible.sum(axis=1))
-
-
-def _best_places(visible: np.ndarray, invisible: np.ndarray, mask: np.ndarray) -> np.ndarray:
-    """The first of the places with the largest Youden index, in whole numbers so that equals are equal."""
-    hits, vain = np.cumsum(visible, axis=1), np.cumsum(invisible, axis=1)
-    index = hits * invisible.sum(axis=1, keepdims=True) - vain * visible.sum(axis=1, keepdims=True)
-    return np.argmax(np.where(mask, index, np.iinfo(index.dtype).min), axis=1)

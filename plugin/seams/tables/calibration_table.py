@@ -5,13 +5,11 @@ from collections.abc import Iterator
 
 from qgis.core import QgsFeature, QgsFields
 
-from ...imagery import limits as imagery_limits
 from ...toolkit.table_fields import feature, table_fields
 from ...toolkit.translation import sentence
-from ..measure.threshold_calibration import Step, ThresholdCalibration, step_at
+from ..measure.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at
 
 SUMMARY, STANDARD, STEP = "summary", "standard", "step"
-_STANDARD_LIMITS = {"ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO}
 _COLUMNS = (
     ("measure", "text"),
     ("row", "text"),  # summary: the threshold to set; standard: the plugin's own; step: every other
@@ -30,6 +28,7 @@ _COLUMNS = (
     ("threshold_high", "real"),
     ("wanted_visible", "integer"),
     ("wanted_invisible", "integer"),
+    ("neighbourhoods", "integer"),
     ("note", "text"),
 )
 
@@ -47,8 +46,9 @@ def calibration_features(found: ThresholdCalibration) -> Iterator[QgsFeature]:
         summary.update(auc=found.area.value, auc_low=found.area.low, auc_high=found.area.high)
     summary.update(zip(("threshold_low", "threshold_high"), found.best_range or ()))
     summary.update(zip(("wanted_visible", "wanted_invisible"), found.wanted or ()))
+    summary["neighbourhoods"] = found.neighbourhoods
     yield _row(found, SUMMARY, summary)
-    limit = _STANDARD_LIMITS.get(found.verdicts.measure)
+    limit = STANDARD_LIMITS.get(found.verdicts.measure)
     if found.steps and limit is not None:
         yield _row(found, STANDARD, {**_threshold_values(step_at(found.verdicts, limit)), **counts})
     for step in found.steps:

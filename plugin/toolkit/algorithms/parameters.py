@@ -30,11 +30,12 @@ REPORT = "REPORT"
 
 
 def choice(
-    name: str, title: str, choices: Sequence[str], default: str = "", optional: bool = False
+    name: str, title: str, choices: Sequence[str], default: str | None = "", optional: bool = False
 ) -> QgsProcessingParameterDefinition:
-    """A choice that models and scripts name by its word; the first one where there is no default."""
+    """A choice that models and scripts name by its word; the first one where there is no default, none with None."""
+    first = None if default is None else default or choices[0]
     return QgsProcessingParameterEnum(
-        name, title, list(choices), defaultValue=default or choices[0], optional=optional, usesStaticStrings=True
+        name, title, list(choices), defaultValue=first, optional=optional, usesStaticStrings=True
     )
 
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,14 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
-from seam_inspector.plugin.seams.measure import threshold_calibration
-from seam_inspector.plugin.seams.measure.threshold_calibration import (
-    Verdicts,
-    area_interval,
-    calibrate,
-    step_at,
-    wanted_verdicts,
-)
+from seam_inspector.plugin.seams.measure.threshold_calibration import Verdicts, calibrate, step_at
+from seam_inspector.plugin.seams.measure.verdict_statistics.neighbourhoods import Neighbourhoods
+from seam_inspector.plugin.seams.measure.verdict_statistics.roc_area import area_interval, roc_area, wanted_verdicts
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
 
@@ -40,37 +36,30 @@ def test_the_area_is_mann_whitneys(visible: list[float], invisible: list[float])
 
 
 @given(VALUES, VALUES)
-def test_no_threshold_beats_the_best_one(visible: list[float], invisible: list[float]) -> None:
+def test_the_threshold_is_told_with_what_it_does_to_the_judged_windows(
+    visible: list[float], invisible: list[float]
+) -> None:
     verdicts = Verdicts("ratio_1", tuple(visible), tuple(invisible))
-    found = calibrate(verdicts)
-    best = found.best
-    tried = [step_at(verdicts, threshold) for threshold in np.linspace(-0.025, 2.025, 83)]
-    highest = max(step.youden for step in tried)
-    assert (best.youden if best else 0) == pytest.approx(max(highest, 0))
-    if best:
-        at_best = step_at(verdicts, best.threshold)
-        assert (at_best.flagged_visible, at_best.flagged_invisible) == (best.flagged_visible, best.flagged_invisible)
+    found = calibrate(verdicts, most=1.0)
+    settable = [step_at(verdicts, threshold) for threshold in np.arange(0, 1, 0.025)]
+    assert (found.best is None) == (max(step.youden for step in settable) <= 0)  # none is better than a guess
+    if found.best:
+        assert found.best == step_at(verdicts, found.best.threshold)
+        assert 0 < found.best.youden <= max(step.youden for step in found.steps)
+        assert found.best.threshold < 1
         assert found.best_range is not None
-        assert found.best_range[0] <= best.threshold <= found.best_range[1]
+        assert found.best_range[0] <= found.best.threshold <= found.best_range[1] <= 1
+    assert found.steps == tuple(step_at(verdicts, value) for value in sorted({*visible, *invisible}))
 
 
-def test_of_thresholds_that_are_as_good_the_one_that_flags_least_is_taken() -> None:
-    visible, invisible = (0.1, 0.2, 0.3, 0.6, 0.7), (0.5, 0.65, 0.8, 0.9, 1.0)
+def test_where_the_smoothed_threshold_cant_be_set_the_best_step_that_can_is_given() -> None:
+    visible, invisible = (0.2, 0.4, 0.9, 1.2, 1.4), (0.6, 1.3, 1.6, 1.8, 2.0)
     verdicts = Verdicts("ratio_1", visible, invisible)
-    assert [round(5 * step_at(verdicts, at).youden) for at in (0.4, 0.62, 0.72)] == [3, 3, 3]
-    best = calibrate(verdicts).best
-    assert best is not None
-    assert (best.flagged_visible, best.flagged_invisible) == (3, 0)
-    assert 0.3 <= best.threshold < 0.5
-
-
-@given(VALUES, VALUES)
-def test_a_threshold_stays_below_what_can_be_set(visible: list[float], invisible: list[float]) -> None:
-    verdicts = Verdicts("ratio_1", tuple(visible), tuple(invisible))
+    assert [round(5 * step_at(verdicts, at).youden) for at in (0.5, 0.95)] == [2, 2]
     best = calibrate(verdicts, most=1.0).best
-    below = [step_at(verdicts, threshold).youden for threshold in np.arange(0, 1, 0.025)]
-    assert (best.youden if best else 0) == pytest.approx(max(*below, 0))
-    assert best is None or best.threshold < 1
+    assert best is not None
+    assert (best.flagged_visible, best.flagged_invisible) == (2, 0)  # of two as good the one that flags least
+    assert 0.4 <= best.threshold < 0.6
 
 
 def test_the_interval_is_that_of_scipys_bootstrap() -> None:
@@ -94,8 +83,8 @@ def test_the_interval_holds_the_true_area() -> None:
     true = stats.norm.cdf(1.5 / math.sqrt(2))
     held = 0
     for seed in range(100):
-        area = calibrate(normal_verdicts(25, 40, seed=seed)).area
-        assert area is not None
+        verdicts = normal_verdicts(25, 40, seed=seed)
+        area = roc_area(np.array(verdicts.visible), np.array(verdicts.invisible), verdicts.neighbourhoods)
         held += area.low <= true <= area.high
     assert held >= 88  # 95 expected, give or take chance
 
@@ -191,14 +180,17 @@ def test_wanted_verdicts_are_just_enough(area: float, visible: int, invisible: i
         assert wanted[0] / sum(wanted) == pytest.approx(visible / (visible + invisible), abs=0.07)
 
 
-def test_thousands_of_verdicts_take_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    tables = []
-    resample = threshold_calibration._resample
+def test_thousands_of_verdicts_are_resampled_in_parts() -> None:
+    parts = Neighbourhoods.of_single_windows(1000, 3000).resamples(2000)
+    sizes = [(len(seen), seen.nbytes + unseen.nbytes) for seen, unseen in parts]
+    assert sum(rows for rows, _ in sizes) == 2000
+    assert max(taken for _, taken in sizes) <= 10e6  # bytes
 
-    def kept(random: np.random.Generator, counts: np.ndarray, size: int) -> np.ndarray:
-        tables.append(size * len(counts) * 8)
-        return resample(random, counts, size)
 
-    monkeypatch.setattr(threshold_calibration, "_resample", kept)
-    assert calibrate(normal_verdicts(1000, 3000)).area is not None
-    assert max(tables) <= 10e6  # bytes: resamples come in parts
+def test_verdicts_of_one_place_are_told() -> None:
+    lonely = normal_verdicts(10, 10)
+    together = replace(lonely, visible_places=(0,) * 10, invisible_places=(0,) * 10)
+    found = calibrate(together)
+    assert found.best_range == calibrate(lonely).best_range
+    assert found.neighbourhoods is None
+    assert any("one neighbourhood" in str(notice) for notice in found.notices)

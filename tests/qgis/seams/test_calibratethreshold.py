@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
 from scipy import stats
@@ -119,6 +120,59 @@ def test_every_measure_that_is_there_is_judged() -> None:
     assert contrasts == pytest.approx(expected)
 
 
+KEPT = [*(value * 0.9 for value in VISIBLE), *(value * 0.8 for value in INVISIBLE)]
+
+
+def test_the_numbers_are_of_what_the_seam_kept_where_that_is_known() -> None:
+    windows = judged(kept_1=("double", KEPT), contrast_1=("double", [2 * value for value in KEPT]))
+    outcome = run("calibratethreshold", WINDOWS=windows)
+    assert outcome.complaint is None
+    assert {row["measure"] for row in outcome.rows()} == {"kept_1", "contrast_1", "ratio_1"}
+    for measure in ("kept_1", "contrast_1", "ratio_1"):
+        asked = run("calibratethreshold", WINDOWS=windows, MEASURE=measure)
+        assert asked.results["MAX_RATIO"] == summary(outcome, measure)["threshold"]
+        assert asked.results["AUC"] == summary(outcome, measure)["auc"]
+        assert len(asked.rows()) == len(outcome.rows())
+    assert outcome.results["MAX_RATIO"] == summary(outcome, "kept_1")["threshold"]
+
+
+def test_where_no_seam_was_measured_the_numbers_are_of_the_ratio() -> None:
+    nothing = ("double", [None] * len(KEPT))
+    outcome = run("calibratethreshold", WINDOWS=judged(kept_1=nothing))
+    assert outcome.results["MAX_RATIO"] == summary(outcome, "ratio_1")["threshold"]
+    assert any("kept_1: left out" in warning for warning in outcome.log.warnings)
+
+
+def test_a_layer_with_one_measure_alone_will_do() -> None:
+    windows = judged(kept_1=("double", KEPT))
+    windows.dataProvider().deleteAttributes([windows.fields().indexOf("ratio_1")])
+    windows.updateFields()
+    outcome = run("calibratethreshold", WINDOWS=windows)
+    assert {row["measure"] for row in outcome.rows()} == {"kept_1"}
+    assert_refused("calibratethreshold", "no field 'ratio_1'", WINDOWS=windows, MEASURE="ratio_1")
+    assert_refused("calibratethreshold", "no field 'contrast_1'", WINDOWS=judged(), MEASURE="contrast_1")
+
+
+def test_windows_near_each_other_are_resampled_together() -> None:
+    random = np.random.default_rng(7)
+    shared = np.repeat(random.normal(0, 0.12, 10), 4)
+    kinds = np.arange(40) % 2 == 0
+    values = np.clip(np.where(kinds, 0.45, 0.75) + shared + random.normal(0, 0.04, 40), 0.05, 0.99)
+    words = np.where(kinds, "visible", "invisible").tolist()
+    widths, counts = [], []
+    for apart in (30, 3000):  # metres between the windows of a place
+        shapes = [outline((50_000 * (place // 4) + apart * (place % 4), 0, 100, 100)) for place in range(40)]
+        windows = layer(
+            "Polygon", shapes, window_id=("integer", list(range(1, 41))), ratio_1=("double", values.tolist()),
+            observer=("string", words),
+        )  # fmt: skip
+        row = summary(run("calibratethreshold", WINDOWS=windows))
+        widths.append(row["threshold_high"] - row["threshold_low"])
+        counts.append(row["neighbourhoods"])
+    assert counts == [10, 40]
+    assert widths[0] > 1.3 * widths[1]
+
+
 def test_only_judged_and_measured_windows_count() -> None:
     windows = judged((*VISIBLE, None), INVISIBLE)
     names = windows.fields().names()
@@ -140,6 +194,7 @@ def test_a_csv_file_will_do(tmp_path: Path) -> None:
     (tmp_path / "windows.csvt").unlink(missing_ok=True)
     outcome = run("calibratethreshold", WINDOWS=path)
     assert outcome.results["AUC"] == run("calibratethreshold", WINDOWS=judged()).results["AUC"]
+    assert any("without an outline: 15" in warning for warning in outcome.log.warnings)
 
 
 def test_pairs_of_an_earlier_version_do_no_harm() -> None:

@@ -1,0 +1,70 @@
+"""The smoothed threshold: how far it errs, and how often its range covers the true one."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from seam_inspector.plugin.seams.measure.verdict_statistics.neighbourhoods import Neighbourhoods
+from seam_inspector.plugin.seams.measure.verdict_statistics.smoothed_youden import smoothed_threshold
+
+from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
+
+NORMAL, LOGNORMAL = (
+    next(one for one in POPULATIONS if one.name == name) for name in ("normal, AUC 0.85", "lognormal, AUC 0.92")
+)
+VALUES = st.lists(st.integers(1, 40).map(lambda number: number / 20), min_size=5, max_size=12, unique=True)
+
+
+def alone(visible: int, invisible: int) -> Neighbourhoods:
+    return Neighbourhoods.of_single_windows(visible, invisible)
+
+
+@pytest.mark.parametrize("population", [NORMAL, LOGNORMAL], ids=lambda population: population.name)
+def test_the_range_covers_the_true_threshold_from_ten_verdicts_of_a_kind_on(population: Population) -> None:
+    found = coverage(population, ALONE, (10, 10), runs=150)
+    assert 0.91 <= found.covered <= 0.985  # 0.95, give or take what 150 runs are off by
+    assert found.error < 0.75 * found.error_of_step
+
+
+def test_the_range_covers_where_neighbours_are_alike() -> None:
+    layout = Layout("by 4", size=4, correlation=0.6)
+    found = coverage(NORMAL, layout, (20, 20), runs=150)
+    assert 0.9 <= found.covered <= 0.99
+    as_if_alone = coverage(NORMAL, Layout("by 4", 4, 0.6), (20, 20), runs=150, are_known=False)
+    assert as_if_alone.covered < found.covered - 0.04
+
+
+@settings(max_examples=15)
+@given(VALUES, VALUES, st.floats(0.01, 100))
+def test_the_unit_of_a_measure_does_not_matter(visible: list[float], invisible: list[float], factor: float) -> None:
+    places = alone(len(visible), len(invisible))
+    one = smoothed_threshold(np.array(visible), np.array(invisible), places)
+    other = smoothed_threshold(factor * np.array(visible), factor * np.array(invisible), places)
+    assert [other.value, other.low, other.high] == pytest.approx(
+        [factor * one.value, factor * one.low, factor * one.high], rel=1e-5
+    )
+    assert 0 <= one.low <= one.value <= one.high
+
+
+def test_the_threshold_of_mirrored_kinds_lies_in_their_middle() -> None:
+    values = np.array([-0.4, -0.1, 0.0, 0.1, 0.4])
+    found = smoothed_threshold(values - 0.5, values + 0.5, alone(5, 5))  # not all positive, so taken as they are
+    assert found.value == pytest.approx(0, abs=0.01)
+    assert found.low < 0 < found.high
+
+
+def test_values_without_spread_have_a_threshold_between_them() -> None:
+    found = smoothed_threshold(np.full(5, 0.5), np.full(6, 0.8), alone(5, 6))
+    assert 0.5 < found.value < 0.8
+    same = smoothed_threshold(np.full(5, 0.5), np.full(6, 0.5), alone(5, 6))
+    assert (same.value, same.low, same.high) == (0.5, 0.5, 0.5)
+
+
+def test_classes_of_many_values_change_nothing_to_speak_of() -> None:
+    random = np.random.default_rng(1)
+    visible, invisible = random.normal(0.5, 0.15, 400), random.normal(0.8, 0.15, 64)
+    many = smoothed_threshold(visible, invisible, alone(400, 64))
+    fitted = (visible.mean() + invisible.mean()) / 2  # the best threshold of two normals that spread alike
+    assert many.value == pytest.approx(fitted, abs=0.015)
+    assert many.low < 0.65 < many.high
