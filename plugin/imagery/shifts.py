@@ -125,15 +125,15 @@ def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
         return _far_apart(_grid(shape, side, _TILES_A_SIDE))
     within = np.pad(where[::_STRIDE, ::_STRIDE].astype(np.int32).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     while side >= _LEAST_TILE_PX:
-        shares = []
-        for tile in _grid(shape, side, -(-2 * max(shape[:2]) // side)):
-            row, column, _ = tile
-            top, bottom, left, right = (-(-edge // _STRIDE) for edge in (row, row + side, column, column + side))
-            count = within[bottom, right] - within[top, right] - within[bottom, left] + within[top, left]
-            shares.append((float(count) / ((bottom - top) * (right - left)), tile))
-        shares = sorted((one for one in shares if one[0] >= MIN_TILE_SHARE), key=lambda one: -one[0])
-        if shares:
-            return _far_apart([tile for _, tile in shares[: _TILES_A_SIDE**2]])
+        rows, columns = (np.array(places) for places in _places(shape, side, -(-2 * max(shape[:2]) // side)))
+        top, bottom, left, right = (-(-edge // _STRIDE) for edge in (rows, rows + side, columns, columns + side))
+        counts = within[bottom][:, right] - within[top][:, right] - within[bottom][:, left] + within[top][:, left]
+        shares = (counts / np.outer(bottom - top, right - left)).ravel()
+        found = np.argsort(-shares, kind="stable")[: _TILES_A_SIDE**2]
+        found = found[shares[found] >= MIN_TILE_SHARE]
+        if len(found):
+            places = (divmod(int(number), len(columns)) for number in found)
+            return _far_apart([(int(rows[row]), int(columns[column]), side) for row, column in places])
         side //= 2
     return []
 
@@ -145,11 +145,16 @@ def _far_apart(tiles: list[_Tile]) -> list[_Tile]:
 
 def _grid(shape: tuple[int, ...], side: int, most: int) -> list[_Tile]:
     """Tiles of one side, evenly spread, up to ``most`` a side."""
-    places = [
+    rows, columns = _places(shape, side, most)
+    return [(row, column, side) for row in rows for column in columns]
+
+
+def _places(shape: tuple[int, ...], side: int, most: int) -> list[list[int]]:
+    """First rows and first columns of such tiles."""
+    return [
         sorted({round(place) for place in np.linspace(0, length - side, min(most, -(-length // side) * 2 - 1))})
         for length in shape[:2]
     ]
-    return [(row, column, side) for row in places[0] for column in places[1]]
 
 
 def _cross_phases(image: np.ndarray, reference: np.ndarray, side: int) -> np.ndarray:
