@@ -82,8 +82,9 @@ def print_summary(title: str, outcomes: Sequence[Outcome]) -> None:
         ["windows with a verdict", _share(one.reading.has_verdict for one in outcomes)],
         ["  and with kept_1", _share(one.reading.has_verdict and one.has_kept for one in outcomes)],
         ["sound hard cuts: significant", _share(one.reading.verdict == "significant" for one in sound)],
-        ["sound hard cuts: reduced", _share(one.reading.verdict == "reduced" for one in sound)],
-        ["hard cuts: interval of kept_1 below 1", _share(one.reading.high < 1 for one in hard if one.has_kept)],
+        ["sound hard cuts, not compressed: reduced",
+         _share(one.reading.verdict == "reduced" for one in sound if one.operation.true_causes[0] != "compressed")],
+        ["all hard cuts: interval of kept_1 below 1", _share(one.reading.high < 1 for one in hard if one.has_kept)],
         *([f"feathers of {kind}: significant",
            _share(one.reading.verdict == "significant" for one in _of(outcomes, kind))]
           for kind in SPOILT),
@@ -97,7 +98,7 @@ def print_summary(title: str, outcomes: Sequence[Outcome]) -> None:
         ["pixels took no part and nobody said so", _share(one.is_unsaid for one in outcomes if one.foreign > 0)],
     ]
     print_table(f"Shares, {title}", ["", "share"], rows,
-                "Sound: nothing that takes detail from the whole window came afterwards.")
+                "Sound: neither blurred, resampled nor moved afterwards, which takes detail from the whole window.")
 
 
 def print_truth(title: str, outcomes: Sequence[Outcome]) -> None:
