@@ -3,7 +3,7 @@
 The best step of the judged windows themselves jumps from one window's value to another's: it errs like the cube root of
 their number, and a bootstrap of it does not hold (Kim and Pollard 1990, Annals of Statistics 18, 191-219; Abrevaya and
 Huang 2005, Econometrica 73, 1175-1204). Of smoothed distributions (Fluss, Faraggi and Reiser 2005, Biometrical Journal
-47, 458-472) it moves evenly with every verdict, errs half as much, and can be resampled.
+47, 458-472) it moves evenly with every verdict, errs half to two thirds as much, and can be resampled.
 """
 from __future__ import annotations
 
@@ -161,7 +161,8 @@ def _powered(logs: Iterable[float] | np.ndarray, powers: np.ndarray) -> np.ndarr
 
 
 def _unpowered(number: float, power: float) -> float:
-    """The logarithm that ``_powered`` moved there."""
+    """The logarithm that ``_powered`` moved there, that of 0 where it reaches no number."""
     if math.isnan(power) or abs(power) < 1e-6:
         return number
-    return math.log(max(1 + power * number, 1e-300)) / power
+    inside = 1 + power * number
+    return math.log(inside) / power if inside > 0 else -math.inf
