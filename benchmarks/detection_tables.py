@@ -68,15 +68,16 @@ def print_operations(title: str, outcomes: Sequence[Outcome]) -> None:
     head = ["operation", "s r p n", "true causes", "main causes found", "right", "true", "all", "kept_1", "truth"]
     print_table(f"Operations, {title}", head, rows,
                 "s r p n: windows that are significant, reduced, preserved, not comparable. Right: windows whose main\n"
-                "  cause is the main one of what was done. True: whose main cause is among what was done. All: where\n"
-                "  all of it was named too. kept_1 and its truth: medians.")
+                "  cause is the main one of what was done; a feather that took less than 5 % need not be named.\n"
+                "  True: whose main cause is among what was done. All: where all of it was named too.\n"
+                "  kept_1 and its truth: medians.")
 
 
 def print_summary(title: str, outcomes: Sequence[Outcome]) -> None:
     """What is promised, in shares."""
     hard = _of(outcomes, HARD.kind)
     sound = [one for one in hard if one.operation.true_causes[0] not in TAKE_DETAIL]
-    changed = [one for one in outcomes if one.operation.true_causes != ("none",)]
+    changed = [one for one in outcomes if one.true_causes != ("none",)]
     missing = [one for one in outcomes if one.operation.true_causes[0] == "missing source"]
     rows = [
         ["windows with a verdict", _share(one.reading.has_verdict for one in outcomes)],

@@ -14,6 +14,8 @@ from .true_profile import truth_of
 
 POOL = 4
 """So many times as many windows as an operation gets: each gets other ones."""
+HARDLY_LOST = 0.95
+"""Share of the detail along the seam: where more is left, a feather took nothing that anybody could name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,19 +33,28 @@ class Outcome:
     allowed: frozenset[str]
 
     @property
+    def true_causes(self) -> tuple[str, ...]:
+        """What was done, without a feather between images so alike that it took nothing."""
+        causes = self.operation.true_causes
+        if not self.truth > HARDLY_LOST:
+            return causes
+        return tuple(cause for cause in causes if cause != "feathering") or ("none",)
+
+    @property
     def is_main_right(self) -> bool:
         """Whether the main cause is the true one, or one that can't be told from it where no detail was lost."""
-        true = self.operation.true_causes[0]
-        return self.reading.cause == true or (true == "none" and self.reading.cause in self.allowed)
+        true = self.true_causes[0]
+        return self.reading.cause in (true, self.operation.true_causes[0]) or (
+            true == "none" and self.reading.cause in self.allowed)
 
     @property
     def is_true(self) -> bool:
         """Whether the main cause is one of those that took part."""
-        return self.reading.cause in self.allowed
+        return self.reading.cause in self.allowed or self.reading.cause == self.true_causes[0]
 
     @property
     def are_all_named(self) -> bool:
-        return self.is_true and set(self.operation.true_causes) <= set(self.reading.causes)
+        return self.is_true and set(self.true_causes) <= set(self.reading.causes)
 
     @property
     def is_unsaid(self) -> bool:

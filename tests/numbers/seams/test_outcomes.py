@@ -35,10 +35,12 @@ def named(name: str) -> Operation:
     return next(one for one in OPERATIONS if one.name == name)
 
 
-def judged(window: KnownWindow, operation: Operation, *causes: str) -> tuple[bool, bool, bool]:
+def judged(
+    window: KnownWindow, operation: Operation, *causes: str, truth: float = 0.6
+) -> tuple[bool, bool, bool]:
     """Whether the main cause is right, whether it is true, whether all are named."""
     allowed = operation.make(window).allowed
-    one = Outcome(operation, window, replace(SOUND, causes=causes), (0.0, 0.0, 0.0), 1.0, 0.0, allowed)
+    one = Outcome(operation, window, replace(SOUND, causes=causes), (0.0, 0.0, 0.0), truth, 0.0, allowed)
     return one.is_main_right, one.is_true, one.are_all_named
 
 
@@ -51,6 +53,15 @@ def test_a_cause_is_right_where_it_is_the_main_one_and_true_where_it_took_part(w
     assert judged(window, named("hard cut"), "none") == (True, True, True)
     assert judged(window, named("hard cut"), "feathering") == (False, False, False)
     assert judged(window, named("pyramid blend"), "feathering") == (True, True, False)
+
+
+def test_a_feather_that_took_nothing_need_not_be_named(window: KnownWindow) -> None:
+    both = named("feather 33 px, JPEG 75")
+    assert judged(window, both, "compressed", truth=0.97) == (True, True, True)
+    assert judged(window, both, "feathering", "compressed", truth=0.97) == (True, True, True)
+    assert judged(window, both, "none", truth=0.97) == (False, False, False)
+    assert judged(window, named("feather 33 px"), "none", truth=0.97) == (True, True, True)
+    assert judged(window, named("feather 33 px"), "none", truth=0.9) == (False, False, False)
 
 
 def test_pixels_are_unsaid_where_neither_cause_nor_share_tells_of_them(window: KnownWindow) -> None:
