@@ -78,17 +78,17 @@ def read(made: Made, window: KnownWindow, settings: InspectionSettings | None = 
 def reading_of(result: WindowResult) -> Reading:
     """The only place that knows how the plugin's results are built."""
     found = result.explanation
-    profile = getattr(result, "profile", None)
+    profile = result.profile
     change = found.changes[-1][LUMINANCE] if found else None
-    causes = getattr(result, "causes", (found.cause,) if found else ())
+    causes = result.causes
     return Reading(
         verdict=result.judgement.verdict.value,
         causes=tuple(cause.value for cause in causes),
         kept=_number(profile.kept[0]) if profile else np.nan,
         low=_number(profile.low) if profile else np.nan,
         high=_number(profile.high) if profile else np.nan,
-        band_width=_number(profile.band_width) if profile else np.nan,
-        explained=_number(getattr(result, "explained", None)),
+        band_width=profile.band_width_px * result.ground_sample_distance if profile else np.nan,
+        explained=_number(result.explained),
         contrast=_number(change.contrast[0]) if change else np.nan,
         composite_ratio=_number(found.ratios[LUMINANCE].detail[0]) if found else np.nan,
         ratio=_number(result.judgement.ratios.detail[0]),

@@ -21,7 +21,8 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.measure.explanation import Explanation, MeasuredClip, explain
+from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
+from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
 from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
     Source,

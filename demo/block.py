@@ -170,7 +170,7 @@ def damage_places(layout: Layout, dodging: Dodging) -> tuple[Damage, ...]:
     calm = Box(dodging.x - dodging.half_x, dodging.y - dodging.half_y,
                dodging.x + dodging.half_x, min(dodging.y + dodging.half_y, depth))
     return tuple(Damage(cause, (EASTING + box.left, NORTHING - box.bottom, EASTING + box.right, NORTHING - box.top))
-                 for cause, box in (("wide feather", wide), ("dodging", calm)))
+                 for cause, box in ((f"feather of {WIDE_FEATHER:g} m", wide), ("dodging", calm)))
 
 
 def seam_pieces(layout: Layout) -> list[tuple[str, str, Points]]:

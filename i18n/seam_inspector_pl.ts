@@ -4,97 +4,87 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="43"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="46"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="44"/>
-        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that covers the window are clipped and decomposed by wavelets; the share of the variance that each level of detail has in the mosaic is divided by its share in the source. At level 1, the finest, a ratio of 0.5 or less against every source is a significant loss, one below 1 reduced, else the detail is preserved (Pyka 2010).</source>
-        <translation>Mierzy, ile kontrastu lokalnego zachowała ortofotomapa w każdym oknie. Wycinki ortofotomapy i wszystkich pokrywających okno ortoobrazów źródłowych są poddawane dekompozycji falkowej; wariancja względna detali ortofotomapy na każdym poziomie rozdzielczości jest dzielona przez wariancję względną detali ortoobrazu. Jeżeli na poziomie 1, najdokładniejszym, stosunek ten względem każdego ortoobrazu wynosi 0,5 lub mniej, strata jest istotna (significant); jeżeli jest mniejszy od 1, detale są osłabione (reduced); w pozostałych przypadkach są zachowane (preserved). Zob. Pyka 2010.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="22"/>
+        <location filename="../build/template_texts.py" line="26"/>
         <source>Windows</source>
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="59"/>
         <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="102"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="82"/>
-        <source>A window is significant when its ratio at level 1 is this or less.</source>
-        <translation>Okno otrzymuje ocenę significant, gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="113"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="1"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
         <source>Detail by direction</source>
         <translation>Detale według kierunków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="1"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy składowe kierunkowe każdego poziomu: LH, w której ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="113"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="44"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="50"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="121"/>
         <source>The rectangles as measured, with their verdict and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="101"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="129"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="139"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="139"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="145"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -104,12 +94,12 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="53"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="54"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="53"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="54"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -119,22 +109,22 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="60"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="61"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1% lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="72"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="73"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="72"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="73"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="84"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="85"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -144,7 +134,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="94"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -274,47 +264,47 @@
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="25"/>
+        <location filename="../plugin/seams/measure/messages.py" line="28"/>
         <source>The spacing is {spacing} m; give a positive number of metres.</source>
         <translation>Odstęp okien wynosi {spacing} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="26"/>
+        <location filename="../plugin/seams/measure/messages.py" line="29"/>
         <source>A window of {side} m has {pixels} px a side on this mosaic and {levels} levels need at least {fewest} px; give a side of {metres} m or more.</source>
         <translation>Okno o boku {side} m ma na tej ortofotomapie bok {pixels} px, a liczba poziomów równa {levels} wymaga co najmniej {fewest} px; podaj bok {metres} m lub większy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="30"/>
+        <location filename="../plugin/seams/measure/messages.py" line="33"/>
         <source>The mosaic is {width:.1f} x {height:.1f} m, too small for a window of {side:.1f} m; give a shorter side.</source>
         <translation>Ortofotomapa ma {width:.1f} × {height:.1f} m i jest za mała na okno o boku {side:.1f} m; podaj krótszy bok.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/messages.py" line="36"/>
         <source>Seam {seam} has no window at {station:.1f} m: it would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
         <translation>Linia mozaikowania {seam} nie ma okna na {station:.1f} m: wystawałoby poza ortofotomapę lub zawierało zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="37"/>
+        <location filename="../plugin/seams/measure/messages.py" line="40"/>
         <source>Seam {seam} has no windows from {start:.1f} to {end:.1f} m: they would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
         <translation>Linia mozaikowania {seam} nie ma okien od {start:.1f} do {end:.1f} m: wystawałyby poza ortofotomapę lub zawierały zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="41"/>
+        <location filename="../plugin/seams/measure/messages.py" line="44"/>
         <source>Left out because they would share more than half of their pixels with another window of the same seam: {count}.</source>
         <translation>Okna pominięte, ponieważ miałyby ponad połowę pikseli wspólnych z innym oknem tej samej linii mozaikowania: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="45"/>
+        <location filename="../plugin/seams/measure/messages.py" line="48"/>
         <source>Seams that lie within windows of longer ones and got none of their own: {count}.</source>
         <translation>Linie mozaikowania leżące w oknach dłuższych linii, bez własnych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="46"/>
+        <location filename="../plugin/seams/measure/messages.py" line="49"/>
         <source>Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.</source>
         <translation>Linie mozaikowania krótsze niż {shortest:.2f} m, zbyt krótkie, aby miały znaczenie w oknie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="47"/>
+        <location filename="../plugin/seams/measure/messages.py" line="50"/>
         <source>Seams outside the mosaic: {count}.</source>
         <translation>Linie mozaikowania poza ortofotomapą: {count}.</translation>
     </message>
@@ -379,12 +369,12 @@
         <translation>Największy stosunek wariancji przy istotnej stracie wynosi {ratio}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="15"/>
+        <location filename="../plugin/seams/measure/messages.py" line="18"/>
         <source>No sources are given; choose the orthoimages the mosaic was made from, or their index layer.</source>
         <translation>Nie podano ortoobrazów źródłowych; wybierz ortoobrazy, z których powstała ortofotomapa, albo warstwę ich indeksu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="19"/>
+        <location filename="../plugin/seams/measure/messages.py" line="22"/>
         <source>{name} is the mosaic itself and is left out of the sources.</source>
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
@@ -394,32 +384,32 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="64"/>
+        <location filename="../plugin/seams/measure/messages.py" line="67"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="65"/>
+        <location filename="../plugin/seams/measure/messages.py" line="68"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/messages.py" line="69"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="67"/>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="73"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału {band} (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
@@ -429,7 +419,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="75"/>
+        <location filename="../plugin/seams/measure/messages.py" line="99"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -469,12 +459,12 @@
         <translation>Warstwa okien jest pusta; najpierw narysuj okna albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="18"/>
+        <location filename="../plugin/seams/measure/messages.py" line="21"/>
         <source>The index layer has no field &apos;{field}&apos;; make it with gdaltindex.</source>
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="61"/>
+        <location filename="../plugin/seams/measure/messages.py" line="64"/>
         <source>{count} windows had no number of their own and were given the next free ones.</source>
         <translation>Okna bez własnego numeru otrzymały kolejne wolne numery; liczba takich okien: {count}.</translation>
     </message>
@@ -499,7 +489,7 @@
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="21"/>
+        <location filename="../build/template_texts.py" line="25"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -509,7 +499,7 @@
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="19"/>
+        <location filename="../build/template_texts.py" line="23"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -534,22 +524,22 @@
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="68"/>
+        <location filename="../build/template_texts.py" line="73"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="175"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="176"/>
         <source>Click to show this curve</source>
         <translation>Kliknij, aby pokazać tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="175"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="176"/>
         <source>Click to hide this curve</source>
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="216"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="217"/>
         <source>Show all curves</source>
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
@@ -609,7 +599,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="32"/>
+        <location filename="../plugin/seams/window_summary.py" line="36"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -679,7 +669,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="118"/>
+        <location filename="../plugin/seams/cause_words.py" line="177"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
@@ -1059,29 +1049,19 @@
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
-        <source>A loss is significant when the mosaic keeps at most this share of the sources&apos; detail at level 1</source>
-        <translation>Strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część detali ortoobrazów źródłowych</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="73"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="74"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="74"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="75"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="75"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="76"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="76"/>
-        <source>Significant up to &amp;ratio</source>
-        <translation>Istotna strata &amp;do</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/windows_columns.py" line="63"/>
@@ -1089,7 +1069,7 @@
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="84"/>
+        <location filename="../build/template_texts.py" line="11"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
@@ -1104,12 +1084,12 @@
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
         <source>sources</source>
         <translation>źródła</translation>
     </message>
@@ -1119,7 +1099,7 @@
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="102"/>
+        <location filename="../build/template_texts.py" line="107"/>
         <source>reason</source>
         <translation>przyczyna</translation>
     </message>
@@ -1134,22 +1114,17 @@
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="92"/>
-        <source>What the ratio at level 1 says about the mosaic. Sorted by it, the worst comes first.</source>
-        <translation>Co o ortofotomapie mówi stosunek wariancji na poziomie 1. Przy sortowaniu według oceny najgorsze okna są pierwsze.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="104"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -1374,7 +1349,7 @@
         <translation>{window} · spacja: ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="54"/>
+        <location filename="../plugin/seams/measure/messages.py" line="57"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
@@ -1384,22 +1359,22 @@
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="57"/>
+        <location filename="../plugin/seams/measure/messages.py" line="60"/>
         <source>The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that layer elsewhere.</source>
         <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/messages.py" line="51"/>
         <source>Windows placed along the seams: {count}. Inspect them when you are ready.</source>
         <translation>Liczba okien rozmieszczonych wzdłuż linii mozaikowania: {count}. Skontroluj je, gdy zechcesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="10"/>
+        <location filename="../plugin/seams/measure/messages.py" line="13"/>
         <source>No mosaic is chosen; choose the mosaic in the inputs.</source>
         <translation>Nie wybrano ortofotomapy; wybierz ją w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="23"/>
+        <location filename="../plugin/seams/measure/messages.py" line="26"/>
         <source>No seamlines are chosen; choose a layer of seamlines in the inputs.</source>
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
@@ -1519,17 +1494,12 @@
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="138"/>
-        <source>On or below this line the mosaic has lost significantly against what the verdict is taken from</source>
-        <translation>Na tej linii lub pod nią strata ortofotomapy jest istotna względem tego, z czym się ją porównuje</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="178"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="179"/>
         <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
         <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, wyrównane do tonu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="215"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="216"/>
         <source>Show only this curve</source>
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
@@ -1569,42 +1539,22 @@
         <translation>Odstęp rozmieszczanych okien, falka, poziomy, granica istotnej straty i to, względem czego się ją określa, komórki mozaiki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
-        <source>the sources</source>
-        <translation>ortoobrazy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
-        <source>their composite</source>
-        <translation>ich kompozycja</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
-        <source>What the verdict is taken against: each source&apos;s whole clip, as in Pyka&apos;s papers, or the hard cut of the sources that the mosaic follows, which tells loss from content</source>
-        <translation>Względem czego zapada ocena: cały wycinek każdego ortoobrazu, jak w pracach Pyki, albo ostre cięcie ortoobrazów, z których pochodzi ortofotomapa, co odróżnia stratę od treści</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="65"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu 'source' mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="77"/>
-        <source>Verdict &amp;against</source>
-        <translation>Ocena &amp;względem</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="78"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="80"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki mozaiki</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="11"/>
+        <location filename="../build/template_texts.py" line="13"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="106"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -1834,62 +1784,62 @@
         <translation>Ocenione modele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="42"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="45"/>
         <source>Predict loss by feathering</source>
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="43"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="46"/>
         <source>Says before any mosaic is made how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="58"/>
         <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
         <source>Width of the feather (metres)</source>
         <translation>Szerokość pasa wtapiania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
         <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is foretold, where both images weigh the same.</source>
         <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="77"/>
         <source>Ramp of the feather</source>
         <translation>Przebieg wag w pasie wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="77"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
         <translation>Jak w poprzek pasa zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="1"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="85"/>
         <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold is the mean over the directions it may have.</source>
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
         <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
         <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
@@ -1949,22 +1899,17 @@
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="66"/>
-        <source>sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the sources, each pixel from the one that the mosaic follows; fairer across a seam.</source>
-        <translation>sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule. composite: kompozyt ortoobrazów źródłowych bez wtapiania, w którym każdy piksel pochodzi z tego obrazu, za którym idzie ortofotomapa; daje rzetelniejszą ocenę, gdy przez okno biegnie linia mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycie; w pozostałych miejscach jest on ustalany na podstawie samych detali.</translation>
     </message>
@@ -2074,7 +2019,7 @@
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: kreski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="109"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="110"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
@@ -2119,7 +2064,7 @@
         <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="79"/>
+        <location filename="../build/template_texts.py" line="84"/>
         <source>Rasters</source>
         <translation>Rastry</translation>
     </message>
@@ -2229,32 +2174,32 @@
         <translation>Plik GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="32"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="37"/>
         <source>Calibrate the threshold</source>
         <translation>Kalibruj próg</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="33"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="38"/>
         <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje granicę istotnej straty, którą potwierdzają oceny obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) ocen wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0.5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 ocenach widocznych lub 5 niewidocznych nie ma liczby.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="44"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="50"/>
         <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos;, and the measures &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
-        <translation>Okna skontrolowane i ocenione: pole &apos;observer&apos; ze słowami &apos;visible&apos; (stratę widać przy 2x) i &apos;invisible&apos; oraz miary &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; i &apos;ratio_1&apos;, o ile są.</translation>
+        <translation>Okna skontrolowane i ocenione: pole 'observer' ze słowami 'visible' (stratę widać przy 2x) i 'invisible' oraz miary 'kept_1', 'composite_ratio_1', 'contrast_1' i 'ratio_1', o ile są.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny 'contrast_1': względem złożenia, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
         <source>The measure that the numbers are of: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all of them.</source>
-        <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: &apos;kept_1&apos;, jeśli ocenione okna ją mają, w przeciwnym razie &apos;ratio_1&apos;. Tabela i wykres zawierają wszystkie.</translation>
+        <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: 'kept_1', jeśli ocenione okna ją mają, w przeciwnym razie 'ratio_1'. Tabela i wykres zawierają wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
         <source>Measure</source>
         <translation>Miara</translation>
     </message>
@@ -2264,47 +2209,47 @@
         <translation>Kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="72"/>
         <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
         <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych ocen, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="79"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Threshold of the measure</source>
         <translation>Próg miary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Area under the ROC curve</source>
         <translation>Pole pod krzywą ROC</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Area, lower end of its interval</source>
         <translation>Pole, dolny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Area, upper end of its interval</source>
         <translation>Pole, górny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Visible verdicts</source>
         <translation>Oceny &quot;widoczne&quot;</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Invisible verdicts</source>
         <translation>Oceny &quot;niewidoczne&quot;</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Verdicts wanted</source>
         <translation>Potrzebne oceny</translation>
     </message>
@@ -2534,7 +2479,7 @@
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="49"/>
+        <location filename="../build/template_texts.py" line="54"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
@@ -2544,7 +2489,7 @@
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="35"/>
+        <location filename="../build/template_texts.py" line="40"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
@@ -2684,7 +2629,7 @@
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="106"/>
+        <location filename="../build/template_texts.py" line="111"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
@@ -2724,7 +2669,7 @@
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="133"/>
+        <location filename="../build/template_texts.py" line="138"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
@@ -2804,17 +2749,17 @@
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="123"/>
+        <location filename="../build/template_texts.py" line="128"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="131"/>
+        <location filename="../build/template_texts.py" line="136"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="111"/>
+        <location filename="../build/template_texts.py" line="116"/>
         <source>Control points</source>
         <translation>Punkty osnowy</translation>
     </message>
@@ -3074,52 +3019,52 @@
         <translation>Liczba znaczków: {count}, średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="20"/>
+        <location filename="../plugin/seams/measure/messages.py" line="23"/>
         <source>The layer of seam cells has no field &apos;source&apos;; add one with the file names of the orthoimages.</source>
         <translation>Warstwa komórek ortofotomapy nie ma pola „source”; dodaj je i wpisz nazwy plików ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="49"/>
+        <location filename="../plugin/seams/measure/messages.py" line="52"/>
         <source>Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.</source>
         <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; miejsca bez okna: {notes}, opisane w dzienniku komunikatów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="52"/>
+        <location filename="../plugin/seams/measure/messages.py" line="55"/>
         <source>No window could be placed along the seams; the log messages say why.</source>
         <translation>Wzdłuż linii mozaikowania nie udało się umieścić żadnego okna; przyczyny podaje dziennik komunikatów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="11"/>
+        <location filename="../plugin/seams/measure/messages.py" line="14"/>
         <source>The mosaic is still being opened; try again in a moment.</source>
         <translation>Ortofotomapa jest jeszcze otwierana; spróbuj ponownie za chwilę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="12"/>
+        <location filename="../plugin/seams/measure/messages.py" line="15"/>
         <source>The mosaic was not opened, as the task was cancelled; choose another mosaic in the inputs, then this one again.</source>
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="77"/>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="1"/>
+        <location filename="../plugin/seams/measure/messages.py" line="104"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="1"/>
+        <location filename="../plugin/seams/measure/messages.py" line="105"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="1"/>
+        <location filename="../plugin/seams/measure/messages.py" line="106"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="78"/>
+        <location filename="../plugin/seams/measure/messages.py" line="102"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz da się tu porównać: {why}</translation>
     </message>
@@ -3134,82 +3079,77 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny folder.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="80"/>
+        <location filename="../plugin/seams/measure/messages.py" line="110"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola '{field}'; wybierz warstwę skontrolowanych okien, taką, jaką zostawia 'Skontroluj okna'.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="83"/>
+        <location filename="../plugin/seams/measure/messages.py" line="113"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="116"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="89"/>
+        <location filename="../plugin/seams/measure/messages.py" line="119"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="100"/>
+        <location filename="../plugin/seams/measure/messages.py" line="130"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/messages.py" line="146"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/messages.py" line="142"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/messages.py" line="134"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="94"/>
+        <location filename="../plugin/seams/measure/messages.py" line="124"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/messages.py" line="127"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="122"/>
+        <location filename="../plugin/seams/measure/messages.py" line="160"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="123"/>
-        <source>{count} windows are flagged and the report shows curves and clips of the {most} with the lowest ratios; the others stand in the table. Report a part of the windows to see them.</source>
-        <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z najniższymi stosunkami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="121"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -4184,57 +4124,47 @@
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="16"/>
+        <location filename="../build/template_texts.py" line="20"/>
         <source>window</source>
         <translation>okno</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="17"/>
+        <location filename="../build/template_texts.py" line="21"/>
         <source>verdict, cause, observer</source>
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="23"/>
+        <location filename="../build/template_texts.py" line="27"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="18"/>
+        <location filename="../build/template_texts.py" line="22"/>
         <source>raster</source>
         <translation>raster</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="20"/>
+        <location filename="../build/template_texts.py" line="24"/>
         <source>detail, level</source>
         <translation>detale, poziom</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="15"/>
+        <location filename="../build/template_texts.py" line="19"/>
         <source>Relative variances</source>
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="63"/>
-        <source>ratio 1: {ratio:.2f}</source>
-        <translation>stosunek 1: {ratio:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="63"/>
-        <source>composite: {ratio:.2f}</source>
-        <translation>złożenie: {ratio:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="70"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="81"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="72"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="83"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="79"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="90"/>
         <source>hard-cut composite</source>
         <translation>złożenie z ostrym cięciem</translation>
     </message>
@@ -4244,12 +4174,12 @@
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="137"/>
+        <location filename="../build/template_texts.py" line="142"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="138"/>
+        <location filename="../build/template_texts.py" line="143"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
@@ -4274,52 +4204,52 @@
         <translation>silny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="60"/>
+        <location filename="../build/template_texts.py" line="65"/>
         <source>not measurable</source>
         <translation>niemierzalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="71"/>
+        <location filename="../build/template_texts.py" line="76"/>
         <source>How it is measured</source>
         <translation>Jak przebiega pomiar</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="76"/>
+        <location filename="../build/template_texts.py" line="81"/>
         <source>Random noise</source>
         <translation>Szum losowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="77"/>
+        <location filename="../build/template_texts.py" line="82"/>
         <source>Windows by their random noise: {counts}.</source>
         <translation>Okna według szumu losowego: {counts}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="78"/>
+        <location filename="../build/template_texts.py" line="83"/>
         <source>Relative variance of the details by level, 1 the finest. It rises from level to level in an image with little random noise; noise lifts level 1 above level 2 and, where it is strong, level 2 above level 3.</source>
         <translation>Wariancja względna detali według poziomów, poziom 1 jest najdokładniejszy. W obrazie o małym szumie losowym rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2, a gdy jest silny, także poziom 2 ponad poziom 3.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="80"/>
+        <location filename="../build/template_texts.py" line="85"/>
         <source>group</source>
         <translation>grupa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="81"/>
+        <location filename="../build/template_texts.py" line="86"/>
         <source>pixel</source>
         <translation>piksel</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="82"/>
+        <location filename="../build/template_texts.py" line="87"/>
         <source>least sigma (DN)</source>
         <translation>najmniejsza sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="83"/>
+        <location filename="../build/template_texts.py" line="88"/>
         <source>mean</source>
         <translation>średnia</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="84"/>
+        <location filename="../build/template_texts.py" line="89"/>
         <source>largest</source>
         <translation>największa</translation>
     </message>
@@ -4354,17 +4284,17 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="85"/>
+        <location filename="../build/template_texts.py" line="90"/>
         <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. Judged is the luminance, or the only band (Pyka 2009).</source>
         <translation>Każde okno jest rozkładane falką {wavelet} na poziomy w liczbie {levels}; detale poziomu to udział jego trzech komponentów detali w wariancji okna. Oceniana jest luminancja albo jedyny kanał (Pyka 2009).</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="86"/>
+        <location filename="../build/template_texts.py" line="91"/>
         <source>Sigma is the median absolute value of the finest diagonal component divided by 0.6745, in DN. Fine texture adds to it, so compare it between images of the same ground.</source>
         <translation>Sigma to mediana wartości bezwzględnych najdokładniejszego komponentu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="87"/>
+        <location filename="../build/template_texts.py" line="92"/>
         <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground.</source>
         <translation>Kurtoza to czwarty moment detali poziomu podzielony przez kwadrat ich wariancji: 3 dla szumu gaussowskiego, więcej tam, gdzie krawędzie wyróżniają się na spokojnym tle.</translation>
     </message>
@@ -4374,192 +4304,192 @@
         <translation>Dodaj grupę kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="54"/>
+        <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/cause_words.py" line="63"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="81"/>
+        <location filename="../plugin/seams/cause_words.py" line="77"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="88"/>
+        <location filename="../plugin/seams/cause_words.py" line="84"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="95"/>
+        <location filename="../plugin/seams/cause_words.py" line="93"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="103"/>
+        <location filename="../plugin/seams/cause_words.py" line="101"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="110"/>
+        <location filename="../plugin/seams/cause_words.py" line="108"/>
         <source>misregistration</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <location filename="../plugin/seams/cause_words.py" line="182"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="54"/>
+        <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Mozaika jest mniej ostra niż jej źródła, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/cause_words.py" line="63"/>
         <source>Images that do not fit were blended along the seam.</source>
         <translation>Wzdłuż linii zmieszano obrazy, które do siebie nie pasują.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="81"/>
+        <location filename="../plugin/seams/cause_words.py" line="77"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła wartości szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="88"/>
+        <location filename="../plugin/seams/cause_words.py" line="84"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła wartości szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="95"/>
+        <location filename="../plugin/seams/cause_words.py" line="93"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="103"/>
+        <location filename="../plugin/seams/cause_words.py" line="101"/>
         <source>The channels were corrected one by one, so that colours turned.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="110"/>
+        <location filename="../plugin/seams/cause_words.py" line="108"/>
         <source>The mosaic does not lie where its sources do.</source>
         <translation>Mozaika nie leży tam, gdzie jej źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="118"/>
+        <location filename="../plugin/seams/cause_words.py" line="177"/>
         <source>No step of production is found that took contrast away.</source>
         <translation>Nie znaleziono etapu opracowania, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <location filename="../plugin/seams/cause_words.py" line="182"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="47"/>
+        <location filename="../build/template_texts.py" line="52"/>
         <source>Pictures</source>
         <translation>Obrazy znaczków</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="32"/>
+        <location filename="../build/template_texts.py" line="37"/>
         <source>Interior orientation of {name}</source>
         <translation>Orientacja wewnętrzna: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="33"/>
+        <location filename="../build/template_texts.py" line="38"/>
         <source>{columns} x {rows} px. Marks measured: {measured}, given: {given}, failed: {failed}.</source>
         <translation>{columns} × {rows} px. Znaczki zmierzone: {measured}, podane: {given}, odrzucone: {failed}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="34"/>
+        <location filename="../build/template_texts.py" line="39"/>
         <source>Root mean square of the residuals: {rms:.1f} um.</source>
         <translation>Średnia kwadratowa odchyłek: {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="36"/>
+        <location filename="../build/template_texts.py" line="41"/>
         <source>Mark</source>
         <translation>Znaczek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="37"/>
+        <location filename="../build/template_texts.py" line="42"/>
         <source>Column, px</source>
         <translation>Kolumna, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="38"/>
+        <location filename="../build/template_texts.py" line="43"/>
         <source>Row, px</source>
         <translation>Wiersz, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="39"/>
+        <location filename="../build/template_texts.py" line="44"/>
         <source>x, mm</source>
         <translation>x, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="40"/>
+        <location filename="../build/template_texts.py" line="45"/>
         <source>y, mm</source>
         <translation>y, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="41"/>
+        <location filename="../build/template_texts.py" line="46"/>
         <source>Residual x, um</source>
         <translation>Odchyłka x, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="42"/>
+        <location filename="../build/template_texts.py" line="47"/>
         <source>Residual y, um</source>
         <translation>Odchyłka y, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="43"/>
+        <location filename="../build/template_texts.py" line="48"/>
         <source>Correlation</source>
         <translation>Korelacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="44"/>
+        <location filename="../build/template_texts.py" line="49"/>
         <source>Status</source>
         <translation>Stan</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="45"/>
+        <location filename="../build/template_texts.py" line="50"/>
         <source>Reason</source>
         <translation>Przyczyna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="46"/>
+        <location filename="../build/template_texts.py" line="51"/>
         <source>Pixel centres are at .5: the first pixel reaches from 0 to 1. Millimetres: x to the right, y upwards.</source>
         <translation>Środki pikseli mają końcówkę ,5: pierwszy piksel sięga od 0 do 1. Milimetry: x w prawo, y w górę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="53"/>
+        <location filename="../build/template_texts.py" line="58"/>
         <source>to millimetres</source>
         <translation>na milimetry</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="54"/>
+        <location filename="../build/template_texts.py" line="59"/>
         <source>to pixels</source>
         <translation>na piksele</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="50"/>
+        <location filename="../build/template_texts.py" line="55"/>
         <source>Model: {model}, marks: {marks}, degrees of freedom: {redundancy}.</source>
         <translation>Model {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="51"/>
+        <location filename="../build/template_texts.py" line="56"/>
         <source>The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}.</source>
         <translation>Zdjęcie jest obrócone o {turned} stopni zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie: {evidence}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="52"/>
+        <location filename="../build/template_texts.py" line="57"/>
         <source> and mirrored</source>
         <translation> i odbite lustrzanie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="48"/>
+        <location filename="../build/template_texts.py" line="53"/>
         <source>Each pixel is shown {times} times as wide; the cross stands where the mark was found.</source>
         <translation>Każdy piksel jest pokazany w {times}-krotnym powiększeniu; krzyż stoi tam, gdzie znaleziono znaczek.</translation>
     </message>
@@ -4569,37 +4499,37 @@
         <translation>korelacja {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="40"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="39"/>
         <source>windows flagged in vain (1 - specificity)</source>
         <translation>okna oznaczone niepotrzebnie (1 - swoistość)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="41"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="40"/>
         <source>visible losses flagged (sensitivity)</source>
         <translation>oznaczone widoczne straty (czułość)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="43"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="42"/>
         <source>a guess</source>
         <translation>zgadywanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="63"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="62"/>
         <source>AUC {area:.3f} (95 %: {low:.3f} to {high:.3f})</source>
         <translation>AUC {area:.3f} (95 %: {low:.3f} do {high:.3f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="68"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="67"/>
         <source>threshold {value:g}: {hits} of {seen}, in vain {vain} of {unseen}</source>
         <translation>próg {value:g}: {hits} z {seen}, niepotrzebnie {vain} z {unseen}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="82"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="81"/>
         <source>visible ({count})</source>
         <translation>widoczne ({count})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="82"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="81"/>
         <source>invisible ({count})</source>
         <translation>niewidoczne ({count})</translation>
     </message>
@@ -4674,67 +4604,52 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="96"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="97"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="27"/>
+        <location filename="../build/template_texts.py" line="31"/>
         <source>{name} (mosaic)</source>
         <translation>{name} (mozaika)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="111"/>
-        <source>Detail at level 1 is {percent:.0f} % of the least sharp source&apos;s.</source>
-        <translation>Detale na poziomie 1 to {percent:.0f} % detali najmniej ostrego źródła.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="117"/>
-        <source>Cause: {cause}.</source>
-        <translation>Przyczyna: {cause}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="118"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="115"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="121"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="122"/>
         <source>Absolute contrast at level 1: {percent:.0f} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="123"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="124"/>
         <source>Pixels where no source wins clearly: {percent:.0f} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="131"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="133"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="134"/>
         <source>against the hard-cut composite</source>
         <translation>względem złożenia z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="133"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="135"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="26"/>
-        <source>ratio, level</source>
-        <translation>stosunek, poziom</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="148"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="157"/>
         <source>Clips at 2x, {side} px a side around x {x}, y {y}.</source>
         <translation>Wycinki w powiększeniu 2x, bok {side} px, wokół x {x}, y {y}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="152"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="161"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4774,27 +4689,27 @@
         <translation>skok na liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="65"/>
+        <location filename="../build/template_texts.py" line="70"/>
         <source>contrast beside the seams</source>
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="58"/>
+        <location filename="../build/template_texts.py" line="63"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="59"/>
+        <location filename="../build/template_texts.py" line="64"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="56"/>
+        <location filename="../build/template_texts.py" line="61"/>
         <source>Rules: {name}.</source>
         <translation>Reguły: {name}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="55"/>
+        <location filename="../build/template_texts.py" line="60"/>
         <source>Radiometric acceptance</source>
         <translation>Odbiór radiometryczny</translation>
     </message>
@@ -4804,32 +4719,32 @@
         <translation>{name}, okno {window}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="57"/>
+        <location filename="../build/template_texts.py" line="62"/>
         <source>image</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="61"/>
+        <location filename="../build/template_texts.py" line="66"/>
         <source>what failed</source>
         <translation>niespełnione reguły</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="63"/>
+        <location filename="../build/template_texts.py" line="68"/>
         <source>Tonal balancing and feathering lower the step at the seams and take contrast away with it, so both have to be looked at together.</source>
         <translation>Wyrównanie tonalne i wtapianie zmniejszają skok na liniach mozaikowania, ale odbierają przy tym kontrast, więc oba trzeba oceniać razem.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="62"/>
+        <location filename="../build/template_texts.py" line="67"/>
         <source>Tonal unity and contrast</source>
         <translation>Jednolitość tonalna i kontrast</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="64"/>
+        <location filename="../build/template_texts.py" line="69"/>
         <source>largest step at a seam</source>
         <translation>największy skok na linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="66"/>
+        <location filename="../build/template_texts.py" line="71"/>
         <source>Available range: {low:g} to {high:g} DN.</source>
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
@@ -4839,17 +4754,17 @@
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="67"/>
+        <location filename="../build/template_texts.py" line="72"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="69"/>
+        <location filename="../build/template_texts.py" line="74"/>
         <source>result</source>
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="70"/>
+        <location filename="../build/template_texts.py" line="75"/>
         <source>source of the limit</source>
         <translation>źródło granicy</translation>
     </message>
@@ -4869,37 +4784,37 @@
         <translation>co najmniej {least}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="72"/>
+        <location filename="../build/template_texts.py" line="77"/>
         <source>Clipping, peak and contrast come from the histogram of all valid pixels. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range.</source>
         <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="73"/>
+        <location filename="../build/template_texts.py" line="78"/>
         <source>Signal to noise: areas of {side} x {side} px, spread over the image, whose mean lies in the middle half of the range and whose four quadrants have the same mean as far as their noise lets one tell; the quarter with the least noise, mean over standard deviation.</source>
         <translation>Stosunek sygnału do szumu: obszary {side} × {side} px, rozłożone na obrazie, których średnia leży w środkowej połowie zakresu, a cztery ćwiartki mają tę samą średnią, o ile pozwala to stwierdzić ich szum; z ćwierci obszarów o najmniejszym szumie, średnia podzielona przez odchylenie standardowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="74"/>
+        <location filename="../build/template_texts.py" line="79"/>
         <source>Colour balance: such areas whose bands differ by at most 10 % of the range; the quarter with the least colour, largest difference between the bands&apos; means.</source>
         <translation>Balans barw: takie same obszary, których kanały różnią się o najwyżej 10% zakresu; z ćwierci obszarów o najsłabszej barwie, największa różnica między średnimi kanałów.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="75"/>
+        <location filename="../build/template_texts.py" line="80"/>
         <source>Step at the seams: difference of the means {near} to {far} px on either side for every {station} px of seam, their median along each seam, the largest of all seams as a share of the image&apos;s largest value. Contrast beside the seams is the standard deviation of the same pixels, as a share of the range.</source>
         <translation>Skok na liniach mozaikowania: różnica średnich od {near} do {far} px po obu stronach, co {station} px linii, mediana wzdłuż każdej linii, największa ze wszystkich linii jako część największej wartości obrazu. Kontrast przy liniach mozaikowania to odchylenie standardowe tych samych pikseli jako część zakresu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="119"/>
+        <location filename="../build/template_texts.py" line="124"/>
         <source>Property</source>
         <translation>Właściwość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="120"/>
+        <location filename="../build/template_texts.py" line="125"/>
         <source>Value</source>
         <translation>Wartość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="121"/>
+        <location filename="../build/template_texts.py" line="126"/>
         <source>Unknowns</source>
         <translation>Niewiadome</translation>
     </message>
@@ -4939,87 +4854,87 @@
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="122"/>
+        <location filename="../build/template_texts.py" line="127"/>
         <source>Iterations</source>
         <translation>Iteracje</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="124"/>
+        <location filename="../build/template_texts.py" line="129"/>
         <source>Standard deviation of a control point</source>
         <translation>Odchylenie standardowe punktu osnowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="125"/>
+        <location filename="../build/template_texts.py" line="130"/>
         <source>Image outside the control points&apos; outline</source>
         <translation>Część obrazu poza obrysem punktów osnowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="126"/>
+        <location filename="../build/template_texts.py" line="131"/>
         <source>Accuracy</source>
         <translation>Dokładność</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="127"/>
+        <location filename="../build/template_texts.py" line="132"/>
         <source>Points</source>
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="128"/>
+        <location filename="../build/template_texts.py" line="133"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="107"/>
+        <location filename="../build/template_texts.py" line="112"/>
         <source>Mean X (m)</source>
         <translation>Średni X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="108"/>
+        <location filename="../build/template_texts.py" line="113"/>
         <source>Mean Y (m)</source>
         <translation>Średni Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="109"/>
+        <location filename="../build/template_texts.py" line="114"/>
         <source>Largest X (m)</source>
         <translation>Największy X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="110"/>
+        <location filename="../build/template_texts.py" line="115"/>
         <source>Largest Y (m)</source>
         <translation>Największy Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="129"/>
+        <location filename="../build/template_texts.py" line="134"/>
         <source>Mean column (px)</source>
         <translation>Średni kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="130"/>
+        <location filename="../build/template_texts.py" line="135"/>
         <source>Mean row (px)</source>
         <translation>Średni wiersza (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="132"/>
+        <location filename="../build/template_texts.py" line="137"/>
         <source>Mean errors are root mean squares. Only check points, which took no part in the fit, say how accurate the image becomes.</source>
         <translation>Błędy średnie to błędy średniokwadratowe. Tylko punkty kontrolne, które nie brały udziału w dopasowaniu, mówią, jak dokładny będzie obraz.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="134"/>
+        <location filename="../build/template_texts.py" line="139"/>
         <source>Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated.</source>
         <translation>Model minus pomiar na obrazie, w powiększeniu; zacieniony obrys obejmuje to, co nie jest ekstrapolowane.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="135"/>
+        <location filename="../build/template_texts.py" line="140"/>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="136"/>
+        <location filename="../build/template_texts.py" line="141"/>
         <source>Role</source>
         <translation>Rola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="139"/>
+        <location filename="../build/template_texts.py" line="144"/>
         <source>Blunder</source>
         <translation>Błąd gruby</translation>
     </message>
@@ -5034,52 +4949,52 @@
         <translation>tak</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="118"/>
+        <location filename="../build/template_texts.py" line="123"/>
         <source>Sensor model: {name}</source>
         <translation>Model sensora: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="113"/>
+        <location filename="../build/template_texts.py" line="118"/>
         <source>Each point was predicted by a fit to all others (leave-one-out), since check points are few.</source>
         <translation>Każdy punkt przewidziano z dopasowania do wszystkich pozostałych (leave-one-out), ponieważ punktów kontrolnych jest mało.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="114"/>
+        <location filename="../build/template_texts.py" line="119"/>
         <source>Errors are those of check points, which took no part in the fit.</source>
         <translation>Błędy są błędami punktów kontrolnych, które nie brały udziału w dopasowaniu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="104"/>
+        <location filename="../build/template_texts.py" line="109"/>
         <source>The recommended model stands out.</source>
         <translation>Zalecany model jest wyróżniony.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="105"/>
+        <location filename="../build/template_texts.py" line="110"/>
         <source>Table</source>
         <translation>Tabela</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="112"/>
+        <location filename="../build/template_texts.py" line="117"/>
         <source>Judged on</source>
         <translation>Podstawa oceny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="115"/>
+        <location filename="../build/template_texts.py" line="120"/>
         <source>Mean errors are root mean squares.</source>
         <translation>Błędy średnie to błędy średniokwadratowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="116"/>
+        <location filename="../build/template_texts.py" line="121"/>
         <source>Not fitted, or not to be trusted</source>
         <translation>Niedopasowane lub niewiarygodne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="117"/>
+        <location filename="../build/template_texts.py" line="122"/>
         <source>Why</source>
         <translation>Dlaczego</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="103"/>
+        <location filename="../build/template_texts.py" line="108"/>
         <source>Sensor models compared</source>
         <translation>Porównanie modeli sensora</translation>
     </message>
@@ -5089,52 +5004,52 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="50"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="48"/>
+        <location filename="../plugin/seams/window_summary.py" line="52"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="52"/>
+        <location filename="../plugin/seams/window_summary.py" line="56"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="54"/>
+        <location filename="../plugin/seams/window_summary.py" line="58"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="55"/>
+        <location filename="../plugin/seams/window_summary.py" line="59"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="58"/>
+        <location filename="../plugin/seams/window_summary.py" line="62"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="60"/>
+        <location filename="../plugin/seams/window_summary.py" line="64"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="62"/>
+        <location filename="../plugin/seams/window_summary.py" line="66"/>
         <source>the sources lie {length} px apart</source>
         <translation>ortoobrazy są od siebie odsunięte o {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="65"/>
+        <location filename="../plugin/seams/window_summary.py" line="69"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="67"/>
+        <location filename="../plugin/seams/window_summary.py" line="71"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
@@ -5144,122 +5059,117 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="79"/>
+        <location filename="../plugin/seams/window_summary.py" line="85"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <location filename="../plugin/seams/window_summary.py" line="87"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="83"/>
+        <location filename="../plugin/seams/window_summary.py" line="89"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="85"/>
+        <location filename="../plugin/seams/window_summary.py" line="91"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="54"/>
+        <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>blur to {value} % of their sharpness explains it</source>
         <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="54"/>
+        <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>it is blurred to {value} % of their sharpness</source>
         <translation>jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/cause_words.py" line="63"/>
         <source>feathering of images {value} px apart explains it</source>
         <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/cause_words.py" line="63"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="81"/>
+        <location filename="../plugin/seams/cause_words.py" line="77"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zwężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="88"/>
+        <location filename="../plugin/seams/cause_words.py" line="84"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>odcienie są zakrzywione, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="95"/>
+        <location filename="../plugin/seams/cause_words.py" line="93"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="103"/>
+        <location filename="../plugin/seams/cause_words.py" line="101"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="110"/>
+        <location filename="../plugin/seams/cause_words.py" line="108"/>
         <source>the mosaic lies {value} px off its sources</source>
         <translation>ortofotomapa leży {value} px obok swoich ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="54"/>
+        <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>blur explains it</source>
         <translation>wyjaśnia to rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="54"/>
+        <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>it is blurred</source>
         <translation>jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/cause_words.py" line="63"/>
         <source>feathering explains it</source>
         <translation>wyjaśnia to wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/cause_words.py" line="63"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="81"/>
+        <location filename="../plugin/seams/cause_words.py" line="77"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zwężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="88"/>
+        <location filename="../plugin/seams/cause_words.py" line="84"/>
         <source>grey values are bent by a gamma</source>
         <translation>odcienie są zakrzywione przez gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="95"/>
+        <location filename="../plugin/seams/cause_words.py" line="93"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="103"/>
+        <location filename="../plugin/seams/cause_words.py" line="101"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="110"/>
+        <location filename="../plugin/seams/cause_words.py" line="108"/>
         <source>the mosaic does not lie where its sources do</source>
         <translation>ortofotomapa nie leży tam, gdzie jej ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="118"/>
-        <source>no step of production took detail away</source>
-        <translation>żaden etap produkcji nie zabrał detali</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <location filename="../plugin/seams/cause_words.py" line="182"/>
         <source>the cause is unclear: its detail is not that of the sources</source>
         <translation>przyczyna jest niejasna: jej detale nie są detalami ortoobrazów</translation>
     </message>
@@ -5274,72 +5184,72 @@
         <translation>{name} (mozaika, gruba)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="88"/>
+        <location filename="../build/template_texts.py" line="93"/>
         <source>Ground resolved distance: {name}</source>
         <translation>Terenowa zdolność rozdzielcza: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="89"/>
+        <location filename="../build/template_texts.py" line="94"/>
         <source>direction</source>
         <translation>kierunek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="90"/>
+        <location filename="../build/template_texts.py" line="95"/>
         <source>band</source>
         <translation>kanał</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="91"/>
+        <location filename="../build/template_texts.py" line="96"/>
         <source>distance, cm</source>
         <translation>GRD, cm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="92"/>
+        <location filename="../build/template_texts.py" line="97"/>
         <source>The target</source>
         <translation>Test</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="94"/>
+        <location filename="../build/template_texts.py" line="99"/>
         <source>Full circles are bars, empty ones the gaps between them. The gaps must lie beyond the dashed line, which is {criterion:.0%} of the full amplitude away from the weakest bar. Grey lines: the ends of the line as drawn.</source>
         <translation>Pełne kółka to kreski, puste – przerwy między nimi. Przerwy muszą leżeć za linią przerywaną, która jest oddalona od najsłabszej kreski o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="93"/>
+        <location filename="../build/template_texts.py" line="98"/>
         <source>Profiles</source>
         <translation>Profile</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="95"/>
+        <location filename="../build/template_texts.py" line="100"/>
         <source>Measurements</source>
         <translation>Pomiary</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="96"/>
+        <location filename="../build/template_texts.py" line="101"/>
         <source>bars</source>
         <translation>kreski</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="97"/>
+        <location filename="../build/template_texts.py" line="102"/>
         <source>amplitude, DN</source>
         <translation>amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="98"/>
+        <location filename="../build/template_texts.py" line="103"/>
         <source>full amplitude, DN</source>
         <translation>pełna amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="99"/>
+        <location filename="../build/template_texts.py" line="104"/>
         <source>modulation</source>
         <translation>modulacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="100"/>
+        <location filename="../build/template_texts.py" line="105"/>
         <source>shift, px</source>
         <translation>przesunięcie, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="101"/>
+        <location filename="../build/template_texts.py" line="106"/>
         <source>Reasons</source>
         <translation>Powody</translation>
     </message>
@@ -5359,17 +5269,17 @@
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="24"/>
+        <location filename="../build/template_texts.py" line="28"/>
         <source>Flagged windows</source>
         <translation>Oznaczone okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="25"/>
+        <location filename="../build/template_texts.py" line="29"/>
         <source>None: no window has a significant loss, and in none did the observer see one.</source>
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="145"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -5389,57 +5299,42 @@
         <translation>okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="7"/>
-        <source>median ratio 1</source>
-        <translation>mediana stosunku 1</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="10"/>
+        <location filename="../build/template_texts.py" line="12"/>
         <source>Causes</source>
         <translation>Przyczyny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="12"/>
+        <location filename="../build/template_texts.py" line="16"/>
         <source>of them flagged</source>
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="13"/>
+        <location filename="../build/template_texts.py" line="17"/>
         <source>Map</source>
         <translation>Mapa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="14"/>
+        <location filename="../build/template_texts.py" line="18"/>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="194"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="215"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="195"/>
-        <source>, ratio 1: {ratio:.2f}</source>
-        <translation>, stosunek 1: {ratio:.2f}</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="28"/>
+        <location filename="../build/template_texts.py" line="32"/>
         <source>How to read it</source>
         <translation>Jak to czytać</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="29"/>
+        <location filename="../build/template_texts.py" line="35"/>
         <source>Relative variance: the share of a clip&apos;s variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic&apos;s share at level 1 divided by a source&apos;s; a window&apos;s ratio is the largest over its sources.</source>
         <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział mozaiki na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="30"/>
-        <source>Significant: at most half of the finest detail is left, or the share that the inspection was set to. Reduced: less than all of it. Preserved: as much as in one of the sources, or more. Observer: what the operator saw at 2x magnification.</source>
-        <translation>Istotna: została co najwyżej połowa najdrobniejszych detali albo tyle, ile ustawiono przy kontroli. Obniżona: mniej niż wszystkie. Zachowana: tyle co w jednym ze źródeł lub więcej. Obserwator: co operator widział w powiększeniu 2x.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="31"/>
+        <location filename="../build/template_texts.py" line="36"/>
         <source>The clips show, at 2x and all stretched alike, the part of the window where the mosaic lost most of the finest detail. JPEG takes a little of it from all of them.</source>
         <translation>Wycinki pokazują, w powiększeniu 2x i z jednakowym rozciągnięciem, część okna, w której mozaika straciła najwięcej najdrobniejszych detali. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
@@ -5564,12 +5459,12 @@
         <translation>Umiarkowany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="8"/>
+        <location filename="../plugin/seams/measure/messages.py" line="11"/>
         <source>A verdict can&apos;t be taken against &apos;{reference}&apos;; choose one of {known}.</source>
         <translation>Nie można oceniać względem '{reference}'; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="71"/>
+        <location filename="../plugin/seams/measure/messages.py" line="74"/>
         <source>No source explains the mosaic&apos;s fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
@@ -5637,6 +5532,431 @@
         <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>assumed</source>
         <translation>założenia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <source>There is no seam in the window to be judged.</source>
+        <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="103"/>
+        <source>The window has {percent} % of the sharpness of its sources.</source>
+        <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="108"/>
+        <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
+        <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="113"/>
+        <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
+        <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="117"/>
+        <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
+        <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="122"/>
+        <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
+        <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="132"/>
+        <source>; the rest is as sharp as its sources.</source>
+        <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="133"/>
+        <source>; the whole window has {percent} % of the sharpness of its sources.</source>
+        <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="144"/>
+        <source>{cause}; besides: {others}.</source>
+        <translation>{cause}; poza tym: {others}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/variance_table.py" line="69"/>
+        <source>by the paper&apos;s rule: {verdict}</source>
+        <translation>według reguły z artykułu: {verdict}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/variance_table.py" line="70"/>
+        <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
+        <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
+        <source>kept along the seam</source>
+        <translation>zachowane wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="148"/>
+        <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
+        <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/curve_pictures.py" line="91"/>
+        <source>significant by the paper&apos;s rule below</source>
+        <translation>poniżej istotna strata według reguły z artykułu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="92"/>
+        <source>What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first.</source>
+        <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
+        <source>kept</source>
+        <translation>zachow.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
+        <source>Share of the finest detail that is kept along the seam, relative to the ground around it.</source>
+        <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="49"/>
+        <source>By the seam, a loss is significant when at most this share of the finest detail is kept along it</source>
+        <translation>Według linii mozaikowania strata jest istotna, gdy wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="53"/>
+        <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
+        <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
+        <source>the seam</source>
+        <translation>linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
+        <source>the composite</source>
+        <translation>kompozycji</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
+        <source>the sources (paper)</source>
+        <translation>ortoobrazów (artykuł)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
+        <source>What the verdict is taken by: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
+        <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="77"/>
+        <source>Verdict &amp;by</source>
+        <translation>Ocena &amp;według</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="78"/>
+        <source>Least &amp;kept</source>
+        <translation>&amp;Najmniej zachowane</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="79"/>
+        <source>Largest &amp;ratio</source>
+        <translation>Największy &amp;stosunek</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/judged_value.py" line="31"/>
+        <source>sharpness 1: {value:.2f}</source>
+        <translation>ostrość 1: {value:.2f}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/judged_value.py" line="32"/>
+        <source>composite: {value:.2f}</source>
+        <translation>złożenie: {value:.2f}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/judged_value.py" line="33"/>
+        <source>ratio 1: {value:.2f}</source>
+        <translation>stosunek 1: {value:.2f}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/judged_value.py" line="40"/>
+        <source>kept 1: {value:.2f}</source>
+        <translation>zachowane 1: {value:.2f}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/judged_value.py" line="41"/>
+        <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
+        <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <source>missing source</source>
+        <translation>brak ortoobrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <source>A part of the mosaic is from an orthoimage that is not among the sources; add that one.</source>
+        <translation>Część ortofotomapy pochodzi z ortoobrazu, którego nie ma wśród źródłowych; dodaj go.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <source>a part of it is from none of these sources</source>
+        <translation>jej część nie pochodzi z żadnego z tych ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <source>{value} % of it are from none of these sources</source>
+        <translation>{value} % jej pikseli nie pochodzi z żadnego z tych ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <source>resampled</source>
+        <translation>przepróbkowanie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
+        <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <source>resampling explains it</source>
+        <translation>wyjaśnia to przepróbkowanie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <source>it was resampled</source>
+        <translation>została przepróbkowana</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
+        <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <source>it was resampled, {value} px off the sources&apos; pixels</source>
+        <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <source>sharpened</source>
+        <translation>wyostrzenie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <source>The whole mosaic was sharpened, beyond what its sources show.</source>
+        <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <source>it was sharpened</source>
+        <translation>została wyostrzona</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <source>it was sharpened to {value} % of the sources&apos; contrast</source>
+        <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <source>compressed</source>
+        <translation>kompresja</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <source>Compression with loss, block by block, changed the fine detail.</source>
+        <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <source>it was compressed with loss</source>
+        <translation>została poddana kompresji stratnej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <source>it was compressed with loss, which changed fine detail by {value} DN</source>
+        <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <source>noise added</source>
+        <translation>dodany szum</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <source>The mosaic has noise that its sources do not have.</source>
+        <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <source>noise was added</source>
+        <translation>dodano szum</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <source>noise of {value} DN was added</source>
+        <translation>dodano szum {value} DN</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="163"/>
+        <source>dodging</source>
+        <translation>wyrównanie jasności</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="163"/>
+        <source>Brightness was evened out by a tone that changes from place to place.</source>
+        <translation>Jasność wyrównano tonem, który zmienia się z miejsca na miejsce.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="163"/>
+        <source>brightness was evened out from place to place</source>
+        <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <source>balanced</source>
+        <translation>wyrównanie tonalne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
+        <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <source>the sources&apos; tones were balanced</source>
+        <translation>tonacje ortoobrazów wyrównano</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
+        <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="177"/>
+        <source>no step of production took detail away, so the sources differ in content</source>
+        <translation>żaden etap produkcji nie zabrał detali, więc ortoobrazy różnią się treścią</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="8"/>
+        <source>The smallest share of detail that a seam has to keep is {kept}; give a number between 0 and 1.</source>
+        <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="78"/>
+        <source>One source covers all that can be compared, so there is no seam here; the verdict is that of the sharpness alone.</source>
+        <translation>Wszystko, co można porównać, pochodzi z jednego ortoobrazu, więc nie ma tu linii mozaikowania; ocena wynika z samej ostrości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="82"/>
+        <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
+        <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
+        <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <source>{name} covers {share:.0f} % of the window and takes part there.</source>
+        <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="91"/>
+        <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
+        <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="95"/>
+        <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
+        <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
+        <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="47"/>
+        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where surely less than all is. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
+        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii zachowano 70 % lub mniej, a ocena brzmi reduced, gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
+        <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
+        <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozytu ortoobrazów źródłowych bez wtapiania i terenu wokół. composite: całe okno względem tego kompozytu. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="89"/>
+        <source>Least share kept along the seam</source>
+        <translation>Najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="89"/>
+        <source>A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
+        <translation>Okno otrzymuje ocenę significant, gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="98"/>
+        <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
+        <translation>Według reguły z artykułu okno otrzymuje ocenę significant, gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="133"/>
+        <source>Seam profiles</source>
+        <translation>Profile linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="133"/>
+        <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
+        <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="14"/>
+        <source>main cause in</source>
+        <translation>główna przyczyna w</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="15"/>
+        <source>took part in</source>
+        <translation>udział w</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="30"/>
+        <source>share, level</source>
+        <translation>część, poziom</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="33"/>
+        <source>Kept: the share of the sources&apos; detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
+        <translation>Zachowane: część detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="34"/>
+        <source>Verdicts by the seam: significant, where 70 % or less is kept (or what the inspection was set to), or the whole window is blurred badly; reduced, where surely less than all is; else preserved. The paper&apos;s rule looks at ratio 1 in whole clips: significant up to 0.5, reduced below 1. Observer: what the operator saw at 2x magnification.</source>
+        <translation>Oceny według linii mozaikowania: strata istotna, gdy zachowano 70 % lub mniej (albo tyle, ile ustawiono przy kontroli) lub całe okno jest mocno rozmyte; obniżona, gdy na pewno zachowano mniej niż wszystko; inaczej zachowana. Reguła z artykułu patrzy na stosunek 1 w całych wycinkach: istotna do 0,5, obniżona poniżej 1. Obserwator: co operator widział w powiększeniu 2x.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="7"/>
+        <source>median</source>
+        <translation>mediana</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="10"/>
+        <source>kept 1</source>
+        <translation>zachow. 1</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="138"/>
+        <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
+        <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
+        <source>Main cause: {cause}.</source>
+        <translation>Główna przyczyna: {cause}.</translation>
     </message>
 </context>
 </TS>

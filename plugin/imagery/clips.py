@@ -16,6 +16,7 @@ from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
 
 MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
+MAX_MISSING_SHARE = 0.995  # of the window: a source that covers less of it can't be told from others there
 MAX_OVERVIEW_PIXELS = 64_000_000  # that may have to be decoded for the sketch's background: about a second
 
 
@@ -34,22 +35,25 @@ class Clip:
     """How far the window lies below the clip's pixels, px."""
     resampled: bool = False
     """Whether the pixels had to be warped to the mosaic's grid."""
+    valid: np.ndarray | None = None
+    """(rows, columns) bool: where it has pixels, when it covers the window only partly."""
 
 
-def read_clip(source: OpenRaster, mosaic: Raster, window: PixelWindow) -> Clip:
+
+def read_clip(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool = False) -> Clip:
     """The pixels of a raster under a window of the mosaic.
 
     They are read as they are when the pixel sizes agree to 1 % and the axes are parallel, since resampling
     destroys what is measured; the sub-pixel offset is reported. Otherwise the raster is warped to the
     window's grid, by averaging where it is finer and by cubic convolution where it is not.
 
-    Raises NotCoveredError when more than 0.1 % of the pixels are invalid, RasterError when the raster can't
-    be read.
+    Raises NotCoveredError when more than 0.1 % of the pixels are invalid, or with ``partly`` when all but 0.5 % are;
+    RasterError when the raster can't be read.
     """
     raster = placed(source.raster)
     if raster.is_north_up and _on_mosaic_system(raster.wkt, mosaic) and _same_pixel_size(raster.grid, mosaic.grid):
-        return _clip_as_it_is(source, mosaic.grid.window_extent(window), window)
-    return _clip_warped(source, mosaic, window)
+        return _clip_as_it_is(source, mosaic.grid.window_extent(window), window, partly)
+    return _clip_warped(source, mosaic, window, partly)
 
 
 def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[PixelBlock, Extent] | None:
@@ -77,17 +81,18 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     return source.read(window, size), grid.window_extent(window)
 
 
-def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow) -> Clip:
+def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, partly: bool) -> Clip:
     grid, (xmin, ymin, xmax, ymax) = source.raster.grid, extent
     column = ((xmin + xmax) / 2 - grid.left) / grid.pixel_width - window.width / 2
     row = (grid.top - (ymin + ymax) / 2) / grid.pixel_height - window.height / 2
     own = replace(window, column=round(column), row=round(row))
-    bands, invalid_share = _read_valid(source, own)
+    bands, invalid_share, valid = _read_valid(source, own, partly)
     # Six decimals: below that it is rounding of coordinates of millions of metres.
-    return Clip(source.raster, bands, invalid_share, round(column - own.column, 6), round(row - own.row, 6))
+    offsets = round(column - own.column, 6), round(row - own.row, 6)
+    return Clip(source.raster, bands, invalid_share, *offsets, valid=valid)
 
 
-def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow) -> Clip:
+def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool) -> Clip:
     raster, dataset, failure = source.raster, source.dataset, messages.NOT_READABLE(name=source.ref.name)
     extent = mosaic.grid.window_extent(window)
     extent_on(extent, mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
@@ -105,8 +110,8 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow) -> Cli
     for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
         warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
     made = OpenRaster(source.ref, warped)
-    bands, invalid_share = _read_valid(made, PixelWindow(0, 0, window.width, window.height))
-    return Clip(raster, bands, invalid_share, resampled=True)
+    bands, invalid_share, valid = _read_valid(made, PixelWindow(0, 0, window.width, window.height), partly)
+    return Clip(raster, bands, invalid_share, resampled=True, valid=valid)
 
 
 def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
@@ -121,14 +126,17 @@ def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
     return gdal.Translate("", indices, format="VRT", rgbExpand="rgb" if opaque else "rgba")
 
 
-def _read_valid(source: OpenRaster, window: PixelWindow) -> tuple[np.ndarray, float]:
-    """The bands of a pixel window, invalid pixels filled, and the share of those.
+def _read_valid(
+    source: OpenRaster, window: PixelWindow, partly: bool
+) -> tuple[np.ndarray, float, np.ndarray | None]:
+    """The bands of a pixel window, invalid pixels filled, the share of those, and where it is valid if only partly.
 
     Raises NotCoveredError when there are too many, RasterError when the file ends before its pixels do.
     """
     name, pixels = source.ref.name, window.width * window.height
+    most = MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
     inside = window.cut_to(source.columns, source.rows)
-    if inside.width * inside.height < (1 - limits.MAX_INVALID_SHARE) * pixels:
+    if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * pixels:
         raise NotCoveredError(messages.NOT_COVERED(name=name))
     bands, invalid = source.read(inside)
     if inside != window:
@@ -137,15 +145,15 @@ def _read_valid(source: OpenRaster, window: PixelWindow) -> tuple[np.ndarray, fl
         invalid = np.zeros((inside.height, inside.width), bool) if invalid is None else invalid
         invalid = np.pad(invalid, margins, constant_values=True)
     if invalid is None:
-        return bands, 0.0
+        return bands, 0.0, None
     share = np.count_nonzero(invalid) / pixels
-    if share > limits.MAX_INVALID_SHARE:
-        raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=share, most=limits.MAX_INVALID_SHARE))
+    if share > most:
+        raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=share, most=most))
     bands = np.array(bands)
     for band in bands:
         mean = band[~invalid].mean(dtype=np.float64)
         band[invalid] = mean if bands.dtype.kind == "f" else np.rint(mean)
-    return bands, share
+    return bands, share, ~invalid if share > limits.MAX_INVALID_SHARE else None
 
 
 def _on_mosaic_system(wkt: str, mosaic: Raster) -> bool:

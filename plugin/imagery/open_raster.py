@@ -17,6 +17,9 @@ from .gdal_calls import gdal_call
 from .grids import PixelWindow
 from .rasters import Raster, RasterRef
 
+LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
+"""Compressions that are lossy unless the file says otherwise."""
+
 
 class PixelBlock(NamedTuple):
     """Pixels and which of them are no measurements."""
@@ -74,7 +77,14 @@ class OpenRaster:
             self.roles.names,
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,
+            self._is_lossy,
         )
+
+    @property
+    def _is_lossy(self) -> bool:
+        stored = self.dataset.GetMetadata("IMAGE_STRUCTURE")
+        lossless = stored.get("COMPRESSION_REVERSIBILITY", "").startswith("LOSSLESS")
+        return any(word in stored.get("COMPRESSION", "").upper() for word in LOSSY) and not lossless
 
     @property
     def nodata(self) -> float | None:

@@ -52,6 +52,8 @@ class Raster:
     """numpy's name of the pixels' type as they are measured, such as ``uint8``."""
     bits: int | None = None
     """Bits a pixel where the file says it (NBITS), as 12 in 16."""
+    is_lossy: bool = False
+    """Whether the file says that its pixels are compressed with loss."""
 
     @property
     def wkt(self) -> str:

@@ -2,15 +2,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import log
 from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..toolkit.translation import percent, shown_number, tr
-from .measure.causes import Cause
+from .measure.causes import MIN_BALANCED_GAIN, Cause
 
 if TYPE_CHECKING:
-    from .measure.explanation import Change, Explanation
+    from .measure.changes import Change
+    from .measure.explanation import Explanation
 
 MIN_SHOWN_PX = 0.05  # sources that lie less apart lie 0.0 px apart
 
@@ -23,14 +25,8 @@ def judged_change(found: Explanation) -> Change:
     return next(iter(found.changes[-1].values()))
 
 
-def _misregistration(found: Explanation) -> float | None:
-    """How far the mosaic lies off the source that the composite agrees with best in this, px."""
-    shifts = [next(iter(bands.values())).shift for bands in found.changes]
-    *lengths, against = [None if shift is None else shift.length for shift in shifts]
-    known = [length for length in lengths if length is not None]
-    if against is None:
-        return max(known, default=None)
-    return min(known, key=lambda length: abs(length - against), default=against)
+def _noise(found: Explanation) -> float | None:
+    return found.evidence.texture.noise_dn if found.evidence.texture else None
 
 
 def _tenths(value: float) -> str:
@@ -61,7 +57,7 @@ CAUSES: dict[str, ShownCause] = {
             QT_TRANSLATE_NOOP("@default", "blur to {value} % of their sharpness explains it"),
             QT_TRANSLATE_NOOP("@default", "it is blurred to {value} % of their sharpness"),
         ),
-        lambda found: judged_change(found).sharpness[0],
+        lambda found: found.sharpness,
         percent,
     ),
     Cause.FEATHERING.value: ShownCause(
@@ -83,14 +79,16 @@ CAUSES: dict[str, ShownCause] = {
         QT_TRANSLATE_NOOP("@default", "Grey values were pressed together by a linear function."),
         (QT_TRANSLATE_NOOP("@default", "the histogram is narrowed"),),
         (QT_TRANSLATE_NOOP("@default", "the histogram is narrowed, gain {value}"),),
-        lambda found: getattr(judged_change(found).tone, "gain", None),
+        lambda found: max((tone.gain for tone in found.evidence.tones if tone.gain), default=None),
     ),
     Cause.GAMMA.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "gamma"),
         QT_TRANSLATE_NOOP("@default", "Grey values were changed by a power function."),
         (QT_TRANSLATE_NOOP("@default", "grey values are bent by a gamma"),),
         (QT_TRANSLATE_NOOP("@default", "grey values are bent, gamma {value}"),),
-        lambda found: getattr(judged_change(found).tone, "gamma", None),
+        lambda found: max(
+            (tone.gamma for tone in found.evidence.tones), key=lambda gamma: abs(log(gamma)), default=None
+        ),
     ),
     Cause.CLIPPING.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "clipping"),
@@ -105,20 +103,81 @@ CAUSES: dict[str, ShownCause] = {
         QT_TRANSLATE_NOOP("@default", "The channels were corrected one by one, so that colours turned."),
         (QT_TRANSLATE_NOOP("@default", "the colours are shifted"),),
         (QT_TRANSLATE_NOOP("@default", "the colours are shifted, gains differ by a factor of {value}"),),
-        lambda found: judged_change(found).colour_shift,
+        lambda found: max((tone.colour_shift for tone in found.evidence.tones if tone.colour_shift), default=None),
     ),
     Cause.MISREGISTRATION.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "misregistration"),
         QT_TRANSLATE_NOOP("@default", "The mosaic does not lie where its sources do."),
         (QT_TRANSLATE_NOOP("@default", "the mosaic does not lie where its sources do"),),
         (QT_TRANSLATE_NOOP("@default", "the mosaic lies {value} px off its sources"),),
-        _misregistration,
+        lambda found: found.evidence.misregistration,
         _tenths,
+    ),
+    Cause.MISSING_SOURCE.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "missing source"),
+        QT_TRANSLATE_NOOP(
+            "@default", "A part of the mosaic is from an orthoimage that is not among the sources; add that one."
+        ),
+        (QT_TRANSLATE_NOOP("@default", "a part of it is from none of these sources"),),
+        (QT_TRANSLATE_NOOP("@default", "{value} % of it are from none of these sources"),),
+        lambda found: found.evidence.missing,
+        percent,
+    ),
+    Cause.RESAMPLED.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "resampled"),
+        QT_TRANSLATE_NOOP(
+            "@default", "The mosaic's pixels lie between those of its sources, so they were interpolated from them."
+        ),
+        (QT_TRANSLATE_NOOP("@default", "resampling explains it"), QT_TRANSLATE_NOOP("@default", "it was resampled")),
+        (
+            QT_TRANSLATE_NOOP("@default", "resampling, {value} px off the sources' pixels, explains it"),
+            QT_TRANSLATE_NOOP("@default", "it was resampled, {value} px off the sources' pixels"),
+        ),
+        lambda found: found.evidence.off_pixel,
+        _tenths,
+    ),
+    Cause.SHARPENED.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "sharpened"),
+        QT_TRANSLATE_NOOP("@default", "The whole mosaic was sharpened, beyond what its sources show."),
+        (QT_TRANSLATE_NOOP("@default", "it was sharpened"),),
+        (QT_TRANSLATE_NOOP("@default", "it was sharpened to {value} % of the sources' contrast"),),
+        lambda found: found.evidence.texture.most_transfer if found.evidence.texture else None,
+        percent,
+    ),
+    Cause.COMPRESSED.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "compressed"),
+        QT_TRANSLATE_NOOP("@default", "Compression with loss, block by block, changed the fine detail."),
+        (QT_TRANSLATE_NOOP("@default", "it was compressed with loss"),),
+        (QT_TRANSLATE_NOOP("@default", "it was compressed with loss, which changed fine detail by {value} DN"),),
+        _noise,
+        _tenths,
+    ),
+    Cause.NOISE_ADDED.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "noise added"),
+        QT_TRANSLATE_NOOP("@default", "The mosaic has noise that its sources do not have."),
+        (QT_TRANSLATE_NOOP("@default", "noise was added"),),
+        (QT_TRANSLATE_NOOP("@default", "noise of {value} DN was added"),),
+        _noise,
+        _tenths,
+    ),
+    Cause.DODGING.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "dodging"),
+        QT_TRANSLATE_NOOP("@default", "Brightness was evened out by a tone that changes from place to place."),
+        (QT_TRANSLATE_NOOP("@default", "brightness was evened out from place to place"),),
+    ),
+    Cause.BALANCED.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "balanced"),
+        QT_TRANSLATE_NOOP(
+            "@default", "The sources were brought to each other's tones, each by its gain and bias; nothing is lost."
+        ),
+        (QT_TRANSLATE_NOOP("@default", "the sources' tones were balanced"),),
+        (QT_TRANSLATE_NOOP("@default", "the sources' tones were balanced, gains a factor of {value} apart"),),
+        lambda found: found.evidence.spread[0] if found.evidence.spread[0] >= MIN_BALANCED_GAIN else None,
     ),
     Cause.NONE.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "none"),
         QT_TRANSLATE_NOOP("@default", "No step of production is found that took contrast away."),
-        (QT_TRANSLATE_NOOP("@default", "no step of production took detail away"), ""),
+        (QT_TRANSLATE_NOOP("@default", "no step of production took detail away, so the sources differ in content"), ""),
     ),
     Cause.UNCLEAR.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "unclear"),
@@ -132,6 +191,11 @@ CAUSES: dict[str, ShownCause] = {
 def cause_word(cause: str) -> str:
     """A cause for the user."""
     return tr(CAUSES[cause].word) if cause in CAUSES else cause
+
+
+def causes_words(causes: str) -> str:
+    """All causes of a window for the user, strongest first, as tables hold them: joined by ``; ``."""
+    return ", ".join(cause_word(cause) for cause in causes.split("; ") if cause)
 
 
 def cause_sentence(cause: str) -> str:

@@ -5,7 +5,8 @@ import math
 from typing import TYPE_CHECKING
 
 from ..toolkit.translation import percent, shown_number, tr
-from .cause_words import cause_clause, judged_change
+from .cause_words import cause_clause, causes_words, judged_change
+from .measure.window_records import SEAM
 from .verdict_words import verdict_sentence
 
 if TYPE_CHECKING:
@@ -14,6 +15,10 @@ if TYPE_CHECKING:
     from .measure.window_records import WindowRecord
 
 _APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it
+_AS_SHARP = 0.03  # of the sharpness: less is not told
+_UNEXPLAINED = 0.005  # of the pixels
+_TOLD_BEFORE = ("", "none", "missing source")  # causes that have no sentence of their own beside the seam's
+_NOT_COMPARABLE = "not_comparable"
 _LOSSES = ("significant", "reduced")
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
@@ -25,10 +30,11 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> st
     """
     if not row.verdict:
         return verdict_sentence("")
-    if row.is_compared:
-        found = _verdict_and_cause(row, explanation_of(row, result))
+    why = explanation_of(row, result)
+    if row.verdict != _NOT_COMPARABLE:
+        found = _verdict_and_cause(row, why)
     else:
-        found = row.reason or verdict_sentence(row.verdict)
+        found = " ".join([row.reason or verdict_sentence(row.verdict), *_what_happened(row, why)])
     return tr("{finding} Changed since: inspect it again.").format(finding=found) if row.stale else found
 
 
@@ -50,8 +56,8 @@ def cause_numbers(found: Explanation) -> list[str]:
         lines.append(words.format(gain=gain, bias=bias, gamma=gamma))
     if change.contrast[0] is not None:
         lines.append(tr("contrast at level 1: {percent} %").format(percent=percent(change.contrast[0])))
-    if change.sharpness[0] is not None:
-        lines.append(tr("sharpness at level 1: {percent} %").format(percent=percent(change.sharpness[0])))
+    if found.sharpness is not None:
+        lines.append(tr("sharpness at level 1: {percent} %").format(percent=percent(found.sharpness)))
     lines.append(tr("clipped: {percent} %").format(percent=percent(change.clipped)))
     if change.colour_shift is not None:
         factor = shown_number(change.colour_shift)
@@ -68,7 +74,9 @@ def cause_numbers(found: Explanation) -> list[str]:
 
 
 def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
-    """The verdict, the ratios, and the cause."""
+    """The verdict, what it was taken by, and the causes."""
+    if row.reference == SEAM:
+        return " ".join([verdict_sentence(row.verdict), *_along_the_seam(row), *_what_happened(row, found)])
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
     because = cause_clause(row.cause, found, row.verdict in _LOSSES)
     if ratio is None:
@@ -85,6 +93,59 @@ def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
         left = tr("Detail at level 1 is {percent} % of the sources'")
     left = left.format(**values)
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
+
+
+def _along_the_seam(row: WindowRecord) -> list[str]:
+    """What is kept beside the seam and in the whole, and what could not be compared."""
+    said = []
+    kept, low, high = row.kept_1, row.kept_low, row.kept_high
+    is_whole = row.verdict == "significant" and high is not None and high >= 1  # a seam as wide as the window
+    if kept is None or low is None or high is None or is_whole:
+        if not is_whole:
+            said.append(row.reason or tr("There is no seam in the window to be judged."))
+        if row.sharpness is not None:
+            text = tr("The window has {percent} % of the sharpness of its sources.")
+            said.append(text.format(percent=percent(row.sharpness)))
+    elif high < 1:
+        values = {"lost": percent(1 - kept), "least": percent(1 - high), "most": percent(1 - low)}
+        if row.band_width:
+            text = tr(
+                "In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)"
+            )
+            values["width"] = shown_number(row.band_width, 1)
+        else:
+            text = tr("Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)")
+        said.append(text.format(**values) + _whole(row.sharpness))
+    else:
+        values = {"kept": percent(kept), "low": percent(low), "high": percent(high)}
+        text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
+        said.append(text.format(**values) + _whole(row.sharpness))
+    if row.reason and row.reason not in said:
+        said.append(row.reason)
+    if row.explained is not None and row.explained < 1 - _UNEXPLAINED:
+        text = tr("{percent} % of the pixels are from none of the given sources and took no part.")
+        said.append(text.format(percent=percent(1 - row.explained)))
+    return said
+
+
+def _whole(sharpness: float | None) -> str:
+    """How sharp the whole window is, to end a sentence with."""
+    if sharpness is None:
+        return "."
+    if abs(sharpness - 1) < _AS_SHARP:
+        return tr("; the rest is as sharp as its sources.")
+    text = tr("; the whole window has {percent} % of the sharpness of its sources.")
+    return text.format(percent=percent(sharpness))
+
+
+def _what_happened(row: WindowRecord, found: Explanation | None) -> list[str]:
+    """All causes; the main one with its number where that is at hand. What took no part was told before."""
+    told = [cause for cause in (row.causes or row.cause).split("; ") if cause not in _TOLD_BEFORE]
+    if not told:
+        return []
+    main = cause_clause(told[0], found, is_loss=False)
+    text, others = f"{main[:1].upper()}{main[1:]}", causes_words("; ".join(told[1:]))
+    return [tr("{cause}; besides: {others}.").format(cause=text, others=others) if others else f"{text}."]
 
 
 def _is_same(one: float | None, other: float | None) -> bool:

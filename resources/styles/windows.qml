@@ -713,7 +713,7 @@
   </renderer-v2>
   <labeling type="simple">
     <settings calloutType="simple">
-      <text-style fontItalic="0" fontLetterSpacing="0" isExpression="1" useSubstitutions="0" multilineHeight="1" fontStrikeout="0" textOrientation="horizontal" fontWeight="50" fontSizeUnit="Point" fontWordSpacing="0" textColor="32,32,32,255" fontSizeMapUnitScale="3x:0,0,0,0,0,0" namedStyle="" legendString="Aa" capitalization="0" blendMode="0" fieldName="&quot;window_id&quot; || coalesce(' · ' || format_number(&quot;ratio_1&quot;, 2), '')" textOpacity="1" fontUnderline="0" fontFamily="DejaVu LGC Sans" fontSize="8.5" allowHtml="0" fontKerning="1" previewBkgrdColor="255,255,255,255">
+      <text-style fontItalic="0" fontLetterSpacing="0" isExpression="1" useSubstitutions="0" multilineHeight="1" fontStrikeout="0" textOrientation="horizontal" fontWeight="50" fontSizeUnit="Point" fontWordSpacing="0" textColor="32,32,32,255" fontSizeMapUnitScale="3x:0,0,0,0,0,0" namedStyle="" legendString="Aa" capitalization="0" blendMode="0" fieldName="&quot;window_id&quot; || coalesce(' · ' || if(attribute('reference') = 'seam', format_number(100 * attribute('kept_1'), 0) || ' %', format_number(&quot;ratio_1&quot;, 2)), '')" textOpacity="1" fontUnderline="0" fontFamily="DejaVu LGC Sans" fontSize="8.5" allowHtml="0" fontKerning="1" previewBkgrdColor="255,255,255,255">
         <families/>
         <text-buffer bufferSizeUnits="MM" bufferColor="255,255,255,255" bufferNoFill="1" bufferSize="0.90000000000000002" bufferBlendMode="0" bufferDraw="1" bufferSizeMapUnitScale="3x:0,0,0,0,0,0" bufferJoinStyle="128" bufferOpacity="1"/>
         <text-mask maskOpacity="1" maskEnabled="0" maskSize="1.5" maskedSymbolLayers="" maskJoinStyle="128" maskSizeUnits="MM" maskSizeMapUnitScale="3x:0,0,0,0,0,0" maskType="0"/>
@@ -825,6 +825,6 @@
   </labeling>
   <blendMode>0</blendMode>
   <featureBlendMode>0</featureBlendMode>
-  <mapTip>&lt;b>Window [% "window_id" %]&lt;/b>: [% "verdict" %]&lt;br>[% coalesce("reason", 'ratio 1: ' || format_number("ratio_1", 2)) %]</mapTip>
+  <mapTip>&lt;b>Window [% "window_id" %]&lt;/b>: [% "verdict" %]&lt;br>[% coalesce("reason", if(attribute('reference') = 'seam', 'kept along the seam: ' || format_number(100 * attribute('kept_1'), 0) || ' % (' || format_number(100 * attribute('kept_low'), 0) || ' to ' || format_number(100 * attribute('kept_high'), 0) || ' %)', 'ratio 1: ' || format_number("ratio_1", 2)), '') %][% coalesce('&lt;br>' || attribute('causes'), '') %]</mapTip>
   <layerGeometryType>2</layerGeometryType>
 </qgis>

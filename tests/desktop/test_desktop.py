@@ -30,13 +30,14 @@ def test_operators_walk(
     assert pixels.endswith(" px")
     assert sources.endswith("sources")
     assert len(report["verdicts"]) > 4
-    assert set(report["verdicts"]) <= {"significant", "reduced", "preserved"}
+    assert set(report["verdicts"]) <= {"significant", "reduced", "preserved", "not_comparable"}
     assert {"significant", "reduced"} <= set(report["verdicts"])
-    assert report["verdicts"][0] == "significant"
-    assert report["sentence"].startswith("Significant loss.")
-    assert ";" in report["sentence"]  # and the cause
+    assert report["verdicts"][0] in ("significant", "reduced")  # on the field that was dodged too hard
+    assert report["sentence"].startswith(("Significant loss.", "Reduced."))
+    assert "% of the finest detail is lost" in report["sentence"]
+    assert "besides: " in report["sentence"]  # and the causes
     assert len(report["table"]) == len(report["verdicts"])
-    assert report["table"][0][1] == "significant"
+    assert report["table"][0][1] == report["verdicts"][0]
     assert "visible" in report["table"][0]
     assert report["pictures"][0] == "mosaic.tif"
     assert len(report["pictures"]) > 1

@@ -40,7 +40,8 @@ def test_every_layer_is_whole_without_the_collector(
     assert finished.returncode == 0, finished.stderr
     counts = json.loads(finished.stdout.splitlines()[-1])
     assert list(counts) == list(KINDS)
-    assert all(counts["memory"].values()), counts
+    empty = {name for name, count in counts["memory"].items() if not count}
+    assert empty <= {"inspectwindows PROFILES", "inspect_mosaic inspect:profiles"}, counts  # its windows have no seam
     assert counts["gpkg"] == counts["csv"] == counts["memory"]
     expected = {name: count for name, count in SAID_BY_THE_SCENE.items() if name in counts["memory"]}
     assert {name: counts["memory"][name] for name in expected} == expected

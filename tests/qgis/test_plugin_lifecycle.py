@@ -246,7 +246,7 @@ def test_the_dock_inspects(plugin: Any, scene: Scene, tmp_path: Path) -> None:
     desk = use_in(plugin.desk("seamInspectorAction").dock.session, scene, tmp_path)
     for window in (BLURRED_WINDOW, SHARP_WINDOW):
         desk.add(window)
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "reduced"]
+    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
     assert desk.messages == []
 
 

@@ -243,8 +243,9 @@ def test_the_ready_model_is_valid_and_runs(scene: Scene, repository: Path) -> No
     )
     assert outcome.complaint is None
     expected = direct(scene)
-    for name, table in (("inspect:windows", "OUTPUT"), ("inspect:curves", "CURVES"), ("inspect:pairs", "PAIRS")):
-        assert outcome.rows(name) == expected.rows(table)
+    tables = {"windows": "OUTPUT", "curves": "CURVES", "pairs": "PAIRS", "profiles": "PROFILES"}
+    for name, table in tables.items():
+        assert outcome.rows(f"inspect:{name}") == expected.rows(table)
     assert [pixel_box(one.geometry()) for one in outcome.features("inspect:windows")] == [
         pixel_box(one.geometry()) for one in expected.features()
     ]
@@ -285,11 +286,11 @@ def test_outputs_come_into_the_project_once_and_in_their_styles(
 
     inspect = {"WINDOWS": windows(SHARP, BLURRED), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
     place = {"SEAMLINES": seam(), "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "SPACING": 6.4}
-    temporary = dict.fromkeys(("OUTPUT", "CURVES", "PAIRS"), "TEMPORARY_OUTPUT")
+    temporary = dict.fromkeys(("OUTPUT", "CURVES", "PAIRS", "PROFILES"), "TEMPORARY_OUTPUT")
     for count in (1, 2):  # the second run meets what the first one left
         inspected = processing.runAndLoadResults("seaminspector:inspectwindows", {**inspect, **temporary})
         placed = processing.runAndLoadResults("seaminspector:placewindows", {**place, "OUTPUT": "TEMPORARY_OUTPUT"})
-        assert len(project.mapLayers()) == 4 * count
+        assert len(project.mapLayers()) == 5 * count
         loaded = project.mapLayer(inspected["OUTPUT"])
         assert loaded.renderer().type() == "categorizedSymbol"
         assert loaded.renderer().classAttribute() == "verdict"

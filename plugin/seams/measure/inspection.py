@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from ...imagery import limits as imagery_limits
 from ...imagery.band_curves import Directions, correlation, measure_clip, measure_directions
+from ...imagery.band_names import measured_bands
 from ...imagery.clips import read_clip
 from ...imagery.errors import NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
@@ -13,13 +14,16 @@ from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.wavelets import Curve, check_decomposition
-from . import messages
+from . import limits, messages
 from .causes import Cause
-from .explanation import Change, Explanation, MeasuredClip, explain
+from .changes import Change
+from .compared_image import MeasuredClip
+from .explanation import Explanation, explain
+from .profile.seam_profile import SeamProfile
 from .seam_cells import UNKNOWN, Cell, cell_labels, cells_over
-from .source_images import Source, gather_sources, sources_over
-from .verdicts import Judgement, Ratios, Verdict, check_max_ratio, curve_ratios, judge
-from .window_records import COMPOSITE, REFERENCES
+from .source_images import Source, gather_sources, sources_in
+from .verdicts import Judgement, Ratios, Verdict, check_max_ratio, check_min_kept, curve_ratios, judge, judge_by_seam
+from .window_records import COMPOSITE, REFERENCES, SEAM
 
 
 @dataclass(frozen=True)
@@ -33,7 +37,9 @@ class InspectionSettings:
     max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
     """Largest ratio_1 that is a significant loss."""
     reference: str = REFERENCES[0]
-    """What the verdict is taken against, one of ``REFERENCES``."""
+    """What the verdict is taken by, one of ``REFERENCES``."""
+    min_kept: float = limits.MAX_SIGNIFICANT_KEPT
+    """Share of the finest detail along the seam, kept_1, at or below which a loss is significant."""
     directions: bool = False
     """Whether the detail of the mosaic and the sources is told by direction too."""
 
@@ -41,6 +47,7 @@ class InspectionSettings:
         """Raise SettingsError when a value is out of its range."""
         check_decomposition(self.wavelet, self.levels)
         check_max_ratio(self.max_ratio)
+        check_min_kept(self.min_kept)
         if self.reference not in REFERENCES:
             raise SettingsError(messages.REFERENCE_UNKNOWN(reference=self.reference, known=", ".join(REFERENCES)))
 
@@ -55,9 +62,8 @@ class Block:
     """Which source each part of the mosaic was cut from, where that is known."""
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
-        """Those whose footprint covers the window, give or take the share of pixels that may be invalid."""
-        grid = self.mosaic.grid
-        return sources_over(self.sources, grid.window_extent(window), grid.pixel_width, grid.pixel_height)
+        """Those whose footprint meets the window, wholly or in part."""
+        return sources_in(self.sources, self.mosaic.grid.window_extent(window))
 
 
 @dataclass(frozen=True)
@@ -118,18 +124,45 @@ class WindowResult:
     window: PixelWindow | None
     """The pixels of the mosaic that were measured."""
     judgement: Judgement
+    """The verdict that counts, and the ratios of the paper."""
+    paper_verdict: Verdict
+    """By the paper's rule, whatever the verdict was taken by."""
     clips: tuple[ClipResult, ...] = ()
     """The mosaic first, then the sources that took part."""
     pairs: tuple[PairResult, ...] = ()
     explanation: Explanation | None = None
     """Why contrast was lost; None where nothing could be compared."""
     notices: tuple[Message, ...] = field(default=(), compare=False)
-    """Why a source that could not be read or compared did not take part."""
+    """Why a source that could not be read or compared did not take part, or only in part."""
+    ground_sample_distance: float = 0.0
+    """The mosaic's pixel size, m."""
+    reference: str = REFERENCES[0]
+    """What the verdict was taken by."""
+
+    @property
+    def profile(self) -> SeamProfile | None:
+        """What is kept along the seam; None without one, or where it can't be told."""
+        return self.explanation.profile if self.explanation else None
+
+    @property
+    def band_width_m(self) -> float | None:
+        """Full width of the band along the seam in which detail was lost."""
+        return self.profile.band_width_px * self.ground_sample_distance if self.profile else None
+
+    @property
+    def causes(self) -> tuple[Cause, ...]:
+        """All that were found, strongest first."""
+        return self.explanation.causes if self.explanation else ()
+
+    @property
+    def explained(self) -> float | None:
+        """Share of the window whose fine detail the given sources explain."""
+        return self.explanation.explained if self.explanation else None
 
     @property
     def is_compared(self) -> bool:
-        """Whether a source took part."""
-        return self.judgement.verdict is not Verdict.NOT_COMPARABLE
+        """Whether a source took part; what is known then is shown even where it is too little for a verdict."""
+        return self.judgement.verdict is not Verdict.NOT_COMPARABLE or self.explanation is not None
 
     @property
     def with_composite(self) -> tuple[ClipResult, ...]:
@@ -151,8 +184,10 @@ class WindowResult:
 
     @property
     def source_count(self) -> int:
-        """How many sources took part."""
-        return sum(clip.role == "source" for clip in self.clips)
+        """How many sources took part, wholly or in part."""
+        return len({pair.source for pair in self.pairs}) if self.explanation else sum(
+            clip.role == "source" for clip in self.clips
+        )
 
 
 def make_block(
@@ -193,32 +228,52 @@ def inspect_window(request: WindowRequest) -> WindowResult:
         return not_comparable(request, error.message)
     band = mosaic.clip.raster.judged_band
     sources, notices, not_covering = _comparable_sources(request, band)
-    judgement = judge(mosaic.curves[band], [one.curves[band] for one in sources], request.settings.max_ratio)
+    judged = [one for one in sources if not one.clip.resampled] or sources
+    notices += [messages.SOURCE_RESAMPLED(name=one.clip.raster.ref.name) for one in sources if one not in judged]
+    whole = [one for one in judged if one.clip.valid is None]
+    paper = judge(mosaic.curves[band], [one.curves[band] for one in whole], request.settings.max_ratio)
     refused = (*notices, *not_covering)
-    if not sources and refused and mosaic.curves[band].variance > 0:
+    if not judged and refused and mosaic.curves[band].variance > 0:
         why = refused[: imagery_limits.MAX_REASONS]
-        judgement = Judgement(judgement.verdict, judgement.ratios, messages.NO_SOURCE_COMPARABLE(why=why))
+        paper = replace(paper, reason=messages.NO_SOURCE_COMPARABLE(why=why))
     clips = [
         _clip_result(one, role, request.settings)
-        for one, role in ((mosaic, "mosaic"), *((source, "source") for source in sources))
+        for one, role in ((mosaic, "mosaic"), *((source, "source") for source in sources if source.curves))
     ]
-    if judgement.verdict is Verdict.NOT_COMPARABLE:
+    shown = [one for one in sources if one not in judged]
+    if not judged or mosaic.curves[band].variance == 0 or (len(whole) == len(judged) and _has_no_detail(paper)):
         pairs = [pair for one in sources for pair in _pairs(mosaic, one, {})]
         return WindowResult(
-            request.window_id, request.window, judgement, tuple(clips), tuple(pairs), notices=tuple(notices)
+            request.window_id, request.window, paper, paper.verdict, tuple(clips), tuple(pairs),
+            notices=tuple(notices), ground_sample_distance=request.mosaic.ground_sample_distance,
+            reference=request.settings.reference,
         )
-    found = _explain(request, mosaic, sources)
-    pairs = [pair for one, changes in zip(sources, found.changes) for pair in _pairs(mosaic, one, changes)]
-    if request.settings.reference == COMPOSITE:
-        # What the mosaic does not follow is cut at random, unless the cells say how.
-        unknown = found.cause is Cause.UNCLEAR and not request.cells
-        judgement = _against_composite(judgement, mosaic.curves[band], found.curves[band], unknown, request.settings)
-    return WindowResult(request.window_id, request.window, judgement, tuple(clips), tuple(pairs), found, tuple(notices))
+    found = _explain(request, mosaic, judged)
+    notices += [
+        messages.SOURCE_IN_PART(name=one.clip.raster.ref.name, share=100 * (1 - one.clip.invalid_share))
+        for one in judged
+        if one.clip.valid is not None
+    ]
+    pairs = [pair for one, changes in zip(judged, found.changes) for pair in _pairs(mosaic, one, changes)]
+    pairs += [pair for one in shown for pair in _pairs(mosaic, one, {})]
+    judgement = _judged(paper, mosaic.curves[band], found, band, request)
+    if judged[0].clip.resampled and judgement.reason is None:
+        judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
+    return WindowResult(
+        request.window_id, request.window, judgement, paper.verdict, tuple(clips), tuple(pairs), found,
+        tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
+    )
 
 
-def _measured(ref: RasterRef, request: WindowRequest) -> MeasuredClip:
+def _has_no_detail(paper: Judgement) -> bool:
+    return paper.verdict is Verdict.NOT_COMPARABLE
+
+
+def _measured(ref: RasterRef, request: WindowRequest, partly: bool = False) -> MeasuredClip:
     assert request.window is not None
-    clip = read_clip(OpenRaster(ref), request.mosaic, request.window)
+    clip = read_clip(OpenRaster(ref), request.mosaic, request.window, partly)
+    if clip.valid is not None:
+        return MeasuredClip(clip, {}, {})
     return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
 
 
@@ -229,13 +284,13 @@ def _clip_result(measured: MeasuredClip, role: str, settings: InspectionSettings
 
 
 def _comparable_sources(request: WindowRequest, band: str) -> tuple[list[MeasuredClip], list[Message], list[Message]]:
-    """Sources that can be compared, why others can't, and which do not cover the window."""
+    """Sources that can be compared, why others can't, and which do not cover the window at all."""
     sources: list[MeasuredClip] = []
     notices: list[Message] = []
     not_covering: list[Message] = []
     for source in request.sources:
         try:
-            one = _measured(source.ref, request)
+            one = _measured(source.ref, request, partly=True)
             _check_comparable(one, band)
         except NotCoveredError as error:
             not_covering.append(error.message.as_warning())
@@ -255,42 +310,56 @@ def _explain(request: WindowRequest, mosaic: MeasuredClip, sources: Sequence[Mea
     return explain(mosaic, sources, request.settings.wavelet, request.settings.levels, labels)
 
 
-def _against_composite(
-    judgement: Judgement, mosaic: Curve, composite: Curve, unknown: bool, settings: InspectionSettings
+def _judged(
+    paper: Judgement, mosaic: Curve, found: Explanation, band: str, request: WindowRequest
 ) -> Judgement:
-    """The ratios stay those against the sources; only the verdict is taken against the composite."""
-    if unknown:
-        return replace(judgement, verdict=Verdict.NOT_COMPARABLE, reason=messages.COMPOSITE_UNCLEAR())
-    against = judge(mosaic, [composite], settings.max_ratio)
-    return replace(judgement, verdict=against.verdict, reason=against.reason)
+    """The verdict by what the settings say; the ratios stay those against the sources."""
+    settings = request.settings
+    if settings.reference == SEAM:
+        verdict, reason = judge_by_seam(
+            found.profile, found.has_seam, found.sharpness, settings.min_kept, found.mixed_share
+        )
+        return replace(paper, verdict=verdict, reason=reason)
+    if settings.reference == COMPOSITE:
+        # What the mosaic does not follow is cut at random, unless the cells say how.
+        if found.cause is Cause.UNCLEAR and not request.cells:
+            return replace(paper, verdict=Verdict.NOT_COMPARABLE, reason=messages.COMPOSITE_UNCLEAR())
+        against = judge(mosaic, [found.curves[band]], settings.max_ratio)
+        return replace(paper, verdict=against.verdict, reason=against.reason)
+    return paper
 
 
 def _pairs(mosaic: MeasuredClip, source: MeasuredClip, changes: Mapping[str, Change]) -> list[PairResult]:
+    levels = len(next(iter(mosaic.curves.values())).detail)
+    nothing = Ratios((None,) * levels, None)
+    is_part = source.clip.valid is not None
     return [
         PairResult(
             source.clip.raster.ref.name,
             name,
-            curve_ratios(mosaic.curves[name], curve),
-            correlation(mosaic.coarse[name], source.coarse[name]),
+            nothing if is_part else curve_ratios(mosaic.curves[name], source.curves[name]),
+            None if is_part else correlation(mosaic.coarse[name], source.coarse[name]),
             source.clip.offset_x,
             source.clip.offset_y,
             source.clip.resampled,
             changes.get(name),
         )
-        for name, curve in source.curves.items()
+        for name in (changes if is_part else source.curves)
         if name in mosaic.curves
     ]
 
 
 def _check_comparable(source: MeasuredClip, band: str) -> None:
     raster = source.clip.raster
-    if band not in source.curves:
+    if band not in measured_bands(raster.band_names):
         raise RasterError(messages.BANDS_DIFFER(name=raster.ref.name, band=band, bands=", ".join(raster.band_names)))
-    if source.curves[band].variance == 0:
+    if source.curves and source.curves[band].variance == 0:
         raise RasterError(messages.SOURCE_CONSTANT(name=raster.ref.name))
 
 
 def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
     """The result of a window that could not be measured."""
     nothing = Ratios((None,) * request.settings.levels, None)
-    return WindowResult(request.window_id, request.window, Judgement(Verdict.NOT_COMPARABLE, nothing, reason))
+    judgement = Judgement(Verdict.NOT_COMPARABLE, nothing, reason)
+    reference = request.settings.reference
+    return WindowResult(request.window_id, request.window, judgement, judgement.verdict, reference=reference)

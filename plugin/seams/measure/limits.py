@@ -6,3 +6,5 @@ MIN_MISREGISTRATION_PX = 0.4  # half a pixel less what a shift measured in a sma
 LINEAR, COSINE, GAUSSIAN = "linear", "cosine", "gaussian"
 RAMPS = (LINEAR, COSINE, GAUSSIAN)
 """How a feather leads from one source to the other."""
+MAX_SIGNIFICANT_KEPT = 0.7  # of the finest detail's variance beside a seam; docs/limits.md gives the reasons
+MAX_SIGNIFICANT_SHARPNESS_SQUARED = 0.2  # of the whole window; bilinear resampling at half a pixel leaves 0.22

@@ -5,6 +5,9 @@ from ...imagery.message import INFO, WARNING, Message
 
 # settings
 MAX_RATIO_OUT_OF_RANGE = Message("The largest ratio of a significant loss is {ratio}; give a number between 0 and 1.")
+MIN_KEPT_OUT_OF_RANGE = Message(
+    "The smallest share of detail that a seam has to keep is {kept}; give a number between 0 and 1."
+)
 REFERENCE_UNKNOWN = Message("A verdict can't be taken against '{reference}'; choose one of {known}.")
 # the mosaic, its sources and its seamlines
 NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
@@ -72,6 +75,27 @@ COMPOSITE_UNCLEAR = Message(
     "No source explains the mosaic's fine detail here, so their composite is no reference; add the orthoimages it was "
     "made from, or take the verdict against the sources.", INFO
 )
+NO_SEAM = Message(
+    "One source covers all that can be compared, so there is no seam here; the verdict is that of the sharpness alone.",
+    INFO
+)
+TOO_LITTLE_GROUND = Message(
+    "There is too little ground beside the seam to compare it with; take a larger window, or move it so that more "
+    "than the seam's surroundings are in it.", INFO
+)
+INTERVAL_TOO_WIDE = Message(
+    "What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.",
+    INFO
+)
+SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and takes part there.", INFO)
+SOURCE_RESAMPLED = Message(
+    "{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn't count, as "
+    "others are on the mosaic's pixels.", INFO
+)
+ALL_RESAMPLED = Message(
+    "All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the "
+    "verdict is uncertain by that.", WARNING
+)
 WINDOW_FAILED = Message("The window could not be measured ({error}); please report this.")
 # why no loss is foretold
 ONE_SOURCE = Message("Only one source covers the window, so nothing will be feathered there.", INFO)
@@ -135,6 +159,6 @@ THRESHOLD_TOO_HIGH = Message(
 NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")
 CLIP_NOT_SHOWN = Message("Window {window}: {why}", WARNING)
 DETAILS_LIMITED = Message(
-    "{count} windows are flagged and the report shows curves and clips of the {most} with the lowest ratios; the "
+    "{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the "
     "others stand in the table. Report a part of the windows to see them.", WARNING
 )

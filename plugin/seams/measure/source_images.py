@@ -62,6 +62,16 @@ def sources_over(
     return tuple(source for source in sources if covers(source.extent, extent, slack_x, slack_y))
 
 
+def sources_in(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
+    """Those whose footprint meets a rectangle."""
+    xmin, ymin, xmax, ymax = extent
+    return tuple(
+        one
+        for one in sources
+        if one.extent[0] < xmax and one.extent[2] > xmin and one.extent[1] < ymax and one.extent[3] > ymin
+    )
+
+
 def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0) -> bool:
     """Whether a footprint covers a rectangle that closely."""
     xmin, ymin, xmax, ymax = extent

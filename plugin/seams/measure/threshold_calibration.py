@@ -15,13 +15,13 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery.message import Message
-from . import messages
+from . import limits, messages
 from .verdict_statistics.intervals import Interval
 from .verdict_statistics.neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods
 from .verdict_statistics.roc_area import MIN_VERDICTS, roc_area, wanted_verdicts
 from .verdict_statistics.smoothed_youden import smoothed_threshold
 
-STANDARD_LIMITS = {"ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO}
+STANDARD_LIMITS = {"kept_1": limits.MAX_SIGNIFICANT_KEPT, "ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO}
 """What the plugin itself takes a measure to be too low at."""
 
 _ROUNDING = 1 / 40  # of the threshold's range: a twentieth of what it is off by at most, so nothing is lost

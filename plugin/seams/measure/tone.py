@@ -14,7 +14,7 @@ MIN_TONE_RESIDUAL = 0.05  # grey values: a line that fits the coarse means this 
 MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
 MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
 
-_ROUNDS = 6  # of reweighting; it settles in four or five
+_ROUNDS = 6  # of reweighting at most; it settles in two to five
 _MOST_POINTS = 1024
 _GAMMA_POINTS = 384
 _GAMMA_VALUES = 1024  # that pixels are told apart by: of 8 bit and 10 bit ones all
@@ -22,6 +22,7 @@ _GAMMA_STEPS = (13, 7, 7)  # exponents that are tried, then between the neighbou
 _FEWEST_POINTS = 16
 _TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
 _LEAST_SCALE = 1e-9
+_SETTLED = 1e-6  # of the spread of grey values
 _FOUR_FIFTHS = 1.2816  # standard deviations within which 80 % of a normal distribution lie
 _LEAST_PILE = 1e-4  # of the pixels: fewer are not worth a second look
 
@@ -41,9 +42,21 @@ class Tone:
 def coarse_means(band: np.ndarray, levels: int) -> np.ndarray:
     """Means of the squares of 2^R px of a band (rows, columns), both multiples of 2^R; float32."""
     side = 2**levels
-    rows, columns = band.shape
-    across = band.astype(np.float32).reshape(rows, columns // side, side) @ np.full(side, 1 / side, np.float32)
-    return across.reshape(rows // side, side, columns // side).mean(axis=1)
+    rows, columns = (length // side for length in band.shape)
+    values = band.view(np.uint8) if band.dtype == bool else band
+    # Whole rows first, which are added up at once; 2^R samples of one byte fit into two.
+    single = np.uint16 if values.dtype == np.uint8 else np.float32
+    down = np.add.reduce(values.reshape(rows, side, -1), axis=1, dtype=single)
+    means: np.ndarray = down.reshape(-1, side).astype(np.float32) @ np.full(side, 1 / side**2, np.float32)
+    return means.reshape(rows, columns)
+
+
+def whole_squares(mask: np.ndarray, levels: int) -> np.ndarray:
+    """Squares of 2^R px that lie wholly in a mask, (rows / 2^R, columns / 2^R) bool."""
+    side = 2**levels
+    rows, columns = (length // side for length in mask.shape)
+    down = np.logical_and.reduce(mask.reshape(rows, side, -1), axis=1)
+    return np.asarray(down.reshape(rows, columns, side).all(axis=2))
 
 
 def fit_tones(
@@ -90,23 +103,30 @@ def clipped_share(mosaic: np.ndarray, source: np.ndarray) -> float:
     Values that whole numbers merged by a smaller gain are no clipping: what the tone merely moved to the end of the
     scale stood close together in the source.
     """
-    return sum(_piled(mosaic, source, end) for end in (np.min, np.max))
-
-
-def _piled(mosaic: np.ndarray, source: np.ndarray, end: np.ufunc) -> float:
-    values = source[mosaic == end(mosaic)]
-    piled = np.count_nonzero(values != end(source)) / mosaic.size
-    if piled >= _LEAST_PILE and values.max() - values.min() <= _merged(mosaic, source):
-        return 0.0
-    return float(piled)
+    piles = [source[mosaic == end(mosaic)] for end in (np.min, np.max)]
+    shares = [np.count_nonzero(pile != end(source)) / mosaic.size for pile, end in zip(piles, (np.min, np.max))]
+    if max(shares) < _LEAST_PILE:
+        return float(sum(shares))
+    merged = _merged(mosaic, source)
+    return float(sum(
+        share
+        for pile, share in zip(piles, shares)
+        if share < _LEAST_PILE or pile.max() - pile.min() > merged
+    ))
 
 
 def _merged(mosaic: np.ndarray, source: np.ndarray) -> float:
     """How many source values become one in the mosaic when the scale is merely compressed, with one to spare."""
     if mosaic.dtype.kind == "f":
         return 0.0
-    widths = [float(np.subtract(*np.percentile(band[::4, ::4], (95, 5)))) for band in (source, mosaic)]
-    return widths[0] / max(widths[1], 1.0) + 1
+    return _width(source) / max(_width(mosaic), 1.0) + 1
+
+
+def _width(band: np.ndarray) -> float:
+    """Nine tenths of the values lie so far from each other at most."""
+    ordered = np.sort(band[::4, ::4], axis=None, kind="stable")  # whole numbers are merely counted
+    outside = len(ordered) // 20
+    return float(ordered[-1 - outside]) - float(ordered[outside])
 
 
 def _linear(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -125,8 +145,12 @@ def _linear(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
         total, of_x, of_y, of_squares, of_products = (terms @ weights[..., np.newaxis])[..., 0].T
         spread = of_squares - of_x**2 / total
         fitted = (of_products - of_x * of_y / total) / np.maximum(spread, _LEAST_SCALE)
+        before = gain, bias
         gain = np.where(spread > _LEAST_SCALE, fitted, gain)
         bias = np.where(spread > _LEAST_SCALE, (of_y - gain * of_x) / total, bias)
+        moved = np.abs(gain - before[0]) * x_spread + np.abs(bias - before[1])
+        if (moved <= _SETTLED * y_spread).all():
+            break
     scale = _reach_of(y_off - gain[:, np.newaxis] * x_off - bias[:, np.newaxis])
     return gain, bias + y_middle - gain * x_middle, scale
 

@@ -1,4 +1,4 @@
-"""Curves of a mosaic and its sources -> ratios and the verdict of a window (Pyka 2010, section 5)."""
+"""What was measured in a window -> its verdict: by curves as in the paper (Pyka 2010, section 5), or by its seams."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -10,6 +10,12 @@ from ...imagery.errors import SettingsError
 from ...imagery.message import Message
 from ...imagery.wavelets import Curve
 from . import messages
+from .causes import MIN_MIXED
+from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
+from .profile.seam_profile import SeamProfile
+
+MAX_INTERVAL_FACTOR = 2.0  # from the lower to the upper end of kept_1: wider ones say nothing
+SHARPNESS_TOLERANCE = 0.02  # what a sound hard cut may miss: 0.998 to 1.004 were found on real imagery
 
 
 class Verdict(str, Enum):
@@ -46,6 +52,45 @@ def check_max_ratio(max_ratio: float) -> None:
     """Raise SettingsError unless the limit lies between 0 and 1."""
     if not 0 < max_ratio < 1:
         raise SettingsError(messages.MAX_RATIO_OUT_OF_RANGE(ratio=max_ratio))
+
+
+def check_min_kept(min_kept: float) -> None:
+    """Raise SettingsError unless the limit lies between 0 and 1."""
+    if not 0 < min_kept < 1:
+        raise SettingsError(messages.MIN_KEPT_OUT_OF_RANGE(kept=min_kept))
+
+
+def judge_by_seam(
+    profile: SeamProfile | None,
+    has_seam: bool,
+    sharpness: float | None,
+    min_kept: float = MAX_SIGNIFICANT_KEPT,
+    mixed: float = 0.0,
+) -> tuple[Verdict, Message | None]:
+    """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
+
+    ``significant`` where kept_1 is at most ``min_kept`` or the square of the sharpness at most its limit, ``reduced``
+    where one of them is surely below 1, else ``preserved``. Where a good part is ``mixed``, share of the pixels, the
+    seam is as wide as the window, and the sharpness is judged as kept_1 is. A window without a seam is judged by its
+    sharpness alone.
+    """
+    if sharpness is None:
+        return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
+    if sharpness**2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED:
+        return Verdict.SIGNIFICANT, None
+    if mixed >= MIN_MIXED and sharpness**2 <= min_kept:
+        return Verdict.SIGNIFICANT, None
+    is_blurred = sharpness < 1 - SHARPNESS_TOLERANCE
+    if profile is None:
+        if has_seam:
+            return Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_GROUND()
+        return Verdict.REDUCED if is_blurred else Verdict.PRESERVED, messages.NO_SEAM()
+    if profile.high > MAX_INTERVAL_FACTOR * profile.low:
+        return Verdict.NOT_COMPARABLE, messages.INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
+    kept = profile.kept[0]
+    if kept is not None and kept <= min_kept and profile.high < 1:
+        return Verdict.SIGNIFICANT, None
+    return Verdict.REDUCED if profile.high < 1 or is_blurred else Verdict.PRESERVED, None
 
 
 def curve_ratios(mosaic: Curve, source: Curve) -> Ratios:

@@ -13,8 +13,9 @@ from ...imagery.grids import NumberedWindow
 
 COMPOSITE = "composite"
 """The hard-cut composite of the sources, where a source's name or a clip's role would stand."""
-REFERENCES = ("sources", COMPOSITE)
-"""What a verdict can be taken against: whole sources, as in the paper, or their hard-cut composite."""
+SEAM, SOURCES = "seam", "sources"
+REFERENCES = (SEAM, COMPOSITE, SOURCES)
+"""What a verdict can be taken by: the seam profile, the hard-cut composite, or whole sources as in the paper."""
 _NOT_COMPARED = ("", "not_comparable")  # words of Verdict, which is not loaded when QGIS starts
 
 
@@ -41,10 +42,27 @@ class WindowRecord(NumberedWindow):
     """Share of the pixels where no source wins clearly."""
     cause: str = ""
     """Word of what explains the loss."""
+    causes: str = ""
+    """Words of all that were found, strongest first, joined by ``; ``."""
+    reference: str = ""
+    """What the verdict was taken by, one of ``REFERENCES``; empty in tables of earlier versions."""
+    paper_verdict: str = ""
+    """By the paper's rule."""
     kept: tuple[float | None, ...] = ()
     """kept_1..kept_R, of the seam profile."""
+    kept_low: float | None = None
+    """95 % interval of kept_1."""
+    kept_high: float | None = None
+    band_width: float | None = None
+    """Full width of the band along the seam in which detail was lost, m."""
     contrast: float | None = None
     """contrast_1: absolute, against the composite."""
+    sharpness: float | None = None
+    """sharpness_1: of the whole window against the composite in the mosaic's tones."""
+    added: float | None = None
+    """added_1: share of the mosaic's finest detail that its sources don't have."""
+    explained: float | None = None
+    """Share of the pixels whose fine detail the given sources explain."""
     fid: int = 0
     """Feature id; changes when a new feature is saved."""
     stale: bool = False
@@ -52,8 +70,8 @@ class WindowRecord(NumberedWindow):
 
     @property
     def is_compared(self) -> bool:
-        """Whether it was inspected and a source took part."""
-        return self.verdict not in _NOT_COMPARED
+        """Whether it was inspected and a source took part, be it too little for a verdict."""
+        return self.verdict not in _NOT_COMPARED or (self.verdict != "" and self.explained is not None)
 
     @property
     def ratio(self) -> float | None:
@@ -63,19 +81,19 @@ class WindowRecord(NumberedWindow):
     @property
     def measured(self) -> tuple[object, ...]:
         """What was found in it; a level that its layer has no field for is like one that is not known."""
-        ratios = enumerate((self.background_ratio, self.composite_ratio, *self.ratios))
+        ratios = enumerate((self.background_ratio, self.composite_ratio, self.kept_1, *self.ratios))
         known = tuple((place, ratio) for place, ratio in ratios if ratio is not None)
-        return self.verdict, self.reason, self.sources, self.cause, known
+        return self.verdict, self.reason, self.sources, self.causes or self.cause, known
+
+    @property
+    def kept_1(self) -> float | None:
+        """Share of the finest detail that is kept along the seam."""
+        return self.kept[0] if self.kept else None
 
     @property
     def composite_ratio(self) -> float | None:
         """At level 1."""
         return self.composite_ratios[0] if self.composite_ratios else None
-
-    @property
-    def kept_1(self) -> float | None:
-        """At level 1."""
-        return self.kept[0] if self.kept else None
 
 
 @dataclass(frozen=True)

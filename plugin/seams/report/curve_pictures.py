@@ -88,7 +88,7 @@ def curve_legend(curves: Sequence[CurveRecord]) -> list[tuple[str, str]]:
             entries.append((PAPER.text, tr("hard-cut composite (dashed)")))
         else:
             entries.append((PAPER.text, tr("{name} (mosaic, bold)").format(name=curve.raster)))
-    return [*entries, (PAPER.limit, tr("significant loss below"))]
+    return [*entries, (PAPER.limit, tr("significant by the paper's rule below"))]
 
 
 def _slim(svg: str) -> str:

@@ -14,9 +14,10 @@ from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, WindowRecord, contrast_of
 from ..verdict_words import observer_word, verdict_word
+from ..window_summary import window_sentence
 from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
 from .curve_pictures import CurveDrawer, curve_legend
-from .variance_table import anchor, two_digits
+from .variance_table import anchor, paper_words, two_digits
 
 REPORT_CLIPS_BYTES = 14_000_000  # of all JPEG clips together: with charts and base64 a report stays below 30 MB
 
@@ -106,17 +107,17 @@ class WindowSections:
         )
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
-        """Verdict, cause and observer in words."""
-        if record.ratio is not None:
-            words = tr("Detail at level 1 is {percent:.0f} % of the least sharp source's.")
-            yield words.format(percent=100 * record.ratio)
-        elif record.reason:
-            yield record.reason
+        """What was found, what its main cause means, and what else is known, in words."""
+        yield window_sentence(record)
         facts = []
-        if record.cause:
-            facts += [tr("Cause: {cause}.").format(cause=cause_word(record.cause)), cause_sentence(record.cause)]
-        facts.append(tr("Observer: {word}.").format(word=observer_word(record.observer) or tr("not judged")))
-        contrast = contrast_of(self._pairs.get(record.window_id, ()))
+        if record.cause and record.cause != "none":
+            facts += [tr("Main cause: {cause}.").format(cause=cause_word(record.cause)), cause_sentence(record.cause)]
+        facts += [tr("Observer: {word}.").format(word=observer_word(record.observer) or tr("not judged"))]
+        if paper := paper_words(record):
+            facts.append(f"{paper[:1].upper()}{paper[1:]}.")
+        contrast = record.contrast
+        if contrast is None:
+            contrast = contrast_of(self._pairs.get(record.window_id, ()))
         if contrast is not None:
             facts.append(tr("Absolute contrast at level 1: {percent:.0f} %.").format(percent=100 * contrast))
         if record.unclear_share is not None:
@@ -128,6 +129,7 @@ class WindowSections:
 def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
     """The levels, and a row for each ratio that is known."""
     rows = [
+        (_kept_heading(record), record.kept, None),
         (tr("against the sources"), record.ratios, record.background_ratio),
         (tr("against the hard-cut composite"), record.composite_ratios, None),
         (tr("expected of a 50:50 feather"), record.expected_ratios, None),
@@ -138,6 +140,13 @@ def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
         [name, *map(two_digits, values), *[""] * (levels - len(values)), two_digits(background)]
         for name, values, background in known
     ]
+
+
+def _kept_heading(record: WindowRecord) -> str:
+    if record.kept_low is None or record.kept_high is None:
+        return tr("kept along the seam")
+    text = tr("kept along the seam (level 1: {low:.2f} to {high:.2f})")
+    return text.format(low=record.kept_low, high=record.kept_high)
 
 
 def _place_words(clips: WindowParts) -> str:

@@ -24,6 +24,7 @@ from ...toolkit.pages.templates import save_page, sentences_once
 from ...toolkit.translation import tr
 from ..cause_words import cause_word
 from ..clip_pictures import bytes_picture
+from ..judged_value import judged_value, judged_words
 from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
@@ -119,9 +120,13 @@ def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
 
 
 def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
-    """As many as a report can show, the lowest ratios first chosen, in the order of their numbers."""
-    worst = sorted(flagged, key=lambda one: math.inf if one.ratio is None else one.ratio)
-    return sorted(worst[: MAX_REPORT_DETAILS], key=lambda one: one.window_id)
+    """As many as a report can show, by what they were judged by, the greatest loss first."""
+
+    def order(one: WindowRecord) -> tuple[float, int]:
+        value = judged_value(one)
+        return math.inf if value is None else value, one.window_id
+
+    return sorted(flagged, key=order)[:MAX_REPORT_DETAILS]
 
 
 # The page's head
@@ -148,23 +153,39 @@ def _mosaics_title(request: ReportRequest) -> str:
 def _summary(request: ReportRequest) -> dict[str, object]:
     """Verdicts, observer's words and ratios of each mosaic, and its causes."""
     verdicts = [verdict for verdict in VERDICTS if verdict or any(not one.verdict for one in request.records)]
-    causes = Counter((_mosaic_of(request, one), one.cause) for one in request.records if one.cause)
-    flagged = Counter((_mosaic_of(request, one), one.cause) for one in flagged_windows(request.records))
-    ordered = sorted(causes.items(), key=lambda item: (item[0][0], -item[1], item[0][1]))
+    main = Counter((_mosaic_of(request, one), one.cause) for one in request.records if one.cause)
+    causes = Counter(_parts(request, request.records))
+    flagged = Counter(_parts(request, flagged_windows(request.records)))
+    ordered = sorted(causes.items(), key=lambda item: (item[0][0], -main[item[0]], -item[1], item[0][1]))
     return {
         "verdicts": [verdict_word(verdict) for verdict in verdicts],
         "mosaics": [(mosaic, _counts(records, verdicts)) for mosaic, records in _by_mosaic(request).items()],
-        "causes": [(mosaic, cause_word(cause), (count, flagged[mosaic, cause])) for (mosaic, cause), count in ordered],
+        "causes": [
+            (mosaic, cause_word(cause), (main[mosaic, cause], count, flagged[mosaic, cause]))
+            for (mosaic, cause), count in ordered
+        ],
     }
 
 
+def _parts(request: ReportRequest, records: Iterable[WindowRecord]) -> Iterator[tuple[str, str]]:
+    """The mosaic and each cause that took part, window by window."""
+    for one in records:
+        for cause in (one.causes or one.cause).split("; "):
+            if cause:
+                yield _mosaic_of(request, one), cause
+
+
 def _counts(records: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[object]:
-    """Windows, those of each verdict and of each of the observer's words, and their median ratio."""
+    """Windows, those of each verdict and of each of the observer's words, their median kept_1 and ratio."""
     counts = Counter(one.verdict for one in records)
     words = Counter(one.observer for one in records)
-    ratios = [one.ratio for one in records if one.ratio is not None]
-    median = f"{statistics.median(ratios):.2f}" if ratios else ""
-    return [len(records), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], median]
+    medians = [_median(one.kept_1 for one in records), _median(one.ratio for one in records)]
+    return [len(records), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], *medians]
+
+
+def _median(values: Iterable[float | None]) -> str:
+    known = [value for value in values if value is not None]
+    return f"{statistics.median(known):.2f}" if known else ""
 
 
 # The map
@@ -192,7 +213,7 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
 def _shape(record: WindowRecord, detailed: bool) -> SketchShape:
     assert record.extent is not None
     tip = tr("window {number}: {verdict}").format(number=record.window_id, verdict=verdict_word(record.verdict))
-    tip += "" if record.ratio is None else tr(", ratio 1: {ratio:.2f}").format(ratio=record.ratio)
+    tip = ", ".join([tip, *judged_words(record)])
     link = anchor(record.window_id) if detailed else ""
     return SketchShape(record.extent, verdict_colour(record.verdict), str(record.window_id), tip, link)
 

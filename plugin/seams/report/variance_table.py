@@ -5,8 +5,9 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
 from ...toolkit.translation import tr
-from ..cause_words import cause_word
-from ..measure.window_records import COMPOSITE, CurveRecord, WindowRecord
+from ..cause_words import causes_words
+from ..judged_value import judged_words
+from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
 from ..verdict_words import observer_word, verdict_colour, verdict_word
 
 _ROLES = ("mosaic", "source", COMPOSITE)
@@ -31,7 +32,7 @@ class WindowRows:
     """Where its number leads; empty for nowhere."""
     colour: str
     found: Sequence[str]
-    """In two or three lines, its verdict the first."""
+    """In some lines, its verdict the first."""
     ratios: Sequence[str]
     """By level, then that of the background."""
     rasters: Sequence[RasterRow]
@@ -59,15 +60,25 @@ def two_digits(value: float | None) -> str:
     return "" if value is None else f"{value:.2f}"
 
 
+def paper_words(record: WindowRecord) -> str:
+    """What the paper's rule says of a window that was judged by its seam; empty for others."""
+    if record.reference != SEAM or not record.paper_verdict:
+        return ""
+    word = verdict_word(record.paper_verdict)
+    if record.ratio is None:
+        return tr("by the paper's rule: {verdict}").format(verdict=word)
+    return tr("by the paper's rule: {verdict}, ratio 1: {ratio:.2f}").format(verdict=word, ratio=record.ratio)
+
+
 def _found(record: WindowRecord) -> Iterator[str]:
-    ratios = ((tr("ratio 1: {ratio:.2f}"), record.ratio), (tr("composite: {ratio:.2f}"), record.composite_ratio))
-    told = [template.format(ratio=ratio) for template, ratio in ratios if ratio is not None]
-    yield ", ".join([verdict_word(record.verdict), *told])
+    yield ", ".join([verdict_word(record.verdict), *judged_words(record)])
     if record.reason:
         yield record.reason
+    if paper := paper_words(record):
+        yield paper
     known = []
-    if record.cause:
-        known.append(tr("cause: {cause}").format(cause=cause_word(record.cause)))
+    if causes := causes_words(record.causes or record.cause):
+        known.append(tr("cause: {cause}").format(cause=causes))
     if record.observer:
         known.append(tr("observer: {word}").format(word=observer_word(record.observer)))
     if known:

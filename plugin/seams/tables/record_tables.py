@@ -17,7 +17,8 @@ from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from .result_tables import WINDOW_COLUMNS
 
 _BACKGROUND = 0
-_KEPT, _CONTRAST = "kept", "contrast_1"  # fields that a record calls ``kept`` and ``contrast``
+_IN_RECORDS = {"contrast_1": "contrast", "sharpness_1": "sharpness", "added_1": "added", "kept": "kept"}
+"""What a record calls columns whose names it does not have; of other columns by level it has the plural."""
 
 
 def check_inspected(names: Iterable[str]) -> None:
@@ -37,17 +38,20 @@ def read_windows(
     One without a number of its own is ``unnumbered``. Raises WindowError when an outline can't be transformed.
     """
     read: dict[str, Callable[[object], Any]] = {"text": text, "real": number, "integer": whole_number}
-    levels = [(f"{one.name}s", level_names(one.name, names)) for one in WINDOW_COLUMNS if one.by_level]
-    single = [(one.name, read[one.kind]) for one in WINDOW_COLUMNS if not one.by_level]
-    kept = level_names(_KEPT, names)
+    levels = [
+        (_IN_RECORDS.get(one.name, f"{one.name}s"), level_names(one.name, names))
+        for one in WINDOW_COLUMNS if one.by_level
+    ]
+    single = [
+        (_IN_RECORDS.get(one.name, one.name), one.name, read[one.kind]) for one in WINDOW_COLUMNS if not one.by_level
+    ]
     found = []
     for row in attributes(rows, names):
-        values: dict[str, Any] = {name: value(row[name]) for name, value in single}
+        values: dict[str, Any] = {name: value(row[field]) for name, field, value in single}
         values.update((name, tuple([number(row[field]) for field in fields])) for name, fields in levels)
         if values["window_id"] is None:
             values["window_id"] = unnumbered
         values["observer"] = values["observer"].lower()
-        values.update(kept=tuple([number(row[field]) for field in kept]), contrast=number(row[_CONTRAST]))
         found.append(WindowRecord(extent=outline_extent(row.feature, transform), fid=row.feature.id(), **values))
     return found
 

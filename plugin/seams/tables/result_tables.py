@@ -14,9 +14,10 @@ from ...imagery.shifts import Shift
 from ...imagery.wavelets import DIRECTIONS, Curve
 from ...toolkit.table_fields import Column, column_features, column_fields, column_values, feature
 from ...toolkit.translation import sentence
-from ..measure.explanation import Change
+from ..measure.changes import Change
 from ..measure.inspection import ClipResult, PairResult, WindowResult
 from ..measure.loss_forecast import Forecast, ForecastPair
+from ..measure.profile.seam_profile import ProfileBin
 from ..measure.tone import Tone
 from ..measure.window_placing import PlacedWindow
 
@@ -31,6 +32,14 @@ class _CurveRow(NamedTuple):
     component: str
     level: int
     share: float
+
+
+class _ProfileRow(NamedTuple):
+    """What a window kept at one distance from its seam."""
+
+    window_id: int
+    bin: ProfileBin
+    pixel_m: float
 
 
 class _PairRow(NamedTuple):
@@ -55,6 +64,17 @@ WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
     Column("expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True),
     Column("unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share),
     Column("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
+    Column("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
+    Column("reference", "text", lambda result: result.reference),
+    Column("paper_verdict", "text", lambda result: result.paper_verdict.value),
+    Column("kept", "real", lambda result: result.profile and result.profile.kept, by_level=True),
+    Column("kept_low", "real", lambda result: result.profile and result.profile.low),
+    Column("kept_high", "real", lambda result: result.profile and result.profile.high),
+    Column("band_width", "real", lambda result: result.band_width_m),
+    Column("contrast_1", "real", lambda result: _contrast(result)),
+    Column("sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness),
+    Column("added_1", "real", lambda result: result.explanation and result.explanation.added),
+    Column("explained", "real", lambda result: result.explained),
 )
 """OUTPUT: one polygon per window, as measured."""
 
@@ -69,6 +89,17 @@ CURVE_COLUMNS: tuple[Column[_CurveRow], ...] = (
     Column("variance", "real", lambda row: row.share * row.curve.variance if row.curve.variance > 0 else 0.0),
 )
 """CURVES: one row per window, raster, band and component; a constant clip has no relative variances."""
+
+PROFILE_COLUMNS: tuple[Column[_ProfileRow], ...] = (
+    Column("window_id", "integer", lambda row: row.window_id),
+    Column("level", "integer", lambda row: row.bin.level),
+    Column("distance", "real", lambda row: row.pixel_m * row.bin.middle_px),
+    Column("kept", "real", lambda row: row.bin.kept),
+    Column("low", "real", lambda row: row.bin.low),
+    Column("high", "real", lambda row: row.bin.high),
+    Column("area", "real", lambda row: row.pixel_m**2 * row.bin.area_px),
+)
+"""PROFILES: one row per window, level and distance from the seam."""
 
 PAIR_COLUMNS: tuple[Column[_PairRow], ...] = (
     Column("window_id", "integer", lambda row: row.window_id),
@@ -152,6 +183,13 @@ def pair_features(result: WindowResult) -> Iterator[QgsFeature]:
     return column_features(PAIR_COLUMNS, rows, len(result.judgement.ratios.detail))
 
 
+def profile_features(result: WindowResult) -> Iterator[QgsFeature]:
+    """The rows of PROFILES for a result; none without a seam."""
+    bins = result.profile.bins if result.profile else ()
+    rows = (_ProfileRow(result.window_id, one, result.ground_sample_distance) for one in bins)
+    return column_features(PROFILE_COLUMNS, rows)
+
+
 def forecast_pair_features(forecast: Forecast) -> Iterator[QgsFeature]:
     """The rows of PAIRS for a forecast."""
     rows = ((forecast, pair) for pair in forecast.pairs)
@@ -171,6 +209,10 @@ def _curve_rows(result: WindowResult) -> Iterator[_CurveRow]:
 
 def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
     return next(iter(result.explanation.ratios.values())).detail if result.explanation else None
+
+
+def _contrast(result: WindowResult) -> float | None:
+    return next(iter(result.explanation.changes[-1].values())).contrast[0] if result.explanation else None
 
 
 def _words(reason: Message | None) -> str | None:

@@ -125,10 +125,10 @@ def test_a_source_outside_the_window_is_never_opened(make_raster: MakeRaster) ->
 
 @pytest.mark.parametrize("side", range(4), ids=["left", "bottom", "right", "top"])
 @pytest.mark.parametrize(
-    ("metres", "taken"), [(5.0, True), (0.0, True), (-0.1, True), (-0.25, False), (-3.0, False), (-50.0, False)]
+    ("metres", "taken"), [(5.0, True), (0.0, True), (-0.1, True), (-3.0, True), (-6.3, True), (-13.0, False)]
 )
-def test_a_footprint_must_cover_the_window_but_for_a_pixel(side: int, metres: float, taken: bool) -> None:
-    """``metres`` is how far the source reaches beyond that side of the window; a pixel is 0.1 m."""
+def test_a_footprint_that_meets_the_window_is_looked_at(side: int, metres: float, taken: bool) -> None:
+    """``metres`` is how far the source reaches beyond that side of the window, which is 6.4 x 12.8 m."""
     mosaic = a_mosaic()
     extent = list(mosaic.grid.window_extent(WINDOW))
     extent[side] += metres if side >= 2 else -metres
@@ -158,7 +158,7 @@ def test_the_result_of_a_window(make_raster: MakeRaster) -> None:
     }
     mosaic = mosaic_of(make_raster, images["mosaic.tif"])
     shifted = make_raster("b.tif", images["b.tif"], origin=(ORIGIN[0] + 0.02, ORIGIN[1] + 0.04))
-    result = inspect(block_of(mosaic, make_raster("a.tif", images["a.tif"]), shifted))
+    result = inspect(block_of(mosaic, make_raster("a.tif", images["a.tif"]), shifted), reference="sources")
 
     assert (result.window_id, result.window, result.source_count, result.notices) == (7, WINDOW, 2, ())
     assert [(clip.raster, clip.role) for clip in result.clips] == [
@@ -200,29 +200,46 @@ def test_the_result_of_a_window(make_raster: MakeRaster) -> None:
 @pytest.mark.parametrize(
     ("sigma", "verdict"), [(0.0, Verdict.PRESERVED), (0.3, Verdict.REDUCED), (1.0, Verdict.SIGNIFICANT)]
 )
-def test_the_softer_the_mosaic_the_worse_the_verdict(make_raster: MakeRaster, sigma: float, verdict: Verdict) -> None:
+@pytest.mark.parametrize("reference", ["sources", "composite", "seam"])
+def test_the_softer_the_mosaic_the_worse_the_verdict(
+    make_raster: MakeRaster, reference: str, sigma: float, verdict: Verdict
+) -> None:
     scene = orthoimage(SIZE, 3)
     mosaic = mosaic_of(make_raster, softened(scene, sigma) if sigma else scene)
-    result = inspect(block_of(mosaic, make_raster("source.tif", scene)))
+    result = inspect(block_of(mosaic, make_raster("source.tif", scene)), reference=reference)
     assert result.judgement.verdict is verdict
-    assert result.judgement.reason is None
+    assert result.paper_verdict is verdict
+    assert result.reference == reference
+    reason = result.judgement.reason
+    if reference == "seam" and verdict is not Verdict.SIGNIFICANT:  # one source: the sharpness alone is judged
+        assert reason is not None
+        assert reason.template == seams_messages.NO_SEAM.template
+    else:
+        assert reason is None
 
 
 def test_the_largest_loss_of_one_source_is_not_a_loss_against_every_source(make_raster: MakeRaster) -> None:
     scene = orthoimage(SIZE, 3)
     mosaic = mosaic_of(make_raster, softened(scene, 1.0))
     sharp, soft = make_raster("sharp.tif", scene), make_raster("soft.tif", softened(scene, 1.0))
-    assert inspect(block_of(mosaic, sharp)).judgement.verdict is Verdict.SIGNIFICANT
-    assert inspect(block_of(mosaic, sharp, soft)).judgement.verdict is Verdict.PRESERVED
+    assert inspect(block_of(mosaic, sharp), reference="sources").judgement.verdict is Verdict.SIGNIFICANT
+    both = inspect(block_of(mosaic, sharp, soft), reference="sources")
+    assert both.judgement.verdict is both.paper_verdict is Verdict.PRESERVED
 
 
-def test_strangers_make_no_composite_to_be_judged_against(make_raster: MakeRaster) -> None:
+@pytest.mark.parametrize("reference", ["seam", "composite"])
+def test_strangers_make_no_composite_to_be_judged_against(make_raster: MakeRaster, reference: str) -> None:
     mosaic = mosaic_of(make_raster, orthoimage(SIZE, 3))
     block = block_of(mosaic, make_raster("stranger.tif", orthoimage(SIZE, 3)[:, ::-1, ::-1].copy()))
-    assert inspect(block).judgement.verdict is not Verdict.NOT_COMPARABLE
-    judgement = inspect(block, reference="composite").judgement
-    assert judgement.verdict is Verdict.NOT_COMPARABLE
-    assert "No source explains" in str(judgement.reason)
+    by_sources = inspect(block, reference="sources")
+    assert by_sources.judgement.verdict is not Verdict.NOT_COMPARABLE
+    result = inspect(block, reference=reference)
+    assert result.judgement.verdict is Verdict.NOT_COMPARABLE
+    assert "No source explains" in str(result.judgement.reason)
+    assert result.paper_verdict is by_sources.judgement.verdict
+    assert [cause.value for cause in result.causes] == ["unclear"]
+    assert result.explained == 0
+    assert result.profile is None
 
 
 def test_cells_say_how_a_mosaic_was_cut_that_no_source_explains(make_raster: MakeRaster) -> None:
@@ -239,18 +256,22 @@ def test_the_settings_are_those_of_the_request(make_raster: MakeRaster) -> None:
     scene = orthoimage(SIZE, 1)
     mosaic = mosaic_of(make_raster, softened(scene, 0.3))
     block = block_of(mosaic, make_raster("source.tif", scene))
-    result = inspect(block, wavelet="db4", levels=5)
+    result = inspect(block, wavelet="db4", levels=5, reference="sources")
     shares = decompose(inside(softened(scene, 0.3))[0], "db4", 5).shares
     curve = result.clips[0].curves["band_1"]
     np.testing.assert_allclose([*curve.detail, curve.background], shares, rtol=1e-4)
     ratio = result.judgement.ratios.detail[0]
     assert 0.5 < ratio < 0.99
-    assert inspect(block, wavelet="db4", levels=5, max_ratio=0.99).judgement.verdict is Verdict.SIGNIFICANT
+    assert result.judgement.verdict is Verdict.REDUCED
+    stricter = inspect(block, wavelet="db4", levels=5, max_ratio=0.99, reference="sources")
+    assert stricter.judgement.verdict is Verdict.SIGNIFICANT
+    assert inspect(block, wavelet="db4", levels=5, max_ratio=0.99).paper_verdict is Verdict.SIGNIFICANT
 
 
 def test_settings_out_of_range_are_refused() -> None:
     InspectionSettings().check()
-    for wrong in ({"wavelet": "bior2.2"}, {"levels": 0}, {"levels": 9}, {"max_ratio": 1.0}, {"reference": "x"}):
+    for wrong in ({"wavelet": "bior2.2"}, {"levels": 0}, {"levels": 9}, {"max_ratio": 1.0}, {"reference": "x"},
+                  {"min_kept": 0.0}, {"min_kept": 1.0}):
         with pytest.raises(SettingsError):
             InspectionSettings(**wrong).check()  # type: ignore[arg-type]
 

@@ -16,13 +16,18 @@ from tests.numbers.synthetic import orthoimage, texture
 SIDE = 128
 
 
-@pytest.fixture(scope="module")
-def imagery() -> Imagery:
+def made_up(side: int) -> Imagery:
     """Four images that cover the same ground and have half of their detail in common."""
-    shape = (3 * SIDE, 8 * SIDE)
+    shape = (3 * side, 8 * side)
     scene = orthoimage(shape) // 2
     placed = tuple(PlacedImage(scene + orthoimage(shape, seed=seed) // 2, 0, 0, 0) for seed in range(1, 5))
     return Imagery("made up", 0.1, placed, *shape)
+
+
+@pytest.fixture(scope="module")
+def imagery() -> Imagery:
+    """For windows of the usual side."""
+    return made_up(SIDE)
 
 
 @pytest.fixture(scope="module")
@@ -95,10 +100,25 @@ def test_detail_lies_where_it_comes_from(wavelet: str, level: int) -> None:
     assert np.abs(np.subtract(centre, (100, 150))).max() <= 0.51
 
 
-def test_the_plugin_reads_what_was_made(window: KnownWindow) -> None:
+def test_the_plugin_reads_what_was_made() -> None:
+    side = 192
+    window = next(one for one in made_up(side).windows(side, 6, held_back=False) if len(one.sources) == 3)
     plain = next(one for one in OPERATIONS if one.making is PLAIN[0] and one.aftermath is NOTHING)
     reading = read(plain.make(window), window)
     assert reading.has_verdict
+    assert reading.verdict == "preserved"
     assert reading.cause == "none"
     assert reading.contrast == pytest.approx(1, abs=0.01)
+    assert reading.kept == pytest.approx(1, abs=0.05)
+    assert reading.low < 1 < reading.high
     assert reading.source_count == 3
+    assert reading.explained == pytest.approx(1, abs=0.01)
+
+
+def test_without_ground_beside_the_seam_the_plugin_reads_no_verdict(window: KnownWindow) -> None:
+    plain = next(one for one in OPERATIONS if one.making is PLAIN[0] and one.aftermath is NOTHING)
+    reading = read(plain.make(window), window)
+    assert not reading.has_verdict
+    assert np.isnan(reading.kept)
+    assert reading.cause == "none"
+    assert reading.contrast == pytest.approx(1, abs=0.01)

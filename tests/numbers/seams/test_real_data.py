@@ -11,6 +11,7 @@ from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,
@@ -135,12 +136,18 @@ def test_a_hard_cut_is_its_source_where_no_seam_is(brighton: Path, labels: np.nd
     assert [pair.similarity for pair in result.pairs] == pytest.approx([1] * 4)
 
 
-def test_feathering_takes_detail_away(brighton: Path, on_seams: list[PixelWindow]) -> None:
+@pytest.fixture(scope="module")
+def results(brighton: Path, on_seams: list[PixelWindow]) -> tuple[list[WindowResult], list[WindowResult]]:
+    """Of the hard-cut and of the feathered mosaic."""
     sources = sorted(brighton.glob("DJI_*.tif"))
     hard, feathered = (inspect(block_of(str(brighton / name), sources), on_seams) for name in (HARD, FEATHERED))
     assert len(on_seams) >= 10
+    return hard, feathered
+
+
+def test_feathering_takes_detail_away(results: tuple[list[WindowResult], list[WindowResult]]) -> None:
     ratios, variances = [], []
-    for cut, blended in zip(hard, feathered):
+    for cut, blended in zip(*results):
         assert cut.source_count == blended.source_count > 0
         ratios.append(blended.judgement.ratios.detail[0] / cut.judgement.ratios.detail[0])
         before, after = (result.clips[0].curves["luminance"] for result in (cut, blended))
@@ -151,6 +158,38 @@ def test_feathering_takes_detail_away(brighton: Path, on_seams: list[PixelWindow
     assert np.mean(np.array(ratios) < 1) > 0.75
     assert np.median(ratios) < 0.98
     assert max(ratios) < 1.05
+
+
+def test_every_source_of_a_window_takes_part_wholly_or_in_part(
+    results: tuple[list[WindowResult], list[WindowResult]], on_seams: list[PixelWindow], labels: np.ndarray
+) -> None:
+    in_part = 0
+    for window, result in zip(on_seams, results[0]):
+        own = labels[window.row : window.row + SIDE, window.column : window.column + SIDE]
+        assert result.source_count >= len(np.unique(own))
+        assert result.explained == pytest.approx(1, abs=0.02)
+        told = {str(notice).split(" ")[0] for notice in result.notices}
+        whole = {clip.raster for clip in result.clips if clip.role == "source"}
+        assert {pair.source for pair in result.pairs} == told | whole  # who covers a part only is named
+        assert not told & whole
+        in_part += bool(told)
+    assert in_part >= 3
+
+
+def test_brightons_hard_seams_are_sound_and_the_feathered_ones_are_not(
+    results: tuple[list[WindowResult], list[WindowResult]]
+) -> None:
+    hard, feathered = results
+    assert Verdict.SIGNIFICANT not in [result.judgement.verdict for result in hard]
+    assert Verdict.REDUCED not in [result.judgement.verdict for result in hard]
+    assert {result.causes for result in hard} == {(Cause.NONE,)}
+    judged = [result for result in feathered if result.judgement.verdict is not Verdict.NOT_COMPARABLE]
+    assert len(judged) >= 0.8 * len(feathered)
+    flagged = [result.judgement.verdict in (Verdict.SIGNIFICANT, Verdict.REDUCED) for result in judged]
+    assert np.mean(flagged) >= 0.9
+    assert np.mean([result.causes[0] is Cause.FEATHERING for result in judged]) >= 0.9
+    kept = [[one.profile.kept[0] for one in found if one.profile] for found in results]
+    assert max(kept[1]) < min(kept[0])  # the seam's own measure parts them, all of them
 
 
 # --- PackO -----------------------------------------------------------------------------------------------------
@@ -188,7 +227,7 @@ def test_packo_runs_on_its_own_seams(packo: list[Path], tmp_path: Path) -> None:
     results = inspect(block_of(path, packo), TILES)
     for window, result in zip(TILES, results):
         assert result.source_count == 3
-        assert result.judgement.verdict is not Verdict.NOT_COMPARABLE
+        assert result.paper_verdict is not Verdict.NOT_COMPARABLE
         area = np.s_[..., window.row : window.row + 64, window.column : window.column + 64]
         for clip, pixels in zip(result.clips, [mosaic[area], *images[area]]):
             for band, expected in shares(pixels).items():
@@ -206,10 +245,10 @@ def test_the_blurred_image_of_packo_is_found(packo: list[Path], tmp_path: Path) 
         assert len(result.clips) == 3
         finest.append([clip.curves["luminance"].detail[0] for clip in result.clips])
     assert np.mean(np.argmin(finest, axis=1) == 0) >= 15 / 16
-    verdicts = [result.judgement.verdict for result in blurred]
+    verdicts = [result.paper_verdict for result in blurred]
     assert verdicts.count(Verdict.PRESERVED) <= 1
     assert verdicts.count(Verdict.SIGNIFICANT) >= 1
-    assert [result.judgement.verdict for result in sharp].count(Verdict.SIGNIFICANT) == 0
+    assert [result.paper_verdict for result in sharp].count(Verdict.SIGNIFICANT) == 0
 
 
 def copy_of(folder: Path, path: Path) -> str:

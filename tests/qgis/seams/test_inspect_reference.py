@@ -126,18 +126,21 @@ def test_the_verdict_is_taken_against_the_reference(cut: Scene, tmp_path: Path) 
 
 def test_the_reference_changes_the_verdict_and_nothing_else(cut: Scene) -> None:
     boxes = (ACROSS, WEST, EAST)
-    plain, fair = (inspect(cut, *boxes, REFERENCE=reference) for reference in ("sources", "composite"))
-    for table in ("CURVES", "PAIRS"):
-        assert plain.rows(table) == fair.rows(table)
-    for before, after in zip(plain.rows(), fair.rows()):
-        assert {**before, "verdict": ""} == {**after, "verdict": ""}
+    by_seam, plain, fair = (inspect(cut, *boxes, REFERENCE=one) for one in ("seam", "sources", "composite"))
+    for table in ("CURVES", "PAIRS", "PROFILES"):
+        assert by_seam.rows(table) == plain.rows(table) == fair.rows(table)
+    for seam, before, after in zip(by_seam.rows(), plain.rows(), fair.rows()):
+        own = dict.fromkeys(("verdict", "reason", "reference"), "")
+        assert {**seam, **own} == {**before, **own} == {**after, **own}
+        assert [row["reference"] for row in (seam, before, after)] == ["seam", "sources", "composite"]
         assert (after["verdict"] == "preserved") == (after["composite_ratio_1"] >= 1)
         assert (before["verdict"] == "preserved") == (before["ratio_1"] >= 1)
+        assert seam["paper_verdict"] == before["paper_verdict"] == after["paper_verdict"] == before["verdict"]
 
 
-@pytest.mark.parametrize("given", [{}, {"REFERENCE": None}, {"REFERENCE": "sources"}])
-def test_without_a_choice_it_is_the_sources(cut: Scene, given: dict[str, Any]) -> None:
-    assert inspect(cut, EAST, **given).rows() == inspect(cut, EAST, REFERENCE="sources").rows()
+@pytest.mark.parametrize("given", [{}, {"REFERENCE": None}, {"REFERENCE": "seam"}])
+def test_without_a_choice_it_is_the_seam(cut: Scene, given: dict[str, Any]) -> None:
+    assert inspect(cut, EAST, **given).rows() == inspect(cut, EAST, REFERENCE="seam").rows()
 
 
 def test_other_references_are_refused(cut: Scene) -> None:

@@ -182,7 +182,7 @@ def test_an_index_in_another_reference_system(scene: Scene, expected: list[dict[
 
 
 def test_of_500_indexed_sources_only_those_over_the_windows_are_opened(scene: Scene, tmp_path: Path) -> None:
-    tiny = [outline((5 * (number % 100), 50 * (number // 100), 4, 4)) for number in range(497)]
+    tiny = [outline((5 * (number % 100), 200 + 10 * (number // 100), 4, 4)) for number in range(497)]
     over_one_window = outline((-5, -5, 200, 200))
     footprints = [*tiny, over_one_window, outline((0, 0, 512, 256)), outline((0, 0, 512, 256))]
     locations = [str(tmp_path / f"{number}.tif") for number in range(497)]
@@ -193,7 +193,7 @@ def test_of_500_indexed_sources_only_those_over_the_windows_are_opened(scene: Sc
     (warning,) = outcome.log.warnings  # the one that covers a window and is not there
     assert_sentence(warning, "gone.tif does not exist")
     assert outcome.column("sources") == [2, 2]
-    assert outcome.column("verdict") == ["reduced", "significant"]
+    assert outcome.column("paper_verdict") == ["reduced", "significant"]
 
 
 def test_the_mosaic_in_the_index_is_dropped(scene: Scene, expected: list[dict[str, Any]]) -> None:

@@ -52,20 +52,22 @@ def test_parameters() -> None:
     job = algorithm("inspectwindows")
     definitions = {one.name(): one for one in job.parameterDefinitions()}
     assert list(definitions) == (
-        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MAX_RATIO DIRECTIONS "
-        "SCHEDULER OUTPUT CURVES PAIRS"
+        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MIN_KEPT MAX_RATIO DIRECTIONS "
+        "SCHEDULER OUTPUT CURVES PAIRS PROFILES"
     ).split()
     flags = QgsProcessingParameterDefinition.Flag
     optional = {name for name, one in definitions.items() if one.flags() & flags.FlagOptional}
     advanced = {name for name, one in definitions.items() if one.flags() & flags.FlagAdvanced}
-    # Mandatory, REFERENCE would make every model invalid that was drawn before there was such a choice.
-    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "DIRECTIONS", "SCHEDULER", "CURVES", "PAIRS"}
-    assert advanced == {"CELLS", "MAX_RATIO", "DIRECTIONS", "SCHEDULER"}
-    defaults = {name: definitions[name].defaultValue() for name in ("WAVELET", "LEVELS", "REFERENCE", "MAX_RATIO")}
-    assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "REFERENCE": "sources", "MAX_RATIO": 0.5}
+    # Mandatory, REFERENCE and MIN_KEPT would make every model invalid that was drawn before there were such choices.
+    tables = {"CURVES", "PAIRS", "PROFILES"}
+    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "MIN_KEPT", "DIRECTIONS", "SCHEDULER", *tables}
+    assert advanced == {"CELLS", "MIN_KEPT", "MAX_RATIO", "DIRECTIONS", "SCHEDULER"}
+    named = ("WAVELET", "LEVELS", "REFERENCE", "MIN_KEPT", "MAX_RATIO")
+    defaults = {name: definitions[name].defaultValue() for name in named}
+    assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "REFERENCE": "seam", "MIN_KEPT": 0.7, "MAX_RATIO": 0.5}
     assert definitions["WAVELET"].usesStaticStrings()
     assert definitions["REFERENCE"].usesStaticStrings()
-    assert definitions["REFERENCE"].options() == ["sources", "composite"]
+    assert definitions["REFERENCE"].options() == ["seam", "composite", "sources"]
     assert {"haar", "db4", "sym8", "coif3", "dmey"} <= set(definitions["WAVELET"].options())
     for definition in definitions.values():
         assert len(definition.help()) > 20
@@ -89,6 +91,17 @@ def test_fields(scene: Scene, levels: int) -> None:
         *by_level("expected_ratio", levels),
         ("unclear_share", REAL),
         ("cause", TEXT),
+        ("causes", TEXT),
+        ("reference", TEXT),
+        ("paper_verdict", TEXT),
+        *by_level("kept", levels),
+        ("kept_low", REAL),
+        ("kept_high", REAL),
+        ("band_width", REAL),
+        ("contrast_1", REAL),
+        ("sharpness_1", REAL),
+        ("added_1", REAL),
+        ("explained", REAL),
     ]
     assert layout(outcome, "CURVES") == [
         ("window_id", INTEGER),
@@ -119,14 +132,24 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("shift_x", REAL),
         ("shift_y", REAL),
     ]
+    assert layout(outcome, "PROFILES") == [
+        ("window_id", INTEGER),
+        ("level", INTEGER),
+        ("distance", REAL),
+        ("kept", REAL),
+        ("low", REAL),
+        ("high", REAL),
+        ("area", REAL),
+    ]
     assert outcome.layer("OUTPUT").wkbType() == QgsWkbTypes.Type.Polygon
     assert not outcome.layer("CURVES").isSpatial()
     assert not outcome.layer("PAIRS").isSpatial()
+    assert not outcome.layer("PROFILES").isSpatial()
     assert outcome.layer("OUTPUT").crs().authid() == f"EPSG:{UTM33}"
 
 
 def test_results(scene: Scene) -> None:
-    outcome = inspect(scene, SHARP, BLURRED, (0, 0, 10, 10))
+    outcome = inspect(scene, SHARP, BLURRED, (0, 0, 10, 10), REFERENCE="sources")
     assert outcome.column("verdict") == ["reduced", "significant", "not_comparable"]
     counts = {name: value for name, value in outcome.results.items() if name.endswith("_COUNT")}
     assert counts == {"WINDOW_COUNT": 3, "SIGNIFICANT_COUNT": 1, "NOT_COMPARABLE_COUNT": 1}
@@ -168,12 +191,12 @@ def test_names_of_bands(tmp_path: Path, bands: int, names: list[str]) -> None:
 
 
 def test_tables_are_optional(scene: Scene, tmp_path: Path) -> None:
-    only = inspect(scene, CURVES=None, PAIRS="")
-    assert not {"CURVES", "PAIRS"} & only.results.keys()
+    only = inspect(scene, CURVES=None, PAIRS="", PROFILES=None)
+    assert not {"CURVES", "PAIRS", "PROFILES"} & only.results.keys()
     assert len(only.features()) == 2
-    output, curves, pairs = (tmp_path / name for name in ("o.gpkg", "c.csv", "p.gpkg"))
-    inspect(scene, OUTPUT=str(output), CURVES=str(curves), PAIRS=str(pairs))
-    assert all(path.exists() for path in (output, curves, pairs))
+    paths = {name: tmp_path / f"{name}.gpkg" for name in ("OUTPUT", "CURVES", "PAIRS", "PROFILES")}
+    inspect(scene, **{name: str(path) for name, path in paths.items()})
+    assert all(path.exists() for path in paths.values())
 
 
 # --- the numbers -----------------------------------------------------------------------------------------------
@@ -201,7 +224,7 @@ def test_curves_are_those_of_pywavelets(
 
 @pytest.mark.parametrize("box", [SHARP, BLURRED, (192, 32, 160, 96)])
 def test_ratios_and_verdicts_follow_from_pywavelets(scene: Scene, box: tuple[int, int, int, int]) -> None:
-    outcome = inspect(scene, box)
+    outcome = inspect(scene, box, REFERENCE="sources")
     mosaic, *sources = (luminance_shares(path, box) for path in (scene.mosaic, scene.west, scene.east))
     against = np.array([mosaic / source for source in sources])
     (row,) = outcome.rows()
@@ -261,8 +284,10 @@ def test_a_geographic_mosaic_is_measured_on_its_own_pixels(scene: Scene, tmp_pat
 
 def test_max_ratio_moves_the_limit(scene: Scene) -> None:
     ratio = inspect(scene, BLURRED).column("ratio_1")[0]
-    assert inspect(scene, BLURRED, MAX_RATIO=ratio - 0.001).column("verdict") == ["reduced"]
-    assert inspect(scene, BLURRED, MAX_RATIO=ratio + 0.001).column("verdict") == ["significant"]
+    assert inspect(scene, BLURRED, REFERENCE="sources", MAX_RATIO=ratio - 0.001).column("verdict") == ["reduced"]
+    by_paper = inspect(scene, BLURRED, REFERENCE="sources", MAX_RATIO=ratio + 0.001)
+    assert by_paper.column("verdict") == by_paper.column("paper_verdict") == ["significant"]
+    assert inspect(scene, BLURRED, MAX_RATIO=ratio - 0.001).column("paper_verdict") == ["reduced"]
 
 
 def test_a_tone_change_leaves_the_curve(scene: Scene, tmp_path: Path) -> None:
@@ -348,7 +373,7 @@ def test_other_fields_do_no_harm(scene: Scene) -> None:
     drawn = windows(SHARP, verdict=("string", ["x"]), fid=("integer", [3]), observer=("integer", [1]))
     outcome = inspect(scene, WINDOWS=drawn)
     assert outcome.column("observer") == ["1"]
-    assert outcome.column("verdict") == ["reduced"]
+    assert outcome.column("verdict") == ["preserved"]
 
 
 def test_inspected_windows_can_be_inspected_again(scene: Scene) -> None:
@@ -379,7 +404,7 @@ class CancelledAfter(Log):
 @pytest.mark.parametrize("count", [1, 5])
 def test_what_was_measured_before_a_cancellation_stays(scene: Scene, tmp_path: Path, count: int) -> None:
     log, of = CancelledAfter(count, of=60), [(7 * index, 0, 64, 64) for index in range(60)]
-    outcome = inspect(scene, *of, log=log, OUTPUT=str(tmp_path / "o.gpkg"))
+    outcome = inspect(scene, *of, log=log, OUTPUT=str(tmp_path / "o.gpkg"), REFERENCE="sources")
     measured = outcome.column("window_id")
     assert measured[:count] == list(range(1, count + 1))
     assert measured == sorted(measured)

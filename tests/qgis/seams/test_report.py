@@ -71,8 +71,9 @@ def test_all_that_was_found_stands_in_the_page(inspected: Run, scene: Scene, tmp
     assert len(shares) == 12  # of three windows: the mosaic, two sources, their composite
     for (_, name), values in shares.items():
         assert ["hard-cut composite" if name == "composite" else name, *values] in rows
-    ratio = next(row["ratio_1"] for row in inspected.rows() if row["window_id"] == 2)
-    assert f"Detail at level 1 is {100 * ratio:.0f} % of the least sharp source's." in page.words
+    blurred = inspected.rows()[1]
+    assert f"{100 * blurred['sharpness_1']:.0f} % of the sharpness of its sources" in page.words
+    assert f"By the paper's rule: {blurred['paper_verdict']}, ratio 1: {blurred['ratio_1']:.2f}." in page.words
     assert "Observer: visible." in page.words
     assert len(page.pictures("svg+xml")) == 2
     assert page.captions.count("mosaic.tif (mosaic)") == 2
@@ -166,15 +167,44 @@ def test_what_later_tables_hold_is_told(inspected: Run, tmp_path: Path) -> None:
         name: (kind, list(values)) for name, kind, values in zip(fields, kinds, columns)
     })
     page = read(run("report", WINDOWS=more, PAIRS=pairs, CURVES=curves, OUTPUT=str(tmp_path / "report.html")))
-    assert "Cause: blur." in page.words
+    assert "Significant loss. Detail at level 1 is 40 % of the sources'; blur explains it." in page.words
     assert "Absolute contrast at level 1: 31 %." in page.words
     assert "no source wins clearly: 25 %" in page.words
     assert ["against the hard-cut composite", "0.38", ""] in page.rows
     assert ["expected of a 50:50 feather", "0.55", ""] in page.rows
     assert ["hard-cut composite", "0.040", "0.090", "0.870"] in [row[-4:] for row in page.rows]
-    assert [row[0] for row in page.rows if len(row) == 9] == ["made", "mosaic.tif", "other.tif"]  # by mosaic
+    assert [row[0] for row in page.rows if len(row) == 10] == ["made", "mosaic.tif", "other.tif"]  # by mosaic
     assert len(page.pictures("svg+xml")) == 2
-    assert [row for row in page.rows if "colour shift" in row] == [["other.tif", "colour shift", "1", "1"]]
+    assert [row for row in page.rows if "colour shift" in row] == [["other.tif", "colour shift", "1", "1", "1"]]
+
+
+def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_path: Path) -> None:
+    feathered = WindowRecord(
+        1, (0, 0, 50, 50), "significant", ratios=(1.35, 1.1), kept=(0.56, 0.81), kept_low=0.51, kept_high=0.62,
+        band_width=2.0, sharpness=0.99, cause="feathering", causes="feathering; compressed", reference="seam",
+        paper_verdict="preserved", explained=0.83,
+    )  # fmt: skip
+    worse = WindowRecord(
+        2, (50, 0, 100, 50), "significant", ratios=(1.5, 1.2), kept=(0.3, 0.5), kept_low=0.2, kept_high=0.4,
+        sharpness=1.0, cause="feathering", causes="feathering", reference="seam", paper_verdict="preserved",
+    )  # fmt: skip
+    by_paper = WindowRecord(3, (0, 50, 50, 100), "significant", ratios=(0.45, 0.6), reference="sources")
+    write_report(tmp_path / "report.html", ReportRequest((feathered, worse, by_paper)))
+    page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
+    assert page.anchors == ["window-2", "window-1", "window-3"]  # the greatest loss first, each by its own limit
+    assert "In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %)" in page.words
+    assert "Images are feathered; besides: compressed." in page.words
+    assert "17 % of the pixels are from none of the given sources" in page.words
+    assert "By the paper's rule: preserved, ratio 1: 1.35." in page.words
+    assert ["kept along the seam (level 1: 0.51 to 0.62)", "0.56", "0.81", ""] in page.rows
+    (found,) = (row for row in page.rows if row[0] == "1" and len(row) > 4)
+    for words in (
+        "significant, kept 1: 0.56 (0.51 to 0.62)", "by the paper's rule: preserved, ratio 1: 1.35",
+        "cause: feathering, compressed",
+    ):  # fmt: skip
+        assert words in found[1]
+    assert ["feathering", "2", "2", "2"] in [row[1:] for row in page.rows]
+    assert ["compressed", "0", "1", "1"] in [row[1:] for row in page.rows]
 
 
 def test_a_source_that_can_not_be_read_leaves_the_others(inspected: Run, scene: Scene, tmp_path: Path) -> None:

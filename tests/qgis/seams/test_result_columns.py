@@ -33,8 +33,12 @@ def record_of(found: WindowResult) -> WindowRecord:
 
 
 def test_a_record_has_what_the_columns_hold(project: object) -> None:
-    known = {f"{column.name}s" if column.by_level else column.name for column in result_tables.WINDOW_COLUMNS}
-    assert known | {"kept", "contrast", "extent", "fid", "stale"} == {field.name for field in fields(WindowRecord)}
+    other = {"contrast_1": "contrast", "sharpness_1": "sharpness", "added_1": "added", "kept": "kept"}
+    known = {
+        other.get(column.name, f"{column.name}s" if column.by_level else column.name)
+        for column in result_tables.WINDOW_COLUMNS
+    }
+    assert known | {"extent", "fid", "stale"} == {field.name for field in fields(WindowRecord)}
 
 
 def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
@@ -54,6 +58,17 @@ def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
         expected_ratios=explanation.expected,
         unclear_share=explanation.unclear_share,
         cause="blur",
+        causes="blur",
+        reference="seam",
+        paper_verdict="reduced",
+        kept=(0.56, 0.81, 0.97),
+        kept_low=0.51,
+        kept_high=0.62,
+        band_width=2.0,
+        contrast=0.43,
+        sharpness=0.69,
+        added=0.04,
+        explained=0.83,
         fid=1,
     )
     assert (record.ratio, record.composite_ratio, record.is_compared) == (0.38, 0.38, True)
@@ -61,9 +76,22 @@ def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
 
 def test_a_window_that_cant_be_compared_has_nothing_but_its_verdict(project: object) -> None:
     unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,) * 3, None))
-    record = record_of(WindowResult(3, None, unknown))
+    record = record_of(WindowResult(3, None, unknown, Verdict.NOT_COMPARABLE))
     assert (record.ratios, record.expected_ratios, record.cause) == ((None,) * 3, (None,) * 3, "")
-    assert (record.ratio, record.is_compared) == (None, False)
+    assert (record.ratio, record.is_compared, record.causes, record.explained) == (None, False, "", None)
+    assert (record.kept, record.kept_1, record.band_width) == ((None,) * 3, None, None)
+
+
+def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> None:
+    rows = [row.attributes() for row in result_tables.profile_features(result("feathering"))]
+    assert rows == [
+        [1, 1, pytest.approx(0.1), 0.56, 0.5, 0.63, pytest.approx(12.0)],
+        [1, 1, pytest.approx(25.6), 1.0, 0.9, 1.1, pytest.approx(500.0)],
+    ]  # fmt: skip
+    names = ["window_id", "level", "distance", "kept", "low", "high", "area"]
+    assert column_fields(result_tables.PROFILE_COLUMNS).names() == names
+    unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None))
+    assert not list(result_tables.profile_features(WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE)))
 
 
 def test_the_desk_and_the_report_read_the_same(project: object) -> None:
@@ -96,7 +124,7 @@ def test_what_the_seam_kept_is_read_where_it_is_known(project: object) -> None:
 
 def test_a_pair_that_was_not_explained_has_its_ratios_alone(project: object) -> None:
     pair = PairResult("west.tif", "luminance", RATIOS, 0.9, 0.0, 0.25, True)
-    found = WindowResult(5, None, Judgement(Verdict.SIGNIFICANT, RATIOS), pairs=(pair,))
+    found = WindowResult(5, None, Judgement(Verdict.SIGNIFICANT, RATIOS), Verdict.SIGNIFICANT, pairs=(pair,))
     (row,) = result_tables.pair_features(found)
     values = dict(zip(row.fields().names(), row.attributes()))
     assert [values.pop(name) for name in ("window_id", "source", "band", "ratio_1", "ratio_2", "similarity")] == [
@@ -108,7 +136,8 @@ def test_a_pair_that_was_not_explained_has_its_ratios_alone(project: object) -> 
 
 def test_a_constant_clip_has_no_relative_variance(project: object) -> None:
     clips = (ClipResult("m.tif", "mosaic", {"red": Curve((0.0,), 0.0, 0.0), "blue": Curve((0.25,), 0.75, 8.0)}),)
-    found = WindowResult(5, None, Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None)), clips)
+    unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None))
+    found = WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE, clips)
     rows = [row.attributes()[3:] for row in result_tables.curve_features(found)]
     assert [[None if value == NULL else value for value in row] for row in rows] == [
         ["red", "detail", 1, None, 0.0], ["red", "background", 1, None, 0.0],

@@ -37,12 +37,14 @@ FIELDS = [
     *OLD_FIELDS,
     *("composite_ratio_1", "composite_ratio_2", "composite_ratio_3"),
     *("expected_ratio_1", "expected_ratio_2", "expected_ratio_3", "unclear_share", "cause"),
+    *("causes", "reference", "paper_verdict", "kept_1", "kept_2", "kept_3", "kept_low", "kept_high", "band_width"),
+    *("contrast_1", "sharpness_1", "added_1", "explained"),
 ]
 RATIOS = (0.123456789012, 0.9, None)
 
 
 def result(number: int) -> WindowResult:
-    return WindowResult(number, None, Judgement(Verdict.REDUCED, Ratios(RATIOS, 0.97), None))
+    return WindowResult(number, None, Judgement(Verdict.REDUCED, Ratios(RATIOS, 0.97), None), Verdict.REDUCED)
 
 
 def drawn_layer(kind: str, folder: Path) -> QgsVectorLayer:
@@ -145,7 +147,7 @@ def test_a_layer_from_before_causes_is_read_as_it_is_and_completed(project: QgsP
     window_layer.complete_fields(old, 3)
     assert old.fields().names() == FIELDS
     (same,) = window_layer.read_layer(old)
-    assert replace(same, composite_ratios=(), expected_ratios=()) == before
+    assert replace(same, composite_ratios=(), expected_ratios=(), kept=()) == before
     window_layer.write_results(old, {before.fid: result(7)})
     (after,) = window_layer.read_layer(old)
     assert (after.ratios[:2], after.observer) == (RATIOS[:2], "visible")

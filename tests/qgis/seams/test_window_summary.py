@@ -1,6 +1,7 @@
-"""What is said about a window: verdict, ratios and cause, with its numbers where they are at hand."""
+"""What is said about a window: verdict, what it was taken by, and causes, with numbers where they are at hand."""
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -9,9 +10,11 @@ from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams import cause_words
 from seam_inspector.plugin.seams.cause_words import CAUSES, cause_sentence, cause_word
-from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.explanation import Change, Explanation
+from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, SourceTone, Texture
+from seam_inspector.plugin.seams.measure.changes import Change
+from seam_inspector.plugin.seams.measure.explanation import Explanation
 from seam_inspector.plugin.seams.measure.inspection import WindowResult
+from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
@@ -20,30 +23,54 @@ from seam_inspector.plugin.seams.window_summary import cause_numbers, explanatio
 from tests.qgis.seams.desk.windows_session import window
 
 RATIOS = (0.38, 0.52, 0.88)
+EVIDENCE = CauseEvidence(
+    missing=0.17, kept=0.56, kept_high=0.62, mixed=0.1, sharpness=0.69, clipped=0.031,
+    tones=(SourceTone(0.6, 0.62, 0.41, 0.6, 1.24), SourceTone(0.4, 0.50, 0.4, 1.0, 1.1)), unevenness=0.0,
+    misregistration=1.3, apart=0.0, off_pixel=0.31, texture=Texture(0.9, 0.69, 1.42, 2.34, 1.1, 0.0),
+    lossy_file=False,
+)  # fmt: skip
+PROFILE = SeamProfile(
+    (0.56, 0.81, 0.97), 0.51, 0.62, 20.0, 0.05,
+    (ProfileBin(1, 0, 2, 0.56, 0.5, 0.63, 0.55, 1200.0), ProfileBin(1, 256, float("inf"), 1.0, 0.9, 1.1, 1.0, 5e4)),
+)  # fmt: skip
 
 
 def row(cause: str, verdict: str = "significant", **values: Any) -> WindowRecord:
-    return window(1, verdict, RATIOS, **{"sources": 2, "composite_ratio": 0.4, "cause": cause, **values})
+    """Judged by the paper's rule."""
+    found = window(1, verdict, RATIOS, **{"sources": 2, "composite_ratio": 0.4, "cause": cause, **values})
+    return replace(found, reference="sources")
+
+
+def seam_row(verdict: str = "significant", **values: Any) -> WindowRecord:
+    """Judged by its seam: a feather 2 m wide."""
+    found: dict[str, Any] = {
+        "reference": "seam", "paper_verdict": "reduced", "kept": (0.56, 0.81, 0.97), "kept_low": 0.51,
+        "kept_high": 0.62, "band_width": 2.0, "sharpness": 1.0, "explained": 1.0, "cause": "feathering",
+        "causes": "feathering", "sources": 2, **values,
+    }
+    return replace(window(1, verdict, RATIOS), **found)
 
 
 def result(
-    cause: str, apart: float | None = 1.4, shifts: tuple[float, ...] = (1.3, 1.3), **values: Any
+    cause: str, apart: float | None = 1.4, evidence: CauseEvidence = EVIDENCE, sharpness: float = 0.69, **values: Any
 ) -> WindowResult:
     """Of a window whose mosaic was compared with one source and the composite."""
     ratios = Ratios(RATIOS, 1.2)
-    changes = tuple(
-        {"luminance": Change(**{
-            "tone": Tone(0.62, 12.0, 0.6), "contrast": (0.43, 0.5, 0.6), "clipped": 0.031, "colour_shift": 1.24,
-            "shift": Shift(length, 0.0, 0.5), **values,
-        })}
-        for length in shifts
-    )  # fmt: skip
+    change = Change(**{
+        "tone": Tone(0.62, 12.0, 0.6), "contrast": (0.43, 0.5, 0.6), "clipped": 0.031, "colour_shift": 1.24,
+        "shift": Shift(1.3, 0.0, 0.5), **values,
+    })  # fmt: skip
     curve = Curve((0.1, 0.2, 0.3), 0.4, 100.0)
     found = Explanation(
-        Cause(cause), {"luminance": curve}, {"luminance": ratios}, {"luminance": 1.0}, changes, (0.41, 0.6, 0.9), 0.02,
-        0.1, apart,
-    )
-    return WindowResult(1, None, Judgement(Verdict.SIGNIFICANT, ratios), explanation=found)
+        causes=(Cause(cause),), evidence=evidence, profile=PROFILE, has_seam=True, explained=0.83,
+        sharpness=sharpness, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
+        similarity={"luminance": 1.0}, changes=({"luminance": change},) * 2, expected=(0.41, 0.6, 0.9),
+        unclear_share=0.02, mixed_share=0.1, apart=apart,
+    )  # fmt: skip
+    return WindowResult(
+        1, None, Judgement(Verdict.SIGNIFICANT, ratios), Verdict.REDUCED, explanation=found,
+        ground_sample_distance=0.1,
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -56,7 +83,18 @@ def result(
         ("clipping", "3.1 % of the pixels are clipped", "highlights or shadows are clipped"),
         ("colour shift", "the colours are shifted, gains differ by a factor of 1.24", "the colours are shifted"),
         ("misregistration", "the mosaic lies 1.3 px off its sources", "the mosaic does not lie where its sources do"),
-        ("none", "no step of production took detail away", "no step of production took detail away"),
+        (
+            "missing source", "17 % of it are from none of these sources", "a part of it is from none of these sources"
+        ),
+        ("resampled", "resampling, 0.3 px off the sources' pixels, explains it", "resampling explains it"),
+        ("sharpened", "it was sharpened to 142 % of the sources' contrast", "it was sharpened"),
+        ("compressed", "it was compressed with loss, which changed fine detail by 2.3 DN",
+         "it was compressed with loss"),
+        ("noise added", "noise of 2.3 DN was added", "noise was added"),
+        ("dodging", "brightness was evened out from place to place", None),
+        ("balanced", "the sources' tones were balanced, gains a factor of 1.24 apart",
+         "the sources' tones were balanced"),
+        ("none", "no step of production took detail away, so the sources differ in content", None),
         ("unclear", "the cause is unclear: its detail is not that of the sources", None),
     ],
 )
@@ -99,13 +137,77 @@ def test_what_else_is_told(qgis_app: QgsApplication, values: dict[str, Any], sen
 def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None:
     for apart in (None, 0.02):
         assert window_sentence(row("feathering"), result("feathering", apart)).endswith("; feathering explains it.")
-    assert window_sentence(row("gamma"), result("gamma", tone=None)).endswith("; grey values are bent by a gamma.")
-    assert "where its sources do" in window_sentence(row("misregistration"), result("misregistration", shift=None))
+    bare = replace(EVIDENCE, tones=(), texture=None, misregistration=0.0)
+    assert window_sentence(row("gamma"), result("gamma", evidence=bare)).endswith("; grey values are bent by a gamma.")
+    assert window_sentence(row("noise added"), result("noise added", evidence=bare)).endswith("; noise was added.")
+    found = result("misregistration", evidence=bare)
+    assert "where its sources do" in window_sentence(row("misregistration"), found)
 
 
-def test_the_shift_told_is_that_of_the_source_that_the_composite_agrees_with(qgis_app: QgsApplication) -> None:
-    found = result("misregistration", shifts=(9.0, 0.8, 0.9))
-    assert "lies 0.8 px off" in window_sentence(row("misregistration"), found)
+@pytest.mark.parametrize(
+    ("values", "sentence"),
+    [
+        (
+            {},
+            ("Significant loss. In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %); "
+            "the rest is as sharp as its sources. Images are feathered."),
+        ),
+        (
+            {"band_width": 0.0},
+            ("Significant loss. Beside the seam 44 % of the finest detail is lost (38 to 49 %); the rest is as "
+            "sharp as its sources. Images are feathered."),
+        ),
+        (
+            {"verdict": "reduced", "sharpness": 0.8, "cause": "blur", "causes": "blur; feathering; compressed"},
+            ("Reduced. In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %); the whole "
+            "window has 80 % of the sharpness of its sources. It is blurred; besides: feathering, compressed."),
+        ),
+        (
+            {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0,
+             "cause": "none", "causes": "none"},
+            ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %); the "
+            "rest is as sharp as its sources."),
+        ),
+        (
+            {"kept": (1.04,), "kept_low": 0.99, "kept_high": 1.1, "band_width": 0.0, "sharpness": 0.79},
+            "Significant loss. The window has 79 % of the sharpness of its sources. Images are feathered.",
+        ),
+        (
+            {"verdict": "reduced", "kept": (None,), "kept_low": None, "kept_high": None, "band_width": None,
+             "sharpness": 0.8, "cause": "blur", "causes": "blur"},
+            ("Reduced. There is no seam in the window to be judged. The window has 80 % of the sharpness of its "
+            "sources. It is blurred."),
+        ),
+        (
+            {"verdict": "preserved", "kept": (None,), "kept_low": None, "kept_high": None, "band_width": None,
+             "reason": "One source covers it.", "explained": 0.83, "cause": "missing source",
+             "causes": "missing source; balanced"},
+            ("Preserved. One source covers it. The window has 100 % of the sharpness of its sources. 17 % of the "
+            "pixels are from none of the given sources and took no part. The sources' tones were balanced."),
+        ),
+    ],
+)
+def test_by_the_seam_the_sentence_says_what_one_sees(
+    qgis_app: QgsApplication, values: dict[str, Any], sentence: str
+) -> None:
+    assert window_sentence(seam_row(**values)) == sentence
+
+
+def test_what_is_known_is_told_where_it_is_too_little_for_a_verdict(qgis_app: QgsApplication) -> None:
+    unsure = seam_row("not_comparable", reason="Take a larger window.", causes="feathering; balanced")
+    assert window_sentence(unsure) == "Take a larger window. Images are feathered; besides: balanced."
+    assert unsure.is_compared
+    assert not replace(unsure, explained=None).is_compared
+
+
+def test_pixels_that_took_no_part_are_told(qgis_app: QgsApplication) -> None:
+    told = "17 % of the pixels are from none of the given sources and took no part."
+    assert told in window_sentence(seam_row(explained=0.83))
+    assert "took no part" not in window_sentence(seam_row(explained=0.999))
+
+
+def test_by_the_seam_the_main_cause_has_its_number(qgis_app: QgsApplication) -> None:
+    assert "Images 1.4 px apart are feathered." in window_sentence(seam_row(), result("feathering"))
 
 
 def test_a_result_that_is_not_the_one_in_the_row_is_left_aside(qgis_app: QgsApplication) -> None:

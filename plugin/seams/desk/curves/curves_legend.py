@@ -136,7 +136,8 @@ class CurvesLegend(QListWidget):
             if has_limit:
                 item = QListWidgetItem(tr("limit"), self)
                 item.setToolTip(
-                    tr("On or below this line the mosaic has lost significantly against what the verdict is taken from")
+                    tr("On or below this line a loss is significant by curves: against the sources (paper), or their "
+                       "composite")
                 )
         for row, (number, curve) in enumerate(numbered(curves)):
             self._look(self.item(row), curve, number, curve.key in hidden, style)

@@ -93,7 +93,7 @@ class BlockCache(QObject):
     def settings(self) -> InspectionSettings:
         """How windows are measured."""
         inputs = self.inputs
-        return InspectionSettings(inputs.wavelet, inputs.levels, inputs.max_ratio, inputs.reference)
+        return InspectionSettings(inputs.wavelet, inputs.levels, inputs.max_ratio, inputs.reference, inputs.min_kept)
 
     def problem(self) -> Message | None:
         """Why there is no block; None when there is one."""

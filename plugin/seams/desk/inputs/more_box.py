@@ -46,20 +46,21 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         self.levels.setToolTip(
             tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.")
         )
-        self.max_ratio = QgsDoubleSpinBox(self)
-        self.max_ratio.setRange(0.01, 1)
-        self.max_ratio.setSingleStep(0.05)
-        self.max_ratio.setClearValue(imagery_limits.MAX_SIGNIFICANT_RATIO)
-        self.max_ratio.setKeyboardTracking(False)
-        self.max_ratio.setToolTip(
-            tr("A loss is significant when the mosaic keeps at most this share of the sources' detail at level 1")
+        self.min_kept = self._share_box(
+            limits.MAX_SIGNIFICANT_KEPT,
+            tr("By the seam, a loss is significant when at most this share of the finest detail is kept along it"),
+        )
+        self.max_ratio = self._share_box(
+            imagery_limits.MAX_SIGNIFICANT_RATIO,
+            tr("By the sources or their composite, a loss is significant when the mosaic keeps at most this share of "
+               "their detail at level 1"),
         )
         self.reference = QComboBox(self)
-        for reference, text in zip(REFERENCES, (tr("the sources"), tr("their composite"))):
+        for reference, text in zip(REFERENCES, (tr("the seam"), tr("the composite"), tr("the sources (paper)"))):
             self.reference.addItem(text, reference)
         self.reference.setToolTip(
-            tr("What the verdict is taken against: each source's whole clip, as in Pyka's papers, or the hard cut of "
-               "the sources that the mosaic follows, which tells loss from content")
+            tr("What the verdict is taken by: what is kept along the seam; the whole window against the hard cut of "
+               "the sources; or each source's whole clip, as in Pyka's papers")
         )
         self.cells = LayerBox(QgsMapLayerProxyModel.Filter.PolygonLayer, tr("none"), self)
         self.cells.setToolTip(
@@ -73,25 +74,39 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         add_field(layout, 0, tr("S&pacing"), self.spacing)
         add_field(layout, 1, tr("Wa&velet"), self.wavelet)
         add_field(layout, 2, tr("L&evels"), self.levels)
-        add_field(layout, 3, tr("Significant up to &ratio"), self.max_ratio)
-        add_field(layout, 4, tr("Verdict &against"), self.reference)
-        add_field(layout, 5, tr("Seam &cells"), self.cells)
+        add_field(layout, 3, tr("Verdict &by"), self.reference)
+        add_field(layout, 4, tr("Least &kept"), self.min_kept)
+        add_field(layout, 5, tr("Largest &ratio"), self.max_ratio)
+        add_field(layout, 6, tr("Seam &cells"), self.cells)
         self.setCollapsed(True)
         self.spacing.valueChanged.connect(partial(self.changed.emit, "spacing_m"))
         self.wavelet.activated.connect(self._choose_wavelet)
         self.levels.valueChanged.connect(partial(self.changed.emit, "levels"))
+        self.min_kept.valueChanged.connect(partial(self.changed.emit, "min_kept"))
         self.max_ratio.valueChanged.connect(partial(self.changed.emit, "max_ratio"))
         self.reference.activated.connect(self._choose_reference)
         self.cells.chosen.connect(partial(self.changed.emit, "cells"))
 
+    def _share_box(self, default: float, tip: str) -> QgsDoubleSpinBox:
+        box = QgsDoubleSpinBox(self)
+        box.setRange(0.01, 0.99)
+        box.setSingleStep(0.05)
+        box.setClearValue(default)
+        box.setKeyboardTracking(False)
+        box.setToolTip(tip)
+        return box
+
     def fields(self) -> tuple[QWidget, ...]:
         """In tab order."""
-        return self.spacing, self.wavelet, self.levels, self.max_ratio, self.reference, self.cells
+        return (
+            self.spacing, self.wavelet, self.levels, self.reference, self.min_kept, self.max_ratio, self.cells
+        )
 
     def show_inputs(self, inputs: Inputs) -> None:
         """Show the values of the inputs; ``changed`` is emitted for those that differ."""
         show_value(self.spacing, inputs.spacing_m)
         show_value(self.levels, inputs.levels)
+        show_value(self.min_kept, inputs.min_kept)
         show_value(self.max_ratio, inputs.max_ratio)
         self.wavelet.setCurrentIndex(self.wavelet.findText(inputs.wavelet))
         self.reference.setCurrentIndex(self.reference.findData(inputs.reference))

@@ -35,8 +35,9 @@ class Inputs:
     wavelet: str = imagery_limits.DEFAULT_WAVELET
     levels: int = imagery_limits.DEFAULT_LEVELS
     max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
+    min_kept: float = limits.MAX_SIGNIFICANT_KEPT
     reference: str = REFERENCES[0]
-    """What the verdict is taken against, one of ``REFERENCES``."""
+    """What the verdict is taken by, one of ``REFERENCES``."""
     cells: str = ""
     """Polygon layer with a field ``source``: which source the mosaic was cut from, where that is known."""
 
@@ -80,7 +81,7 @@ def _reference(value: object) -> str | None:
 
 _READERS: dict[str, Callable[[object], Any]] = {
     **dict.fromkeys(("mosaic", "source_index", "seamlines", "windows", "wavelet", "cells"), _text),
-    **dict.fromkeys(("side_m", "spacing_m", "max_ratio"), _number),
+    **dict.fromkeys(("side_m", "spacing_m", "max_ratio", "min_kept"), _number),
     "sources": _texts,
     "levels": _whole,
     "reference": _reference,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, Qt
 
 from ....toolkit.desk.tooltips import rich_tip
-from ....toolkit.translation import shown_number, tr
+from ....toolkit.translation import percent, shown_number, tr
 from ...cause_words import cause_sentence, cause_word
 from ...verdict_words import VERDICTS, observer_word, verdict_word
 from ...window_summary import cause_numbers, explanation_of
@@ -65,7 +65,7 @@ class TableColumn(NamedTuple):
 
 def columns_of(levels: int) -> tuple[TableColumn, ...]:
     """From left to right, for ratios at levels 1..R."""
-    return WINDOW_ID, _VERDICT, *map(_ratio_column, range(1, levels + 1)), CAUSE, *_LAST
+    return WINDOW_ID, _VERDICT, _KEPT, *map(_ratio_column, range(1, levels + 1)), CAUSE, *_LAST
 
 
 def _verdict_text(row: WindowRecord) -> str:
@@ -92,9 +92,16 @@ WINDOW_ID = TableColumn(
 _VERDICT = TableColumn(
     "verdict", QT_TRANSLATE_NOOP("@default", "verdict"),
     QT_TRANSLATE_NOOP(
-        "@default", "What the ratio at level 1 says about the mosaic. Sorted by it, the worst comes first."
+        "@default", "What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first."
     ),
     _verdict_text, lambda row: _SEVERITY.get(row.verdict),
+)  # fmt: skip
+_KEPT = TableColumn(
+    "kept", QT_TRANSLATE_NOOP("@default", "kept"),
+    QT_TRANSLATE_NOOP(
+        "@default", "Share of the finest detail that is kept along the seam, relative to the ground around it."
+    ),
+    lambda row: "" if row.kept_1 is None else f"{percent(row.kept_1)} %", lambda row: row.kept_1, _ALIGNED_RIGHT,
 )  # fmt: skip
 CAUSE = TableColumn(
     "cause", QT_TRANSLATE_NOOP("@default", "cause"),

@@ -113,10 +113,11 @@ class WindowsTable(QTableView):
     def _choose(self, metrics: QFontMetrics, room: int) -> tuple[set[int], bool, list[Widths]]:
         """Which columns are hidden, whether headings are short, and the columns' widths.
 
-        Reasons and then causes are shown only where nothing else has to give way to them.
+        Reasons give way first, then the ratios beyond level 1, then the causes.
         """
         columns = self._windows.columns
         reason, cause = len(columns) - 1, columns.index(CAUSE)
+        coarser = {section for section, column in enumerate(columns) if column.level > 1}
         long, brief = ([self._widths(column, metrics, short) for column in columns] for short in (False, True))
 
         def needed(widths: list[Widths], size: int, without: set[int]) -> int:
@@ -124,11 +125,13 @@ class WindowsTable(QTableView):
 
         if room >= needed(long, _AIRY, set()):
             return set(), False, long
-        for widths, short, size in ((long, False, _NATURAL), (brief, True, _NATURAL), (brief, True, _LEAST)):
-            if room >= needed(widths, _NATURAL, {reason, cause}) + widths[cause][size]:
-                return {reason}, short, widths
-        short = room < needed(long, _NATURAL, {reason, cause})
-        return {reason, cause}, short, brief if short else long
+        for hidden in ({reason}, {reason, *coarser}):
+            for widths, short, size in ((long, False, _NATURAL), (brief, True, _NATURAL), (brief, True, _LEAST)):
+                if room >= needed(widths, _NATURAL, {*hidden, cause}) + widths[cause][size]:
+                    return hidden, short, widths
+        hidden = {reason, cause} if room >= needed(brief, _NATURAL, {reason, cause}) else {reason, cause, *coarser}
+        short = room < needed(long, _NATURAL, hidden)
+        return hidden, short, brief if short else long
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -192,7 +195,7 @@ class WindowsTable(QTableView):
             natural = width(observer_word("visible"), observer_word("invisible"))
             least, airy = natural, natural + em
         else:
-            natural = width({"window_id": "000", "sources": "00"}.get(column.name, "0.00"))
+            natural = width({"window_id": "000", "sources": "00", "kept": "99.9 %"}.get(column.name, "0.00"))
             least, airy = natural, natural + em
         return max(least, title), max(natural, title), max(airy, title) + em
 

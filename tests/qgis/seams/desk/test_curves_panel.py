@@ -106,12 +106,13 @@ def make_result(
         for n in range(sources)
     ]
     judgement = judge(clips[0].curves[bands[0]], [clip.curves[bands[0]] for clip in clips[1:]])
-    return WindowResult(window_id, PixelWindow(0, 0, 512, 512), judgement, tuple(clips))
+    return WindowResult(window_id, PixelWindow(0, 0, 512, 512), judgement, judgement.verdict, tuple(clips))
 
 
 def not_comparable(window_id: int) -> WindowResult:
     nothing = Ratios((None, None, None), None)
-    return WindowResult(window_id, None, Judgement(Verdict.NOT_COMPARABLE, nothing, seams_messages.NO_SOURCES()))
+    judgement = Judgement(Verdict.NOT_COMPARABLE, nothing, seams_messages.NO_SOURCES())
+    return WindowResult(window_id, None, judgement, judgement.verdict)
 
 
 def settle(times: int = 4) -> None:

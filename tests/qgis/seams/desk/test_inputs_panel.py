@@ -180,6 +180,7 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
         (desk.panel.side, "side_m", 50.0),
         (more.spacing, "spacing_m", 300.0),
         (more.levels, "levels", 4),
+        (more.min_kept, "min_kept", 0.6),
         (more.max_ratio, "max_ratio", 0.6),
     ):
         spin.setValue(value)
@@ -207,7 +208,7 @@ def test_following_the_session_changes_nothing(desk: Desk) -> None:
     assert desk.session.settings == [inputs]
     assert desk.panel.more.wavelet.currentText() == "db2"
     assert desk.panel.more.levels.value() == 5
-    assert desk.panel.more.reference.currentText() == "their composite"
+    assert desk.panel.more.reference.currentText() == "the composite"
     assert desk.panel.more.cells.currentText() == "missing: sheet_144"
 
 

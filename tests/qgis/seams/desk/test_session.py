@@ -76,7 +76,7 @@ def test_judging_and_removing_are_undone_in_one_step(desk: Desk) -> None:
     desk.session.remove(fids)
     assert desk.session.windows() == []
     desk.undo()
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "reduced"]
+    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
 
 
 def test_saving_keeps_results_selection_and_marks(desk: Desk) -> None:
@@ -97,7 +97,7 @@ def test_saving_keeps_results_selection_and_marks(desk: Desk) -> None:
         assert result is not None
         assert result.window_id == row.window_id
     saved = QgsVectorLayer(desk.layer().source(), "saved", "ogr")
-    assert [feature["verdict"] for feature in saved.getFeatures()] == ["significant", "reduced"]
+    assert [feature["verdict"] for feature in saved.getFeatures()] == ["significant", "preserved"]
 
 
 def test_a_window_that_is_saved_while_it_is_inspected_gets_its_result(desk: Desk) -> None:
@@ -105,7 +105,7 @@ def test_a_window_that_is_saved_while_it_is_inspected_gets_its_result(desk: Desk
     desk.session.add_window(BLURRED_WINDOW)
     assert desk.layer().commitChanges()
     desk.wait()
-    assert [row.verdict for row in desk.session.windows()] == ["reduced", "significant"]
+    assert [row.verdict for row in desk.session.windows()] == ["preserved", "significant"]
 
 
 def test_windows_that_are_drawn_while_the_layer_is_made_wait_for_it(desk: Desk) -> None:
@@ -113,7 +113,7 @@ def test_windows_that_are_drawn_while_the_layer_is_made_wait_for_it(desk: Desk) 
         desk.session.add_window(window)
     assert desk.session.window_layer() is None
     desk.wait()
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "reduced"]
+    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
     assert len([layer for layer in desk.project.mapLayers().values() if layer.name() == "Windows"]) == 1
 
 
@@ -216,11 +216,11 @@ def test_windows_drawn_by_hand_can_be_inspected(desk: Desk, is_saved: bool) -> N
     desk.session.inspect_pending()
     desk.wait()
     found = {pixel_box(drawn.getFeature(row.fid).geometry()): row.verdict for row in desk.session.windows()}
-    assert found == {BLURRED: "significant", SHARP: "reduced"}
+    assert found == {BLURRED: "significant", SHARP: "preserved"}
     assert len(desk.session.selected()) == 2
     assert drawn.commitChanges(), drawn.commitErrors()
     values = {(feature["window_id"], feature["verdict"]) for feature in drawn.getFeatures()}
-    assert values == {(1, "significant"), (2, "reduced")}
+    assert values == {(1, "significant"), (2, "preserved")}
 
 
 def test_a_copied_window_gets_a_number_of_its_own(desk: Desk) -> None:
@@ -232,7 +232,7 @@ def test_a_copied_window_gets_a_number_of_its_own(desk: Desk) -> None:
     assert desk.rows()[1].fid == fid
     desk.session.inspect([desk.rows()[2].fid])
     desk.wait()
-    assert {number: row.verdict for number, row in desk.rows().items()} == {1: "significant", 2: "reduced"}
+    assert {number: row.verdict for number, row in desk.rows().items()} == {1: "significant", 2: "preserved"}
     assert desk.layer().getFeature(desk.rows()[2].fid)["window_id"] == 2
 
 

@@ -230,7 +230,7 @@ def test_no_behaviour_hangs_on_the_order_of_connections(reordered: Desk) -> None
     assert bar.sentence().endswith("Changed since: inspect it again.")
     desk.session.inspect_pending()
     desk.wait()
-    assert listener.take("windowsChanged") == [(["reduced"], [fid])]
+    assert listener.take("windowsChanged") == [(["preserved"], [fid])]
     desk.session.judge([fid], "visible")
     desk.undo()
     desk.undo()

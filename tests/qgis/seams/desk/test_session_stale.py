@@ -18,7 +18,11 @@ from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Des
 
 
 @pytest.mark.parametrize(
-    "change", [{"wavelet": "db4"}, {"levels": 2}, {"max_ratio": 0.3}, {"sources": ()}, {"reference": "composite"}]
+    "change",
+    [
+        {"wavelet": "db4"}, {"levels": 2}, {"max_ratio": 0.3}, {"min_kept": 0.6}, {"sources": ()},
+        {"reference": "composite"},
+    ],
 )
 def test_another_input_makes_inspected_windows_stale(desk: Desk, change: dict[str, object]) -> None:
     desk.add()
@@ -91,7 +95,7 @@ def test_undo_after_a_move_brings_the_result_of_the_old_place_back_as_stale(desk
     desk.layer().changeGeometry(fid, outline(SHARP))
     desk.session.inspect([fid])
     desk.wait()
-    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("reduced", False)
+    assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("preserved", False)
     desk.undo()
     assert (desk.rows()[1].verdict, desk.rows()[1].stale) == ("significant", True)
     desk.undo()
@@ -158,7 +162,7 @@ def test_saving_makes_nothing_stale(desk: Desk, tmp_path: Path, suffix: str) -> 
     desk.wait()
     assert [row.stale for row in desk.session.windows()] == [False, False]
     assert saved.commitChanges(), saved.commitErrors()
-    assert [row.verdict for row in desk.session.windows()] == ["reduced", "not_comparable"]
+    assert [row.verdict for row in desk.session.windows()] == ["preserved", "not_comparable"]
     assert [row.stale for row in desk.session.windows()] == [False, False]
 
 

@@ -17,14 +17,17 @@ from seam_inspector.plugin.toolkit.translation import percent
 from tests.qgis.seams.desk.windows_session import WindowsSession, window
 
 ROWS = [
-    window(1, "reduced", (0.83, 0.95, 0.99), sources=3),
-    window(2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2, composite_ratio=0.6, cause="feathering"),
+    window(1, "reduced", (0.83, 0.95, 0.99), sources=3, kept=(0.9, 0.95, 1.0)),
+    window(
+        2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2, composite_ratio=0.6, cause="feathering",
+        kept=(0.557, 0.8, 0.97),
+    ),
     window(3),
     window(4, "not_comparable", reason="No source covers <window> in west_12.tif.", sources=0),
-    window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10, cause="none"),
+    window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10, cause="none", kept=(1.02,)),
     window(12, "significant", (0.45, 0.7, 0.9), sources=1, stale=True),
 ]
-ID, VERDICT, RATIO_1, RATIO_2, RATIO_3, CAUSE, SOURCES, OBSERVER, REASON = range(9)
+ID, VERDICT, KEPT, RATIO_1, RATIO_2, RATIO_3, CAUSE, SOURCES, OBSERVER, REASON = range(10)
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
 
 Show = Callable[[QWidget], QWidget]
@@ -93,15 +96,15 @@ def top_window(panel: WindowsPanel) -> int:
 
 
 def test_cells(panel: WindowsPanel) -> None:
-    texts = [cell(panel, 2, column) for column in range(9)]
-    assert texts == ["2", "significant", "0.38", "0.52", "0.88", "feathering", "2", "visible", ""]
+    texts = [cell(panel, 2, column) for column in range(10)]
+    assert texts == ["2", "significant", "56 %", "0.38", "0.52", "0.88", "feathering", "2", "visible", ""]
     assert "0.3812" in str(cell(panel, 2, RATIO_1, Qt.ItemDataRole.ToolTipRole))
-    assert [cell(panel, 3, column) for column in range(2, 8)] == [""] * 6
+    assert [cell(panel, 3, column) for column in range(2, 9)] == [""] * 7
     assert cell(panel, 3, VERDICT) == "not inspected"
 
 
 def test_reason_is_the_tooltip_of_a_row_that_is_not_comparable(panel: WindowsPanel) -> None:
-    for column in range(9):
+    for column in range(10):
         assert "No source covers &lt;window&gt;" in str(cell(panel, 4, column, Qt.ItemDataRole.ToolTipRole))
 
 
@@ -119,6 +122,8 @@ def test_changed_windows_are_marked(panel: WindowsPanel) -> None:
         (ID, DESCENDING, [12, 10, 4, 3, 2, 1]),
         (VERDICT, ASCENDING, [2, 12, 1, 10, 4, 3]),
         (VERDICT, DESCENDING, [4, 10, 1, 2, 12, 3]),
+        (KEPT, ASCENDING, [2, 1, 10, 3, 4, 12]),
+        (KEPT, DESCENDING, [10, 1, 2, 3, 4, 12]),
         (RATIO_1, ASCENDING, [2, 12, 1, 10, 3, 4]),
         (RATIO_1, DESCENDING, [10, 1, 12, 2, 3, 4]),
         (RATIO_3, DESCENDING, [1, 12, 2, 3, 4, 10]),
@@ -175,12 +180,19 @@ def test_columns_fit_a_narrow_dock_and_a_wide_one(panel: WindowsPanel) -> None:
     QTest.qWait(1)
     assert panel.table.horizontalScrollBar().maximum() == 0
     assert panel.table.isColumnHidden(REASON)
-    assert panel.table.isColumnHidden(CAUSE)
+    assert panel.table.isColumnHidden(RATIO_2)
+    assert not panel.table.isColumnHidden(KEPT)
     assert not panel.table.isColumnHidden(OBSERVER)
-    panel.resize(700, 300)
+    panel.resize(480, 300)
+    QTest.qWait(1)
+    assert panel.table.horizontalScrollBar().maximum() == 0
+    assert panel.table.isColumnHidden(RATIO_2)
+    assert not panel.table.isColumnHidden(CAUSE)
+    panel.resize(800, 300)
     QTest.qWait(1)
     assert panel.table.horizontalScrollBar().maximum() == 0
     assert panel.table.isColumnHidden(REASON)
+    assert not panel.table.isColumnHidden(RATIO_2)
     assert not panel.table.isColumnHidden(CAUSE)
     panel.resize(1300, 300)
     QTest.qWait(1)
@@ -192,7 +204,7 @@ def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) 
     panel.table.sortByColumn(RATIO_3, ASCENDING)
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])
     titles = [column.title() for column in panel._windows.columns]
-    assert titles == ["id", "verdict", "ratio 1", "2", "cause", "sources", "observer", "reason"]
+    assert titles == ["id", "verdict", "kept", "ratio 1", "2", "cause", "sources", "observer", "reason"]
     assert panel._windows.sorted_by == WINDOW_ID
     assert panel.table.horizontalHeader().sortIndicatorSection() == ID
 

@@ -80,9 +80,11 @@ def window(
     stale: bool = False,
     composite_ratio: float | None = None,
     cause: str = "",
+    kept: tuple[float | None, ...] = (),
 ) -> WindowRecord:
     """A window whose number is its feature id."""
     return WindowRecord(
         fid, (0.0, 0.0, 1.0, 1.0), verdict, reason, sources, ratios, observer=observer,
-        composite_ratios=(composite_ratio,), cause=cause, fid=fid, stale=stale,
+        composite_ratios=(composite_ratio,), cause=cause, kept=kept, fid=fid,
+        stale=stale,
     )  # fmt: skip

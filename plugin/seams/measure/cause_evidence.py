@@ -1,0 +1,138 @@
+"""What was measured in a window -> the evidence that causes are judged by."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy import fft
+
+from ...imagery.rasters import Raster
+from ...imagery.value_ranges import is_range_known, value_range
+from .causes import MIN_COMPRESSED_DN, SourceTone, Texture
+from .seam_cells import UNKNOWN
+from .tone import Tone
+
+_BLOCK_PX = 16
+_FEWEST_BLOCKS = 12
+_FEWEST_OF_SOURCE = 8
+_WEAK, _STRONG = 0.3, 0.7  # quantiles of the blocks' energies
+_PERIOD_PX = 8  # of the blocks that images are compressed in
+_SAMPLED_BLOCKS = 400
+_HIGH_FREQUENCY = 6  # of 0 to 14, both axes together
+_VANISHED_DN = 1.5
+
+
+def measure_texture(
+    details: np.ndarray, labels: np.ndarray, sure: np.ndarray, mosaic: np.ndarray, expected: np.ndarray,
+    unit_dn: float = 1.0,
+) -> Texture | None:
+    """From the finest details of the mosaic, of what is expected of it, and of the same unfiltered if that differs:
+    (3, 2 or 3, rows / 2, columns / 2). ``labels``, ``sure`` and the planes of the mosaic and of what is
+    expected of it (rows, columns).
+
+    ``unit_dn``: how many grey values are one of 8 bit. None where too few blocks of 16 px follow one source for sure.
+    """
+    own, predicted, plain = details[:, 0], details[:, 1], details[:, -1]
+    first = _minimum(np.where(sure, labels, UNKNOWN), _BLOCK_PX)
+    whole = (first == _maximum(np.where(sure, labels, UNKNOWN), _BLOCK_PX)) & (first != UNKNOWN)
+    if np.count_nonzero(whole) < _FEWEST_BLOCKS:
+        return None
+    side = _BLOCK_PX // 2
+    sums = {
+        name: _block_sums(np.einsum("dij,dij->ij", a, b), side)[whole]
+        for name, a, b in (
+            ("mm", own, own), ("cc", predicted, predicted), ("mc", own, predicted), ("mu", own, plain),
+            ("uu", plain, plain),
+        )
+    }
+    left = np.clip(sums["mm"] - 2 * sums["mc"] + sums["cc"], 0, None) / (3 * side**2)
+    weak, strong = np.quantile(sums["cc"], (_WEAK, _STRONG))
+    noise = float(np.sqrt(left[sums["cc"] <= weak].mean()))
+    loud = float(np.sqrt(left[sums["cc"] >= strong].mean()))
+    transfer = float(sums["mu"].sum() / max(float(sums["uu"].sum()), 1e-9))
+    of_sources = [
+        float(sums["mu"][of].sum() / max(float(sums["uu"][of].sum()), 1e-9))
+        for of in (first[whole] == i for i in np.unique(first[whole]))
+        if np.count_nonzero(of) >= _FEWEST_OF_SOURCE
+    ] or [transfer]
+    # What the sources' own compression left in them is none of the mosaic's.
+    quantised = 0.0
+    if noise >= MIN_COMPRESSED_DN * unit_dn:
+        quantised = _quantised(mosaic / unit_dn) - _quantised(expected / unit_dn)
+    return Texture(transfer, min(of_sources), max(of_sources), noise, loud / max(noise, 1e-6), quantised)
+
+
+def measure_tones(
+    mosaic: Raster,
+    sources: Sequence[tuple[Raster, float, float, Tone | None, float | None]],
+    values: np.ndarray,
+) -> tuple[SourceTone, ...]:
+    """Of the sources that are followed: raster, share of the pixels, mean grey value, tone of the judged band and
+    shift of the colours. ``values``: of the mosaic's judged band."""
+    known = [one for one in sources if one[3] is not None]
+    if not known:
+        return ()
+    own = _range(mosaic)
+    span = own or 1.25 * float(np.subtract(*np.percentile(values, (95, 5)))) or 1.0
+    middle = float(np.mean([mean for _, _, mean, _, _ in known]))
+    found = []
+    for raster, share, _, tone, colours in known:
+        assert tone is not None
+        theirs = _range(raster)
+        factor = theirs / own if own and theirs else 1.0 if raster.data_type == mosaic.data_type else None
+        gain = None if factor is None else tone.gain * factor
+        found.append(SourceTone(share, gain, (tone.gain * middle + tone.bias) / span, tone.gamma, colours))
+    return tuple(found)
+
+
+def grey_unit(mosaic: Raster, values: np.ndarray) -> float:
+    """How many grey values of a mosaic are one of 8 bit; ``values``: some of its own."""
+    found = value_range(mosaic, float(values.max()))
+    span = found[1] - found[0] if found else 1.25 * float(np.subtract(*np.percentile(values, (95, 5))))
+    return max(span / 255, 1e-9)
+
+
+def _range(raster: Raster) -> float | None:
+    """How many grey values a raster could use, where that is known and not guessed."""
+    if not is_range_known(raster):
+        return None
+    found = value_range(raster, 0.0)
+    return None if found is None else found[1] - found[0]
+
+
+def _block_sums(values: np.ndarray, side: int) -> np.ndarray:
+    rows, columns = (length // side for length in values.shape)
+    whole = values[: rows * side, : columns * side]
+    return np.asarray(whole.reshape(rows, side, columns, side).sum(axis=(1, 3), dtype=np.float64))
+
+
+def _minimum(labels: np.ndarray, side: int) -> np.ndarray:
+    return _blockwise(labels, side).min(axis=(1, 3))
+
+
+def _maximum(labels: np.ndarray, side: int) -> np.ndarray:
+    return _blockwise(labels, side).max(axis=(1, 3))
+
+
+def _blockwise(labels: np.ndarray, side: int) -> np.ndarray:
+    rows, columns = (length // side for length in labels.shape)
+    return labels[: rows * side, : columns * side].reshape(rows, side, columns, side)
+
+
+def _quantised(mosaic: np.ndarray) -> float:
+    """By which share more of the high frequencies of blocks of 8 x 8 px vanish on the best of the 64 grids of blocks
+    than on the others: what the quantisation of JPEG and its relatives leaves (Fan and de Queiroz 2003)."""
+    basis = fft.dct(np.eye(_PERIOD_PX), axis=0, norm="ortho").astype(np.float32)
+    rows, columns = (length // _PERIOD_PX - 1 for length in mosaic.shape)
+    step = max(1, int(np.sqrt(rows * columns / _SAMPLED_BLOCKS)))
+    fine = np.add.outer(np.arange(_PERIOD_PX), np.arange(_PERIOD_PX)) >= _HIGH_FREQUENCY
+    transform = np.kron(basis, basis)[fine.ravel()].T.copy()  # of a block's 64 pixels at once
+    found = []
+    for top in range(_PERIOD_PX):
+        for left in range(_PERIOD_PX):
+            part = mosaic[top : top + rows * _PERIOD_PX, left : left + columns * _PERIOD_PX]
+            blocks = part.reshape(rows, _PERIOD_PX, columns, _PERIOD_PX)[::step, :, ::step].swapaxes(1, 2)
+            coefficients = blocks.reshape(-1, _PERIOD_PX**2) @ transform
+            found.append(np.count_nonzero(np.abs(coefficients, out=coefficients) < _VANISHED_DN) / coefficients.size)
+    best = int(np.argmax(found))
+    return found[best] - float(np.median(np.delete(found, best)))

@@ -1,0 +1,85 @@
+"""A clip as it is compared with others: reduced to the bands that all have, with what is looked at more than once."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ...imagery import limits as imagery_limits
+from ...imagery.band_curves import judged_plane
+from ...imagery.band_names import LUMINANCE, has_colours
+from ...imagery.clips import Clip
+from ...imagery.rasters import Raster
+from ...imagery.shifts import Spectra
+from ...imagery.wavelets import Curve
+from .tone import Tone, coarse_means, fit_tones
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredClip:
+    """A clip with what was measured in it, by band name; nothing of one that covers the window only partly."""
+
+    clip: Clip
+    curves: dict[str, Curve]
+    coarse: dict[str, np.ndarray]
+
+
+@dataclass(frozen=True, eq=False)
+class ComparedImage:
+    """The bands (bands, rows, columns) of a clip."""
+
+    bands: np.ndarray
+    names: tuple[str, ...]
+    coarse: dict[str, np.ndarray]
+    """Means of squares of 2^R px, by band; luminance first where there is one."""
+    curves: Mapping[str, Curve]
+    raster: Raster
+    offset: tuple[float, float] = (0.0, 0.0)
+    """How its pixel grid lies beside the mosaic's, px."""
+    valid: np.ndarray | None = None
+    """(rows, columns) bool, where it has pixels; None: everywhere."""
+
+    @cached_property
+    def plane(self) -> np.ndarray:
+        """What the verdict looks at, (rows, columns) float32."""
+        return judged_plane(self.bands, self.names)
+
+    @cached_property
+    def spectra(self) -> Spectra:
+        """Of the plane, which is compared with those of several others."""
+        return Spectra(self.plane)
+
+    def with_bands(self, bands: np.ndarray, curves: Mapping[str, Curve], levels: int) -> ComparedImage:
+        """Other bands on the same pixels."""
+        return replace(self, bands=bands, coarse=_coarse(bands, self.names, levels), curves=curves, valid=None)
+
+    def tones_of(self, other: ComparedImage, where: np.ndarray) -> dict[str, Tone | None]:
+        """What became of another image's grey values in this one, by band, fitted to the squares ``where``."""
+        pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,)) for band in other.bands]
+        if LUMINANCE in other.coarse:
+            pixels.insert(0, (other.bands[:3], imagery_limits.LUMINANCE_WEIGHTS))
+        mosaic, source = (np.stack(list(one.coarse.values())) for one in (self, other))
+        return dict(zip(self.coarse, fit_tones(mosaic, source, where, pixels)))
+
+
+def on_common_bands(measured: Sequence[MeasuredClip], levels: int) -> Iterator[ComparedImage]:
+    """The mosaic and its sources, reduced to the bands that all of them have."""
+    held = [one.clip.raster.band_names for one in measured]
+    names = tuple(name for name in held[0] if all(name in others for others in held))
+    for one, own in zip(measured, held):
+        clip, order = one.clip, [own.index(name) for name in names]
+        bands = clip.bands if order == list(range(len(clip.bands))) else clip.bands[order]
+        coarse = _coarse(bands, names, levels)
+        yield ComparedImage(
+            bands, names, coarse, one.curves, clip.raster, (clip.offset_x, clip.offset_y), clip.valid
+        )
+
+
+def _coarse(bands: np.ndarray, names: Sequence[str], levels: int) -> dict[str, np.ndarray]:
+    coarse = {name: coarse_means(band, levels) for name, band in zip(names, bands)}
+    if has_colours(names):
+        weighted = sum(weight * coarse[name] for weight, name in zip(imagery_limits.LUMINANCE_WEIGHTS, names))
+        coarse = {LUMINANCE: np.asarray(weighted), **coarse}
+    return coarse

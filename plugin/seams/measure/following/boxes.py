@@ -1,0 +1,82 @@
+"""Sums and borders in the square around every sample, from runs that double: a few additions whatever the side."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+
+def box_means(values: np.ndarray, sides: Sequence[int], mirrored: bool = False) -> list[np.ndarray]:
+    """Means over squares of odd sides around every sample (rows, columns), float32; the edges continue as they are, or
+    mirrored."""
+    reach = max(sides) // 2
+    padded = _padded(values.astype(np.float32, copy=False), reach, mirrored)
+    found = []
+    for side in sides:
+        cut = reach - side // 2
+        inner = padded[cut : len(padded) - cut, cut : padded.shape[1] - cut]
+        sums = runs(runs(inner, side, 0, np.add), side, 1, np.add)
+        found.append(sums * np.float32(1 / side**2))
+    return found
+
+
+def _padded(values: np.ndarray, reach: int, mirrored: bool) -> np.ndarray:
+    """As numpy's ``pad``, in a fifth of the time for small arrays."""
+    rows, columns = values.shape
+    if not reach:
+        return values
+    if mirrored and min(rows, columns) < reach:
+        return np.pad(values, reach, mode="symmetric")
+    padded = np.empty((rows + 2 * reach, columns + 2 * reach), values.dtype)
+    inside = padded[reach:-reach]
+    inside[:, reach:-reach] = values
+    inside[:, :reach] = values[:, reach - 1 :: -1] if mirrored else values[:, :1]
+    inside[:, -reach:] = values[:, : -reach - 1 : -1] if mirrored else values[:, -1:]
+    padded[:reach] = inside[reach - 1 :: -1] if mirrored else inside[:1]
+    padded[-reach:] = inside[: -reach - 1 : -1] if mirrored else inside[-1:]
+    return padded
+
+
+def near_border(labels: np.ndarray, reach: int) -> np.ndarray:
+    """Samples in whose square of 2 ``reach`` + 1 there is more than one label, (rows, columns) bool."""
+    across, down = labels[:, 1:] != labels[:, :-1], labels[1:] != labels[:-1]
+    # Where a square has two labels, two neighbours in it have.
+    return _dilated(across, 2 * reach + 1, 2 * reach, reach) | _dilated(down, 2 * reach, 2 * reach + 1, reach)
+
+
+def widened(mask: np.ndarray, reach: int) -> np.ndarray:
+    """Samples in whose square of 2 ``reach`` + 1 one is set, (rows, columns) bool."""
+    return _dilated(mask, 2 * reach + 1, 2 * reach + 1, reach)
+
+
+def opened(mask: np.ndarray, side: int) -> np.ndarray:
+    """What squares of ``side`` samples that are wholly set cover, (rows, columns) bool."""
+    return _dilated(runs(runs(mask, side, 0, np.logical_and), side, 1, np.logical_and), side, side, side - 1)
+
+
+def runs(values: np.ndarray, length: int, axis: int, together: np.ufunc) -> np.ndarray:
+    """Of ``length`` samples along an axis, those that are wholly inside, put together."""
+    count = values.shape[axis] - length + 1
+    found, taken, part, width = None, 0, values, 1
+    while True:
+        if length & width:
+            piece = _along(part, axis, taken, taken + count)
+            found = piece if found is None else together(found, piece)
+            taken += width
+        if 2 * width > length:
+            break
+        held = part.shape[axis] - width
+        part = together(_along(part, axis, 0, held), _along(part, axis, width, width + held))
+        width *= 2
+    assert found is not None
+    return found
+
+
+def _along(values: np.ndarray, axis: int, start: int, stop: int) -> np.ndarray:
+    return values[:, start:stop] if axis else values[start:stop]
+
+
+def _dilated(mask: np.ndarray, down: int, across: int, pad: int) -> np.ndarray:
+    padded = np.zeros((mask.shape[0] + 2 * pad, mask.shape[1] + 2 * pad), bool)
+    padded[pad : pad + mask.shape[0], pad : pad + mask.shape[1]] = mask
+    return runs(runs(padded, down, 0, np.logical_or), across, 1, np.logical_or)

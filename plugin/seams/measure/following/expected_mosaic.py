@@ -1,0 +1,187 @@
+"""What a mosaic would look like if its sources had been cut hard where it passes from one to another.
+
+Everything that was done to the whole of it is in it: tones source by source, and sharpening, blur or resampling as a
+linear filter. What the mosaic lacks beside it was lost at the seams.
+"""
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..seam_cells import UNKNOWN
+from .border import BORDER_PX, to_the_pixel
+from .boxes import near_border
+from .followed_source import FollowedSource
+from .levelling import levelled, square_means
+from .likely_source import likely_source
+from .mosaic_filter import filtered, fit_filter
+
+MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
+MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
+MIN_SINGLE_GAIN = 0.02  # that filters of their own have to explain more than one for all sources
+
+_FEWEST_SAMPLES = 300
+_EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
+_SAMPLE = np.s_[::_EVERY, ::_EVERY]
+
+
+@dataclass(frozen=True, eq=False)
+class ExpectedMosaic:
+    """The hard cut as this mosaic would show it."""
+
+    plane: np.ndarray
+    """(rows, columns) float32; the mosaic itself where no source explains it."""
+    unfiltered: np.ndarray
+    """The same before anything came over the whole mosaic: in its tones, as sharp as its sources."""
+    labels: np.ndarray
+    """(rows, columns) uint8: the source of every pixel, ``UNKNOWN`` where none explains it."""
+
+
+def expected_mosaic(
+    mosaic: np.ndarray,
+    planes: Sequence[np.ndarray],
+    fine: Sequence[np.ndarray],
+    following: FollowedSource,
+    valid: Mapping[int, np.ndarray],
+    known: np.ndarray | None = None,
+    moved: Collection[int] = (),
+) -> ExpectedMosaic:
+    """Planes (rows, columns) float32 of the mosaic and its sources, ``following`` a first estimate.
+
+    ``fine``: the fine detail of the mosaic, then of the sources (``high_pass``).
+
+    ``valid``: pixels that a source has, of those that don't have all. ``known``: labels that are known, else
+    ``UNKNOWN``; they go before the estimate. ``moved``: planes of sources that were moved to where they fit.
+    """
+    own, sources = fine[0], {i: fine[1 + i] for i in sorted(following.followed)}
+    predicted = {i: _through_filter(own, one, (following.labels == i) & following.clear) for i, one in sources.items()}
+    likely = likely_source(own, predicted, following.labels, following.clear, valid, moved)
+    labels = likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
+    if known is not None:
+        labels = np.where(known == UNKNOWN, labels, known)
+    means = square_means(mosaic)
+    numbers = _present(labels)
+    in_tone = {i: levelled(means, planes[i], labels == i, following.clear) for i in numbers}
+    toned = {i: one.plane for i, one in in_tone.items()}
+    sure = following.clear & (labels != UNKNOWN)
+    # The gain is even enough to be taken for the same within the reach of a high-pass.
+    def reference(place: slice | tuple[slice, ...]) -> np.ndarray:
+        return _cut(own[place], {i: one.gain[place] * fine[1 + i][place] for i, one in in_tone.items()}, labels[place])
+
+    is_unfiltered = _is_a_multiple(own[_SAMPLE], reference(_SAMPLE), labels[_SAMPLE], sure[_SAMPLE])
+    found = None if is_unfiltered else _find_filters(own, reference(np.s_[:]), labels, sure)
+    shown = {i: filtered(plane, found.taps[i]) for i, plane in toned.items()} if found else toned
+    if known is None and len(toned) > 1:
+        labels = to_the_pixel(mosaic, shown, labels, valid)
+    unfiltered = _cut(mosaic, toned, labels)
+    if found is None:
+        return ExpectedMosaic(unfiltered, unfiltered, labels)
+    if not found.came_over_cuts:
+        return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels)
+    plane = filtered(unfiltered, next(iter(found.taps.values())))
+    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels)
+
+
+@dataclass(frozen=True, eq=False)
+class _Filters:
+    """What makes of the sources what the mosaic shows of them."""
+
+    taps: Mapping[int, np.ndarray]
+    """Of each source that is followed, (5, 5)."""
+    came_over_cuts: bool
+    """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
+
+
+def _present(labels: np.ndarray) -> list[int]:
+    """The sources that any pixel follows."""
+    left, found = np.count_nonzero(labels != UNKNOWN), []
+    for number in range(UNKNOWN):
+        if not left:
+            break
+        if count := np.count_nonzero(labels == number):
+            found.append(number)
+            left -= count
+    return found
+
+
+def _cut(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarray) -> np.ndarray:
+    """Each pixel from the plane that its label names; the mosaic's own where none is."""
+    if not planes:
+        return mosaic.copy()
+    first, *others = sorted(planes, key=lambda i: -np.count_nonzero(labels == i))
+    made = planes[first].copy()
+    for i in others:
+        np.copyto(made, planes[i], where=labels == i)
+    unknown = labels == UNKNOWN
+    if unknown.any():
+        np.copyto(made, mosaic, where=unknown)
+    return made
+
+
+def _find_filters(
+    fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray
+) -> _Filters | None:
+    """One filter for all sources, or one for each where that explains more; None where none is needed."""
+    taps = fit_filter(fine, reference, sure, gain=1.0)
+    if taps is None:
+        return None
+    common = filtered(reference, taps)
+    if not _explains_more(fine, reference, common, sure):
+        return None
+    numbers = _present(labels)
+    if len(numbers) > 1:
+        fitted = {i: fit_filter(fine, reference, sure & (labels == i), gain=1.0) for i in numbers}
+        single = {i: one for i, one in fitted.items() if one is not None}
+        planes = {i: filtered(reference, one) for i, one in single.items()}
+        if len(single) == len(numbers) and _explains_more(
+            fine, common, _cut(fine, planes, labels), sure, MIN_SINGLE_GAIN
+        ):
+            return _Filters(single, False)
+    return _Filters(dict.fromkeys(numbers, taps), True)
+
+
+def _through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """A source's fine detail as the mosaic shows it."""
+    own = where[_SAMPLE]
+    if _is_a_multiple(mosaic[_SAMPLE], source[_SAMPLE], own.astype(np.uint8), own, MAX_LEFT_UNFILTERED):
+        return source
+    taps = fit_filter(mosaic, source, where)
+    if taps is None:
+        return source
+    made = filtered(source, taps)
+    return made if _explains_more(mosaic, source, made, where) else source
+
+
+def _is_a_multiple(
+    mosaic: np.ndarray, plain: np.ndarray, labels: np.ndarray, where: np.ndarray, most: float = MIN_FILTERED_GAIN
+) -> bool:
+    """Whether so little of the mosaic is left over by a multiple of the plain image that no filter is called for;
+    samples of all of them.
+
+    Beside a border, which is known to a few pixels only, nothing can be told of that.
+    """
+    parts = np.where(where, labels, np.uint8(UNKNOWN))
+    inside = (parts != UNKNOWN) & ~near_border(parts, -(-BORDER_PX // _EVERY))
+    own, before = _chosen(inside, mosaic, plain)
+    return len(own) > _FEWEST_SAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
+
+
+def _explains_more(
+    mosaic: np.ndarray, plain: np.ndarray, made: np.ndarray, where: np.ndarray, least: float = MIN_FILTERED_GAIN
+) -> bool:
+    """Whether less of the mosaic is left over by a filtered image than by a mere multiple of the plain one."""
+    own, before, after = _chosen(where[_SAMPLE], *(image[_SAMPLE] for image in (mosaic, plain, made)))
+    rest = own - after
+    return float(rest @ rest) < _left_by_multiple(own, before) - least * float(own @ own)
+
+
+def _left_by_multiple(own: np.ndarray, plain: np.ndarray) -> float:
+    rest = own - float(own @ plain) / max(float(plain @ plain), 1e-12) * plain
+    return float(rest @ rest)
+
+
+def _chosen(where: np.ndarray, *images: np.ndarray) -> list[np.ndarray]:
+    places = np.flatnonzero(where)
+    return [image.ravel()[places].astype(np.float64) for image in images]

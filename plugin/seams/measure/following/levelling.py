@@ -1,0 +1,168 @@
+"""Each source brought to the mosaic's grey values where the mosaic follows it, whatever evened out its tones.
+
+A gain that may change evenly over the window, and a bias that may change from place to place: balancing, dodging and a
+flattened background all come to that. Neither is taken from fine detail, which is what is measured, nor across a seam,
+whose step of tone stays as it is.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from scipy import ndimage
+
+from ..tone import coarse_means
+
+LEVELS = 3
+"""Squares of 8 px are compared."""
+
+_MIN_OWN = 0.9  # of a square's pixels that follow the source
+_FEWEST_SQUARES = 24
+_FEWEST_FOR_TREND = 150
+_NEAR_SQUARES = 5  # a side: what is wider than that is background
+_SMOOTH_SQUARES = 2.0  # sigma of the bias
+_MOST_CHANGE = 3.0  # of the gain within a window
+_RIDGE = 0.01  # so that ground which says nothing of a term leaves it out
+_ROUNDS = 3
+_AT_A_TIME = 8  # squares that pixels are interpolated between at a time: few of them matter to each
+_TUKEY = 4.685
+
+
+@dataclass(frozen=True, eq=False)
+class Levelled:
+    """A source in the mosaic's grey values."""
+
+    plane: np.ndarray
+    """(rows, columns) float32"""
+    gain: np.ndarray
+    """(rows, columns) float32: what its detail was multiplied by."""
+
+
+def levelled(
+    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray
+) -> Levelled:
+    """A source's plane in the mosaic's grey values; (rows, columns), float32 and bool.
+
+    ``mosaic_means``: of the mosaic's squares of 8 px. ``own``: pixels that follow the source, ``clear``: pixels that
+    follow one source for sure.
+    """
+    share = square_means(own)
+    reference = square_means(source)
+    gain = _gain_field(mosaic_means, reference, square_means(own & clear) > _MIN_OWN)
+    # A square that two sources share tells neither's tone.
+    bias = _spread_out(mosaic_means - gain * reference, share)
+    gain = _to_pixels(gain, source.shape)
+    plane = gain * source
+    plane += _to_pixels(bias, source.shape)
+    return Levelled(plane, gain)
+
+
+def square_means(plane: np.ndarray) -> np.ndarray:
+    """Means of the squares of 8 px of a plane (rows, columns), whose edge continues where the last ones stick out."""
+    beyond = [-length % 2**LEVELS for length in plane.shape]
+    return coarse_means(np.pad(plane, [(0, by) for by in beyond], mode="edge") if any(beyond) else plane, LEVELS)
+
+
+def left_over(
+    mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, least: float = 0.0
+) -> tuple[float, float]:
+    """Scale of what the mosaic's means of squares differ by from the source's: after one curve of tones for all of
+    the window, and after a gain and bias that change from place to place; (rows, columns), ``where`` bool.
+
+    With too few squares both are 0; where the first is no more than ``least`` the second is not looked for.
+    """
+    if np.count_nonzero(where) < _FEWEST_SQUARES:
+        return 0.0, 0.0
+    x, y = source[where].astype(np.float64), mosaic[where].astype(np.float64)
+    scaled = (x - x.mean()) / max(float(x.std()), 1e-6)
+    terms = np.stack([np.ones_like(scaled), scaled, scaled**2, scaled**3], axis=1)
+    curve = y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0]
+    scale = _scale(curve)
+    if scale <= least:
+        return scale, scale
+    gain = _gain_field(mosaic, source, where)
+    bias = mosaic - gain * source
+    local = (bias - _spread_out(bias, where.astype(np.float32)))[where]
+    return scale, _scale(local)
+
+
+def _scale(rest: np.ndarray) -> float:
+    return 1.4826 * float(np.median(np.abs(rest)))
+
+
+def _gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """The gain at every square, (rows, columns): by its place and its brightness where there is ground enough."""
+    ones = np.ones(mosaic.shape, np.float32)
+    if np.count_nonzero(where) < _FEWEST_SQUARES:
+        return ones
+    weight = ndimage.uniform_filter(where.astype(np.float32), _NEAR_SQUARES) + 1e-6
+    x, y = (
+        (band - ndimage.uniform_filter(np.where(where, band, 0), _NEAR_SQUARES) / weight)[where].astype(np.float64)
+        for band in (source, mosaic)
+    )
+    fields = _places(source, where) if np.count_nonzero(where) >= _FEWEST_FOR_TREND else [ones]
+    terms = np.stack([field[where] * x for field in fields], axis=1)
+    weights = np.ones(len(x))
+    factors = np.eye(len(fields))[0]
+    for _ in range(_ROUNDS):
+        weighted = terms * weights[:, np.newaxis]
+        normal = weighted.T @ terms
+        if normal[0, 0] <= 0:
+            return ones
+        normal += np.diag([0.0, *[_RIDGE * normal[0, 0]] * (len(fields) - 1)])
+        factors = np.linalg.solve(normal, weighted.T @ y)
+        residuals = y - terms @ factors
+        scale = max(1.4826 * float(np.median(np.abs(residuals))), 1e-6)
+        weights = np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2
+    gain = sum(factor * field for factor, field in zip(factors, fields))
+    middle = float(np.median(np.asarray(gain)[where]))
+    return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)
+
+
+def _places(source: np.ndarray, where: np.ndarray) -> list[np.ndarray]:
+    """What the gain may depend on, each -1 to 1 or so: dodging changes it from place to place, light falls off with
+    the square of the distance, and a power function acts by brightness."""
+    down, across = np.meshgrid(*(np.linspace(-1, 1, length) for length in source.shape), indexing="ij")
+    known = source[where]
+    low, high = np.percentile(known, (5, 95))
+    bright = np.clip((source - (low + high) / 2) / max((high - low) / 2, 1e-6), -1.5, 1.5)
+    bright = ndimage.uniform_filter(bright, 3, mode="nearest")
+    return [np.ones(source.shape), down, across, down**2, across**2, down * across, bright, bright**2]
+
+
+def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Smoothed where it is known, and carried on from there to where it is not."""
+    weight = np.where(share > _MIN_OWN, share, 1e-4 * share)
+    total = float(weight.sum())
+    mean = float((weight * bias).sum()) / total
+    known, weights = (
+        ndimage.gaussian_filter(values, _SMOOTH_SQUARES, mode="nearest") for values in (weight * bias, weight)
+    )
+    least = 1e-3
+    return np.asarray((known + least * mean) / (weights + least), np.float32)
+
+
+def _to_pixels(squares: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """Linear between the middles of the squares."""
+    down, across = (_interpolation(few * 2**LEVELS, few) for few in squares.shape)
+    rows = down @ squares
+    made = np.empty((len(down), len(across)), np.float32)
+    for start in range(0, squares.shape[1], _AT_A_TIME):
+        needed = slice(max(start - 1, 0), start + _AT_A_TIME + 1)
+        pixels = slice(start * 2**LEVELS, (start + _AT_A_TIME) * 2**LEVELS)
+        np.matmul(rows[:, needed], across[pixels, needed].T, out=made[:, pixels])
+    return made[: shape[0], : shape[1]]
+
+
+@lru_cache
+def _interpolation(many: int, few: int) -> np.ndarray:
+    """(many, few) float32 weights."""
+    places = np.clip((np.arange(many) + 0.5) * few / many - 0.5, 0, few - 1)
+    before = np.minimum(places.astype(np.intp), max(few - 2, 0))
+    weights = np.zeros((many, few), np.float32)
+    rows = np.arange(many)
+    weights[rows, before] = 1 - (places - before)
+    if few > 1:
+        weights[rows, before + 1] += places - before
+    return weights

@@ -1,0 +1,56 @@
+"""What came over a whole mosaic, as a linear filter: sharpening, blur, resampling, a shift of parts of a pixel.
+
+Fitted by least squares where one source is followed, it makes of the sources what they would look like in this mosaic
+if nothing had happened at its seams.
+"""
+from __future__ import annotations
+
+import numpy as np
+
+from ....imagery.filters.kernels import correlated
+
+REACH_PX = 2
+"""The filter has 5 x 5 taps."""
+
+_SIDE = 2 * REACH_PX + 1
+_FEWEST_PIXELS = 2000
+_MOST_PIXELS = 12000
+_AT_A_TIME = 384  # in float32, their sums in float64
+_RIDGE = 1e-5
+_MARGIN_PX = 8  # of the clip: what is beyond it is not known
+
+
+def fit_filter(
+    image: np.ndarray, reference: np.ndarray, where: np.ndarray, gain: float | None = None
+) -> np.ndarray | None:
+    """Taps (5, 5) with which ``reference`` comes nearest to ``image``, both high-passed, (rows, columns).
+
+    ``where``, (rows, columns) bool: pixels that count. ``gain``: what the taps add up to, where that is known. None
+    where too few pixels count.
+    """
+    inside = np.flatnonzero(where[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX])
+    if len(inside) < _FEWEST_PIXELS:
+        return None
+    columns, values = image.shape[1], reference.ravel()
+    down, across = np.divmod(inside[:: max(1, len(inside) // _MOST_PIXELS)], columns - 2 * _MARGIN_PX)
+    places = (down + _MARGIN_PX) * columns + across + _MARGIN_PX
+    offsets = np.add.outer(np.arange(-REACH_PX, REACH_PX + 1) * columns, np.arange(-REACH_PX, REACH_PX + 1)).ravel()
+    normal, right = np.zeros((_SIDE**2, _SIDE**2)), np.zeros(_SIDE**2)
+    for start in range(0, len(places), _AT_A_TIME):
+        part = places[start : start + _AT_A_TIME]
+        samples = values[part[:, np.newaxis] + offsets]
+        normal += samples.T @ samples
+        right += image.ravel()[part] @ samples
+    mean = float(np.trace(normal)) / _SIDE**2
+    if mean <= 0:
+        return None
+    normal += _RIDGE * mean * np.eye(_SIDE**2)
+    if gain is not None:  # high-passed images say nothing of it, so it is given with weight
+        normal += mean
+        right += mean * gain
+    return np.linalg.solve(normal, right).reshape(_SIDE, _SIDE).astype(np.float32)
+
+
+def filtered(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
+    """A plane (rows, columns) float32 through the filter."""
+    return correlated(plane, taps)

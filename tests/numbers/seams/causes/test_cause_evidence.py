@@ -1,0 +1,192 @@
+"""What causes are judged by: how fine detail came over, what was added to it, traces of compression, tones."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.imagery.rasters import Raster
+from seam_inspector.plugin.imagery.wavelets import detail_components
+from seam_inspector.plugin.seams.measure.cause_evidence import measure_texture, measure_tones
+from seam_inspector.plugin.seams.measure.causes import MIN_QUANTISED, Texture
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+from seam_inspector.plugin.seams.measure.tone import Tone
+
+from benchmarks import aftermaths
+from tests.numbers.synthetic import texture
+
+SHAPE = (256, 288)
+EVERYWHERE = np.ones(SHAPE, bool)
+RNG = np.random.default_rng(4)
+
+
+@pytest.fixture(scope="module")
+def plane() -> np.ndarray:
+    """Of the sources, with weak and strong detail, (rows, columns) float32 of whole values."""
+    strength = 3 + 14 * (ndimage.gaussian_filter(texture(SHAPE, 3.0, 1), 8, mode="wrap") > 0)
+    return np.rint(120 + 20 * texture(SHAPE, 2.5, 2) + strength * texture(SHAPE, 1.0, 3)).astype(np.float32)
+
+
+def halves() -> np.ndarray:
+    return np.broadcast_to((np.arange(SHAPE[1]) >= 144).astype(np.uint8), SHAPE)
+
+
+def texture_of(
+    mosaic: np.ndarray, expected: np.ndarray, plain: np.ndarray | None = None, labels: np.ndarray | None = None,
+    sure: np.ndarray = EVERYWHERE,
+) -> Texture | None:
+    planes = [mosaic, expected] if plain is None else [mosaic, expected, plain]
+    details = next(iter(detail_components(np.stack(planes).astype(np.float32), "coif3", 1)))
+    labels = halves() if labels is None else labels
+    return measure_texture(details, labels, sure, mosaic.astype(np.float32), expected.astype(np.float32))
+
+
+def test_a_mosaic_as_it_is_expected_has_lost_and_gained_nothing(plane: np.ndarray) -> None:
+    found = texture_of(plane, plane)
+    assert found is not None
+    assert (found.transfer, found.least_transfer, found.most_transfer) == pytest.approx((1, 1, 1), abs=1e-4)
+    assert found.noise_dn == pytest.approx(0, abs=1e-3)
+    assert found.quantised == 0
+
+
+@pytest.mark.parametrize("sigma", [2.0, 5.0])
+def test_noise_is_told_in_grey_values_and_does_not_rise_with_detail(plane: np.ndarray, sigma: float) -> None:
+    found = texture_of(plane + RNG.normal(0, sigma, SHAPE), plane)
+    assert found is not None
+    assert found.noise_dn == pytest.approx(sigma, rel=0.08)
+    assert found.noise_rise == pytest.approx(1, abs=0.15)
+    assert found.transfer == pytest.approx(1, abs=0.03)
+    assert found.quantised < MIN_QUANTISED / 2
+
+
+def test_what_grows_with_detail_rises(plane: np.ndarray) -> None:
+    found = texture_of(ndimage.shift(plane, (0, 0.4), order=3, mode="nearest"), plane)
+    assert found is not None
+    assert found.noise_rise > 2
+
+
+@pytest.mark.parametrize("sigma", [0.5, 0.8])
+def test_transfer_is_against_what_was_there_before_any_filter(plane: np.ndarray, sigma: float) -> None:
+    soft = ndimage.gaussian_filter(plane, sigma)
+    sharp = plane + (plane - soft)
+    for made, is_less in ((soft, True), (sharp, False)):
+        found = texture_of(made, made, plane)
+        assert found is not None
+        assert (found.transfer < 0.85) if is_less else (found.transfer > 1.15)
+        assert found.noise_dn < 0.01  # the filter explains it all
+        own, plain = (
+            next(iter(detail_components(one[np.newaxis].astype(np.float64), "coif3", 1))) for one in (made, plane)
+        )
+        assert found.transfer == pytest.approx(float((own * plain).sum() / (plain**2).sum()), rel=1e-3)
+
+
+def test_each_source_has_its_transfer(plane: np.ndarray) -> None:
+    made = np.where(halves() == 1, ndimage.gaussian_filter(plane, 0.8), plane)
+    found = texture_of(made, made, plane)
+    assert found is not None
+    assert found.least_transfer < 0.7
+    assert found.most_transfer == pytest.approx(1, abs=0.02)
+    assert found.least_transfer < found.transfer < found.most_transfer
+
+
+def test_only_what_follows_one_source_for_sure_is_looked_at(plane: np.ndarray) -> None:
+    sure = EVERYWHERE.copy()
+    sure[:, 130:160] = False
+    labels = halves().copy()
+    labels[:64] = UNKNOWN
+    found = texture_of(plane, plane, None, labels, sure)
+    unsure = ~sure | (labels == UNKNOWN)
+    inner = ndimage.binary_erosion(unsure, iterations=12)  # as far as coefficients reach
+    spoilt = plane + inner * RNG.normal(0, 40, SHAPE)
+    after = texture_of(spoilt, plane, None, labels, sure)
+    assert found is not None
+    assert after is not None
+    assert after.noise_dn == pytest.approx(found.noise_dn, abs=0.3)
+    assert after.transfer == pytest.approx(1, abs=0.01)
+
+
+def test_of_too_few_blocks_nothing_is_told(plane: np.ndarray) -> None:
+    sure = np.zeros(SHAPE, bool)
+    sure[:48, :48] = True  # 9 blocks of 16 px
+    assert texture_of(plane, plane, sure=sure) is None
+    sure[:48, :64] = True  # 12
+    assert texture_of(plane, plane, sure=sure) is not None
+    assert texture_of(plane, plane, labels=np.full(SHAPE, UNKNOWN, np.uint8)) is None
+
+
+@pytest.mark.parametrize("quality", [50, 75, 90])
+@pytest.mark.parametrize("corner", [(0, 0), (3, 5)])
+def test_compression_leaves_its_grid_wherever_that_begins(
+    plane: np.ndarray, quality: int, corner: tuple[int, int]
+) -> None:
+    bands = np.repeat(plane[np.newaxis], 3, axis=0).clip(0, 255).astype(np.uint8)
+    large = np.pad(bands, ((0, 0), (corner[0], 8), (corner[1], 8)), mode="reflect")
+    made = aftermaths.jpeg(quality)(large, RNG)[1, corner[0] :, corner[1] :][: SHAPE[0], : SHAPE[1]]
+    found = texture_of(made, plane)
+    assert found is not None
+    assert found.quantised > MIN_QUANTISED
+
+
+@pytest.mark.parametrize("change", ["noise", "unsharp", "blur", "gain"])
+def test_nothing_else_leaves_such_a_grid(plane: np.ndarray, change: str) -> None:
+    noise = RNG.normal(0, 4, SHAPE)
+    made = {
+        "noise": plane + noise, "unsharp": 2 * plane - ndimage.gaussian_filter(plane, 1) + noise,
+        "blur": ndimage.gaussian_filter(plane + noise, 0.8), "gain": np.rint(0.3 * plane),
+    }[change]
+    found = texture_of(np.rint(made), plane)
+    assert found is not None
+    assert found.quantised < MIN_QUANTISED
+
+
+def test_what_compressed_the_sources_is_none_of_the_mosaics(plane: np.ndarray) -> None:
+    bands = np.repeat(plane[np.newaxis], 3, axis=0).clip(0, 255).astype(np.uint8)
+    source = aftermaths.jpeg(60)(bands, RNG)[1].astype(np.float32)
+    found = texture_of(source + RNG.normal(0, 2, SHAPE), source)
+    assert found is not None
+    assert found.quantised < MIN_QUANTISED
+
+
+# --- tones -----------------------------------------------------------------------------------------------------
+
+
+def raster(mosaic: Raster, data_type: str, bits: int | None = None) -> Raster:
+    return replace(mosaic, data_type=data_type, bits=bits)
+
+
+@pytest.mark.parametrize(
+    ("own", "theirs", "gain", "expected"),
+    [
+        (("uint8", None), ("uint8", None), 0.6, 0.6),
+        (("uint8", None), ("uint16", 12), 255 / 4095, 1.0),
+        (("uint8", None), ("uint16", 16), 0.6 * 255 / 65535, 0.6),
+        (("uint16", 12), ("uint8", None), 4095 / 255, 1.0),
+        (("uint16", None), ("uint16", None), 0.6, 0.6),  # of one type: as they are
+        (("uint8", None), ("uint16", None), 0.06, None),  # nobody says how much of 16 bit is used
+        (("float32", None), ("float32", None), 0.8, 0.8),
+        (("uint8", None), ("float32", None), 200.0, None),
+    ],
+)
+def test_gains_are_told_in_the_range_of_values(
+    mosaic: Raster, own: tuple[str, int | None], theirs: tuple[str, int | None], gain: float, expected: float | None
+) -> None:
+    found = measure_tones(
+        raster(mosaic, *own), [(raster(mosaic, *theirs), 0.7, 100.0, Tone(gain, 5.0, 1.3), 1.1)], np.arange(256.0)
+    )
+    assert [tone.gain for tone in found] == [expected if expected is None else pytest.approx(expected)]
+    assert (found[0].share, found[0].gamma, found[0].colour_shift) == (0.7, 1.3, 1.1)
+
+
+def test_offsets_tell_how_far_one_source_was_raised_above_another(mosaic: Raster) -> None:
+    tones = [Tone(1.0, 0.0), Tone(1.0, 25.5), Tone(0.9, 10.0)]
+    found = measure_tones(mosaic, [(mosaic, 0.3, 100.0, tone, None) for tone in tones], np.arange(256.0))
+    offsets = [tone.offset for tone in found]
+    assert offsets[1] - offsets[0] == pytest.approx(0.1)  # of 255 grey values
+    assert offsets[2] - offsets[0] == pytest.approx(0.0)  # a gain about the middle raises nothing
+
+
+def test_sources_whose_tone_is_not_known_say_nothing(mosaic: Raster) -> None:
+    assert measure_tones(mosaic, [(mosaic, 1.0, 100.0, None, None)], np.arange(9.0)) == ()
+    both = [(mosaic, 0.5, 100.0, None, None), (mosaic, 0.5, 90.0, Tone(0.8, 1.0), None)]
+    assert [tone.gain for tone in measure_tones(mosaic, both, np.arange(9.0))] == [0.8]

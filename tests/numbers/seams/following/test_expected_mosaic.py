@@ -1,0 +1,156 @@
+"""What a mosaic would look like cut hard: tones and sharpness are its own, losses at the seams are not in it."""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.following.expected_mosaic import ExpectedMosaic, expected_mosaic
+from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+
+from benchmarks.scenes import cut, feather
+from tests.numbers.seams.following.cuts import SHAPE, made_sources, three_cells
+
+LABELS = three_cells()
+INNER = np.s_[12:-12, 12:-12]
+
+
+@pytest.fixture(scope="module")
+def sources() -> list[np.ndarray]:
+    """Four images of one scene, (3, rows, columns) 8 bit."""
+    return made_sources()
+
+
+def grey(bands: np.ndarray) -> np.ndarray:
+    return bands.mean(axis=0, dtype=np.float32)
+
+
+def expected_of(
+    mosaic: np.ndarray,
+    planes: Sequence[np.ndarray],
+    valid: Mapping[int, np.ndarray] | None = None,
+    known: np.ndarray | None = None,
+) -> ExpectedMosaic:
+    fine = [high_pass(one) for one in (mosaic, *planes)]
+    rough = follow(lambda start, stop: [one[start:stop] for one in fine], SHAPE, len(planes))
+    return expected_mosaic(mosaic, planes, fine, rough, valid or {}, known)
+
+
+def energy(plane: np.ndarray, where: np.ndarray) -> float:
+    """Of fine detail."""
+    return float(np.square(high_pass(plane)[where], dtype=np.float64).sum())
+
+
+def test_the_hard_cut_is_expected_of_a_hard_cut(sources: list[np.ndarray]) -> None:
+    mosaic = grey(cut(LABELS, sources))
+    found = expected_of(mosaic, [grey(one) for one in sources])
+    assert (found.labels == LABELS).mean() > 0.997
+    rest = (found.plane - mosaic)[INNER]
+    assert np.median(np.abs(rest)) < 0.3
+    assert rest.std() < 0.15 * high_pass(mosaic)[INNER].std()
+
+
+@pytest.mark.parametrize("sigma", [4.0, 10.0])
+def test_what_a_feather_took_is_in_what_is_expected(sources: list[np.ndarray], sigma: float) -> None:
+    mosaic, hard = grey(feather(LABELS, sources, sigma)), grey(cut(LABELS, sources))
+    found = expected_of(mosaic, [grey(one) for one in sources])
+    weight = ndimage.gaussian_filter((LABELS == 0).astype(float), sigma)
+    band = (weight > 0.2) & (weight < 0.8)
+    assert energy(mosaic, band) < 0.85 * energy(hard, band)
+    assert energy(found.plane, band) == pytest.approx(energy(hard, band), rel=0.06)
+    assert (found.labels == LABELS).mean() > 0.97
+
+
+OPERATIONS = {
+    "unsharp": lambda hard: 2 * hard - ndimage.gaussian_filter(hard, 1),
+    "blur": lambda hard: ndimage.gaussian_filter(hard, 0.8),
+    "half a pixel": lambda hard: ndimage.shift(hard, (0, 0.5), order=1, mode="nearest"),
+    "gain": lambda hard: 0.6 * hard + 20,
+    "dodged": lambda hard: hard * np.linspace(0.7, 1.1, SHAPE[1], dtype=np.float32),
+}
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+def test_what_came_over_the_whole_mosaic_is_expected(sources: list[np.ndarray], operation: str) -> None:
+    hard = grey(cut(LABELS, sources))
+    mosaic = OPERATIONS[operation](hard).astype(np.float32)
+    found = expected_of(mosaic, [grey(one) for one in sources])
+    assert (found.labels == LABELS).mean() > 0.98
+    everywhere = np.zeros(SHAPE, bool)
+    everywhere[INNER] = True
+    assert energy(found.plane, everywhere) == pytest.approx(energy(mosaic, everywhere), rel=0.04)
+    rest = high_pass(found.plane - mosaic)[INNER]
+    assert rest.std() < 0.2 * high_pass(mosaic)[INNER].std()
+
+
+@pytest.mark.parametrize("operation", ["unsharp", "blur", "half a pixel"])
+def test_unfiltered_it_is_as_sharp_as_its_sources(sources: list[np.ndarray], operation: str) -> None:
+    hard = grey(cut(LABELS, sources))
+    found = expected_of(OPERATIONS[operation](hard).astype(np.float32), [grey(one) for one in sources])
+    everywhere = np.ones(SHAPE, bool)
+    # Both reach a little into what tones are fitted to.
+    assert energy(found.unfiltered, everywhere) == pytest.approx(energy(hard, everywhere), rel=0.12)
+    changed = energy(found.plane, everywhere) / energy(found.unfiltered, everywhere)
+    assert (changed > 1.5) if operation == "unsharp" else (changed < 0.75)
+
+
+def test_a_source_that_was_blurred_before_the_cut_has_a_filter_of_its_own(sources: list[np.ndarray]) -> None:
+    soft = [one.astype(np.float32) for one in sources]
+    soft[0] = ndimage.gaussian_filter(soft[0], (0, 1, 1))
+    mosaic = grey(np.asarray(cut(LABELS, soft)))
+    found = expected_of(mosaic, [grey(one) for one in sources])
+    for number in (0, 1, 2):
+        own = ndimage.distance_transform_edt(np.equal(LABELS, number)) > 8
+        assert energy(found.plane, own) == pytest.approx(energy(mosaic, own), rel=0.06), number
+
+
+def test_balanced_sources_each_have_their_tone(sources: list[np.ndarray]) -> None:
+    toned = [gain * grey(one) + bias for one, (gain, bias) in zip(sources, [(0.8, 30), (1.2, -25), (1.0, 5), (1, 0)])]
+    mosaic = np.choose(LABELS, toned).astype(np.float32)
+    found = expected_of(mosaic, [grey(one) for one in sources])
+    rest = (found.plane - mosaic)[INNER]
+    assert np.abs(np.median(rest)) < 0.3
+    assert rest.std() < 0.25 * high_pass(mosaic)[INNER].std()
+
+
+def test_where_no_source_explains_the_mosaic_stands_itself(sources: list[np.ndarray]) -> None:
+    other = sources[2][:, ::-1, ::-1]  # of other ground, and missing
+    mosaic = grey(cut(LABELS, [*sources[:2], other]))
+    given = [grey(one) for one in sources[:2]]
+    found = expected_of(mosaic, given)
+    unknown = found.labels == UNKNOWN
+    assert (unknown == (LABELS == 2)).mean() > 0.97
+    np.testing.assert_array_equal(found.plane[unknown], mosaic[unknown])
+    np.testing.assert_array_equal(found.unfiltered[unknown], mosaic[unknown])
+
+
+def test_labels_that_are_known_go_before_the_estimate(sources: list[np.ndarray]) -> None:
+    mosaic = grey(cut(LABELS, sources))
+    known = np.full(SHAPE, UNKNOWN, np.uint8)
+    known[:, :80] = 2
+    found = expected_of(mosaic, [grey(one) for one in sources], known=known)
+    assert (found.labels[:, :80] == 2).all()
+    assert (found.labels == LABELS)[:, 90:].mean() > 0.99
+
+
+def test_pixels_that_a_source_does_not_have_are_never_its(sources: list[np.ndarray]) -> None:
+    planes = [grey(one) for one in sources]
+    row = np.arange(SHAPE[0])[:, np.newaxis]
+    valid = np.broadcast_to(row < 160, SHAPE)  # the second is cut off a little below where it ends
+    planes[1] = np.where(valid, planes[1], planes[1][valid].mean())
+    mosaic = grey(cut(LABELS, sources))
+    found = expected_of(mosaic, planes, valid={1: valid})
+    assert not (found.labels[~valid] == 1).any()
+    assert (found.labels == LABELS).mean() > 0.99
+
+
+def test_a_source_that_ends_at_the_seam_is_not_stretched_over_it(sources: list[np.ndarray]) -> None:
+    planes = [grey(one) for one in sources]
+    valid = ndimage.binary_dilation(LABELS == 1, iterations=1)
+    planes[1] = np.where(valid, planes[1], planes[1][valid].mean()).astype(np.float32)
+    mosaic = grey(cut(LABELS, sources))
+    found = expected_of(mosaic, planes, valid={1: valid})
+    assert not (found.labels[~valid] == 1).any()
+    assert (found.labels == LABELS).mean() > 0.985

@@ -1,0 +1,148 @@
+"""Sources brought to the mosaic's grey values: balanced, dodged and flattened tones come out, fine detail stays."""
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.following.levelling import left_over, levelled
+from seam_inspector.plugin.seams.measure.tone import coarse_means
+
+from tests.numbers.synthetic import texture
+
+SHAPE = (256, 320)
+EVERYWHERE = np.ones(SHAPE, bool)
+
+
+@pytest.fixture(scope="module")
+def source() -> np.ndarray:
+    """A plane (rows, columns) float32 with large shapes and fine detail."""
+    return (120 + 25 * texture(SHAPE, 2.0, 1) + 6 * texture(SHAPE, 0.0, 2)).astype(np.float32)
+
+
+def brought(mosaic: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray) -> np.ndarray:
+    """The source in the mosaic's grey values."""
+    return levelled(coarse_means(mosaic.astype(np.float32), 3), source, own, clear).plane
+
+
+def across(first: float, last: float) -> np.ndarray:
+    return np.broadcast_to(np.linspace(first, last, SHAPE[1], dtype=np.float32), SHAPE)
+
+
+TONES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "as it was": lambda plane: plane,
+    "gain 0.6": lambda plane: 0.6 * plane + 20,
+    "gain 1.3": lambda plane: 1.3 * plane - 30,
+    "negative": lambda plane: 255 - plane,
+    "dodged": lambda plane: plane * across(0.7, 1.1),
+    "shadow": lambda plane: plane + across(-20, 30),
+}
+
+
+def fine(plane: np.ndarray) -> np.ndarray:
+    return plane - ndimage.gaussian_filter(plane, 2)
+
+
+def error(found: np.ndarray, mosaic: np.ndarray) -> float:
+    """Of the grey values, in standard deviations of the mosaic's fine detail."""
+    return float((found - mosaic).std() / fine(mosaic).std())
+
+
+@pytest.mark.parametrize("tone", TONES)
+def test_tones_come_out(source: np.ndarray, tone: str) -> None:
+    mosaic = TONES[tone](source)
+    found = brought(mosaic, source, EVERYWHERE, EVERYWHERE)
+    assert error(found, mosaic) < 0.2
+    assert float((found - mosaic).mean()) == pytest.approx(0, abs=0.2)
+    assert fine(found).std() / fine(mosaic).std() == pytest.approx(1, abs=0.01)
+
+
+def test_the_gain_is_told_pixel_by_pixel(source: np.ndarray) -> None:
+    means = coarse_means(TONES["dodged"](source), 3)
+    found = levelled(means, source, EVERYWHERE, EVERYWHERE).gain
+    assert found.shape == SHAPE
+    assert np.abs(found - across(0.7, 1.1)).max() < 0.03
+
+
+@pytest.mark.parametrize("share", [0.5, 1.0])
+def test_a_flattened_background_comes_out(source: np.ndarray, share: float) -> None:
+    mosaic = source - share * (ndimage.gaussian_filter(source, 40) - source.mean())
+    found = brought(mosaic, source, EVERYWHERE, EVERYWHERE)
+    assert (found - mosaic).std() < 0.1 * (source - mosaic).std()
+    assert fine(found).std() / fine(source).std() == pytest.approx(1, abs=0.01)
+
+
+@pytest.mark.parametrize("sigma", [0.5, 0.8, 1.2])
+def test_fine_detail_that_is_gone_is_not_taken_for_a_tone(source: np.ndarray, sigma: float) -> None:
+    mosaic = ndimage.gaussian_filter(0.8 * source + 10, sigma)
+    found = brought(mosaic, source, EVERYWHERE, EVERYWHERE)
+    assert fine(found).std() / fine(source).std() == pytest.approx(0.8, rel=0.06)
+    assert fine(mosaic).std() < 0.9 * fine(found).std()
+
+
+def test_noise_of_the_mosaic_is_no_tone(source: np.ndarray) -> None:
+    noise = np.random.default_rng(3).normal(0, 8, SHAPE).astype(np.float32)
+    found = brought(source + noise, source, EVERYWHERE, EVERYWHERE)
+    assert fine(found).std() / fine(source).std() == pytest.approx(1, abs=0.03)
+    assert error(found, source) < 0.35
+
+
+def test_each_source_has_its_own_tone_up_to_the_seam(source: np.ndarray) -> None:
+    other = (110 + 22 * texture(SHAPE, 2.0, 5) + 5 * texture(SHAPE, 0.0, 6)).astype(np.float32)
+    east = np.broadcast_to(np.arange(SHAPE[1]) >= 170, SHAPE)
+    mosaic = np.where(east, 1.2 * other + 25, 0.85 * source)
+    for plane, own in ((source, ~east), (other, east)):
+        found = brought(mosaic, plane, own, EVERYWHERE)
+        rest = (found - mosaic)[own]
+        assert rest.std() < 0.2 * fine(mosaic)[own].std()
+        beside = own & (np.abs(np.arange(SHAPE[1]) - 169.5) < 8)
+        assert (found - mosaic)[beside].std() < 0.3 * fine(mosaic)[beside].std()
+
+
+def test_what_follows_no_source_for_sure_says_nothing_of_the_gain(source: np.ndarray) -> None:
+    stranger = 120 + 60 * texture(SHAPE, 2.0, 9)
+    west = np.broadcast_to(np.arange(SHAPE[1]) < 120, SHAPE)
+    mosaic = np.where(west, stranger, 0.7 * source + 30).astype(np.float32)
+    found = brought(mosaic, source, EVERYWHERE, ~west)
+    assert fine(found)[~west].std() / fine(source)[~west].std() == pytest.approx(0.7, rel=0.02)
+
+
+def test_a_few_squares_give_a_bias_and_no_gain(source: np.ndarray) -> None:
+    own = np.zeros(SHAPE, bool)
+    own[:32, :32] = True  # 16 squares
+    found = brought(source + 15, source, own, EVERYWHERE)
+    assert found[own] == pytest.approx((source + 15)[own], abs=0.5)
+    assert fine(brought(3 * source, source, own, EVERYWHERE)).std() == pytest.approx(fine(source).std(), rel=0.02)
+
+
+# --- how even a tone is ----------------------------------------------------------------------------------------
+
+
+def unevenness(mosaic: np.ndarray, source: np.ndarray) -> float:
+    means = [coarse_means(plane, 3) for plane in (mosaic, source)]
+    curve, local = left_over(*means, np.ones(means[0].shape, bool))
+    return 1 - local / curve if curve > 0.3 else 0.0
+
+
+def test_a_tone_that_changes_from_place_to_place_leaves_more_over_than_one_curve(source: np.ndarray) -> None:
+    assert unevenness(TONES["dodged"](source), source) > 0.8
+    assert unevenness(TONES["shadow"](source), source) > 0.8
+    noise = np.random.default_rng(3).normal(0, 6, SHAPE)
+    for even in (source, 0.6 * source + 20, 255 * (np.clip(source, 1, 255) / 255) ** 0.7, source + noise):
+        assert unevenness(even.astype(np.float32), source) < 0.35
+
+
+def test_too_few_squares_leave_nothing_over(source: np.ndarray) -> None:
+    means = coarse_means(source, 3)
+    where = np.zeros(means.shape, bool)
+    where[:3, :7] = True
+    assert left_over(2 * means + means**2, means, where) == (0.0, 0.0)
+
+
+def test_where_a_curve_leaves_next_to_nothing_no_place_is_looked_at(source: np.ndarray) -> None:
+    means = coarse_means(source, 3)
+    dark = means + np.linspace(0, 6, means.shape[1], dtype=np.float32)
+    curve, local = left_over(dark, means, np.ones(means.shape, bool))
+    assert local < curve / 2
+    assert left_over(dark, means, np.ones(means.shape, bool), 1.01 * curve) == (curve, curve)

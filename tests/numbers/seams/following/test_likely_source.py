@@ -1,0 +1,207 @@
+"""Where exactly a mosaic passes from one source to another, and where none of them explains it."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
+from seam_inspector.plugin.seams.measure.following.likely_source import (
+    GRID_PX,
+    SMALLEST_PART_PX,
+    LikelySource,
+    likely_source,
+    without_islands,
+)
+
+from tests.numbers.synthetic import texture
+
+SHAPE = (256, 256)
+BORDER = 120
+
+
+def plane(contrast: float, seed: int) -> np.ndarray:
+    """(rows, columns) float32: a scene that all show, and fine detail of its own."""
+    return (120 + 20 * texture(SHAPE, 3.0, 50) + contrast * texture(SHAPE, 0.8, seed)).astype(np.float32)
+
+
+def found_in(
+    mosaic: np.ndarray, planes: list[np.ndarray], valid: Mapping[int, np.ndarray] | None = None
+) -> LikelySource:
+    fine = [high_pass(one) for one in (mosaic, *planes)]
+    rough = follow(lambda start, stop: [one[start:stop] for one in fine], SHAPE, len(planes))
+    sources = {i: fine[1 + i] for i in range(len(planes)) if i in rough.followed}
+    return likely_source(fine[0], sources, rough.labels, rough.clear, valid or {})
+
+
+def cut_at(border: int, first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    return np.where(np.arange(SHAPE[1]) < border, first, second)
+
+
+def borders(found: LikelySource) -> np.ndarray:
+    """Of each row, where the first source ends."""
+    return np.asarray((found.labels == 0).sum(axis=1))
+
+
+@pytest.mark.parametrize(("west", "east"), [(6.0, 6.0), (12.0, 4.0), (4.0, 12.0), (20.0, 4.0)])
+def test_the_border_leans_towards_neither_the_weak_nor_the_strong(west: float, east: float) -> None:
+    first, second = plane(west, 1), plane(east, 2)
+    found = borders(found_in(cut_at(BORDER, first, second), [first, second]))
+    assert np.median(found) == pytest.approx(BORDER, abs=2)
+    assert np.mean(found) == pytest.approx(BORDER, abs=1.5)
+    assert np.std(found) < 3
+
+
+@pytest.mark.parametrize("change", ["gain", "noise", "unsharp", "blur"])
+def test_the_border_stays_whatever_came_over_the_mosaic(change: str) -> None:
+    first, second = plane(12, 1), plane(5, 2)
+    mosaic = cut_at(BORDER, first, second)
+    smooth = ndimage.gaussian_filter(mosaic, 0.7)
+    changed = {
+        "gain": 0.6 * mosaic + 20, "noise": mosaic + np.random.default_rng(3).normal(0, 2, SHAPE),
+        "unsharp": 2 * mosaic - smooth, "blur": smooth,
+    }[change].astype(np.float32)
+    found = borders(found_in(changed, [first, second]))
+    assert np.mean(found) == pytest.approx(BORDER, abs=2)
+
+
+@pytest.mark.parametrize("width", [16, 40])
+def test_in_a_feather_the_border_is_where_both_weigh_the_same(width: int) -> None:
+    first, second = plane(8, 1), plane(8, 2)
+    weight = np.clip((np.arange(SHAPE[1]) + 0.5 - BORDER) / width + 0.5, 0, 1)
+    found = borders(found_in(((1 - weight) * first + weight * second).astype(np.float32), [first, second]))
+    assert np.mean(found) == pytest.approx(BORDER, abs=2)
+
+
+def test_three_sources_are_told_apart() -> None:
+    planes = [plane(9, seed) for seed in (1, 2, 3)]
+    row, column = np.mgrid[: SHAPE[0], : SHAPE[1]]
+    labels = np.where(column < 110 + 20 * np.sin(row / 30), 0, np.where(row < 130, 1, 2))
+    found = found_in(np.choose(labels, planes), planes)
+    assert float((found.labels == labels).mean()) > 0.99
+    assert not found.unexplained.any()
+
+
+# --- a source that is not among those given --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("side", [64, 120])
+def test_a_part_from_no_given_source_is_found(side: int) -> None:
+    first, second, missing = plane(9, 1), plane(9, 2), plane(9, 3)
+    gap = np.s_[40 : 40 + side, 100 : 100 + side]
+    mosaic = cut_at(BORDER, first, second)
+    mosaic[gap] = missing[gap]
+    found = found_in(mosaic, [first, second]).unexplained
+    inside = np.zeros(SHAPE, bool)
+    inside[gap] = True
+    assert found[ndimage.binary_erosion(inside, iterations=7)].mean() > 0.98
+    assert found[~inside].mean() < 0.02
+    assert found.mean() == pytest.approx(inside.mean(), rel=0.2)
+
+
+@pytest.mark.parametrize("alike", [0.2, 0.4])
+@pytest.mark.parametrize("share", [0.3, 0.5, 0.7])
+def test_a_missing_source_is_found_though_its_detail_is_like_that_of_one_given(alike: float, share: float) -> None:
+    """Orthoimages of one ground have fine detail in common, and the missing one may well hold most of the window."""
+    common = texture(SHAPE, 0.8, 60)
+    first, missing = (
+        (plane(0, 1) + 9 * (alike**0.5 * common + (1 - alike) ** 0.5 * texture(SHAPE, 0.8, seed))).astype(np.float32)
+        for seed in (1, 3)
+    )
+    border = round((1 - share) * SHAPE[1])
+    found = found_in(cut_at(border, first, missing), [first]).unexplained
+    assert found[:, border + 10 : -10].mean() > 0.9
+    assert found[:, 10 : border - 10].mean() < 0.05
+
+
+def test_a_source_that_is_given_and_nowhere_to_be_seen_explains_nothing() -> None:
+    found = found_in(plane(9, 3), [plane(9, 1)])
+    assert found.unexplained.mean() > 0.98
+
+
+@pytest.mark.parametrize("change", ["feather", "noise", "blur", "gain"])
+def test_what_was_spoilt_is_still_explained(change: str) -> None:
+    first, second = plane(9, 1), plane(9, 2)
+    weight = np.clip((np.arange(SHAPE[1]) - BORDER) / 60 + 0.5, 0, 1)
+    mosaic = cut_at(BORDER, first, second)
+    changed = {
+        "feather": (1 - weight) * first + weight * second, "gain": 0.5 * mosaic + 30,
+        "noise": mosaic + np.random.default_rng(3).normal(0, 5, SHAPE), "blur": ndimage.gaussian_filter(mosaic, 0.9),
+    }[change].astype(np.float32)
+    assert found_in(changed, [first, second]).unexplained.mean() < 0.01
+
+
+def test_ground_without_texture_is_not_unexplained() -> None:
+    first, second = plane(9, 1), plane(9, 2)
+    for one in (first, second):
+        one[:100, :100] = 90
+    assert not found_in(cut_at(BORDER, first, second), [first, second]).unexplained.any()
+
+
+# --- a source that covers the window only partly ---------------------------------------------------------------
+
+
+def test_a_source_is_followed_only_where_it_has_pixels() -> None:
+    first, second = plane(9, 1), plane(9, 2)
+    valid = np.broadcast_to(np.arange(SHAPE[1]) >= 90, SHAPE)
+    mosaic = cut_at(BORDER, first, second)
+    found = found_in(mosaic, [first, np.where(valid, second, second[valid].mean())], {1: valid})
+    assert not (found.labels[~valid] == 1).any()
+    assert np.mean(borders(found)) == pytest.approx(BORDER, abs=2)
+    assert not found.unexplained.any()
+
+
+def test_where_no_source_has_pixels_nothing_explains() -> None:
+    first, second = plane(9, 1), plane(9, 2)
+    west, east = (np.broadcast_to(one, SHAPE) for one in (np.arange(256) < 100, np.arange(256) >= 160))
+    mosaic = cut_at(BORDER, first, second)
+    found = found_in(
+        mosaic, [np.where(west, first, first[west].mean()), np.where(east, second, second[east].mean())],
+        {0: west, 1: east},
+    )
+    neither = ~west & ~east
+    assert found.unexplained[neither].mean() > 0.95
+    assert found.unexplained[~neither].mean() < 0.02
+
+
+# --- islands ---------------------------------------------------------------------------------------------------
+
+
+def test_small_parts_go_with_what_is_around() -> None:
+    labels = np.zeros((40, 60), np.uint8)
+    labels[:, 30:] = 1
+    labels[5:8, 5:8] = 1  # 9 samples
+    labels[20:30, 10:20] = 1  # 100
+    labels[10:13, 40:43] = 2
+    found = without_islands(labels, 10)
+    expected = labels.copy()
+    expected[5:8, 5:8] = 0
+    expected[10:13, 40:43] = 1
+    np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(without_islands(labels, 9), labels)
+
+
+def test_parts_that_only_touch_at_a_corner_are_two() -> None:
+    labels = np.zeros((20, 20), np.uint8)
+    labels[2:5, 2:5] = labels[5:8, 5:8] = 1
+    assert not without_islands(labels, 10).any()
+
+
+@pytest.mark.parametrize("value", [0, 3])
+def test_where_all_parts_are_small_all_stay(value: int) -> None:
+    labels = np.full((5, 5), value, np.uint8)
+    np.testing.assert_array_equal(without_islands(labels, 1000), labels)
+
+
+def test_a_part_begins_at_its_least_size() -> None:
+    """24 px a side at 2 px a sample."""
+    first, second = plane(9, 1), plane(9, 2)
+    for side, stays in ((14, False), (48, True)):
+        mosaic = cut_at(200, first, second)
+        mosaic[96 : 96 + side, 64 : 64 + side] = second[96 : 96 + side, 64 : 64 + side]
+        found = found_in(mosaic, [first, second]).labels
+        assert (found[96 + side // 2, 64 + side // 2] == 1) is np.bool_(stays)
+        sizes = np.bincount(ndimage.label(found == 1)[0].ravel())[1:]
+        assert sizes.min() >= SMALLEST_PART_PX
+    assert SMALLEST_PART_PX % GRID_PX**2 == 0

@@ -1,0 +1,121 @@
+"""What came over a whole mosaic as a linear filter: its taps against those of scipy's operations."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
+from seam_inspector.plugin.seams.measure.following.mosaic_filter import REACH_PX, filtered, fit_filter
+
+from tests.numbers.synthetic import texture
+
+SHAPE = (192, 224)
+EVERYWHERE = np.ones(SHAPE, bool)
+
+
+@pytest.fixture(scope="module")
+def plane() -> np.ndarray:
+    """(rows, columns) float32"""
+    return (120 + 20 * texture(SHAPE, 1.6, 1) + 6 * texture(SHAPE, 0.0, 2)).astype(np.float32)
+
+
+def gaussian(sigma: float) -> np.ndarray:
+    """5 x 5 taps that add up to 1."""
+    point = np.zeros((2 * REACH_PX + 1,) * 2)
+    point[REACH_PX, REACH_PX] = 1
+    found: np.ndarray = ndimage.gaussian_filter(point, sigma, radius=REACH_PX, mode="constant")
+    return found / found.sum()
+
+
+def tap(row: int = 0, column: int = 0) -> np.ndarray:
+    made = np.zeros((2 * REACH_PX + 1,) * 2)
+    made[REACH_PX + row, REACH_PX + column] = 1
+    return made
+
+
+def cubic_half() -> np.ndarray:
+    """Keys 1981 half a pixel to the right: four taps."""
+    made = np.zeros((2 * REACH_PX + 1,) * 2)
+    made[REACH_PX, 1:] = np.array([-1, 9, 9, -1]) / 16
+    return made
+
+
+KERNELS = {
+    "nothing": tap(), "unsharp": 2 * tap() - gaussian(0.8), "half a pixel, bilinear": (tap() + tap(0, 1)) / 2,
+    "half a pixel, cubic": cubic_half(), "blur 0.6 px": gaussian(0.6), "a pixel": tap(-1, 1),
+    "unsharp and blur": 1.5 * gaussian(0.5) - 0.5 * gaussian(1.2),
+}
+
+
+@pytest.mark.parametrize("gain", [None, 1.0])
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_the_taps_are_those_that_were_applied(plane: np.ndarray, kernel: str, gain: float | None) -> None:
+    made = ndimage.correlate(plane, KERNELS[kernel], mode="nearest")
+    found = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain)
+    assert found is not None
+    assert np.abs(found - KERNELS[kernel]).max() < (0.02 if gain else 0.05)
+
+
+@pytest.mark.parametrize(("sigma", "left"), [(0.5, 0.02), (0.8, 0.05), (1.2, 0.1)])  # wider than five taps, in the end
+def test_scipys_own_blur_and_sharpening_are_explained(plane: np.ndarray, sigma: float, left: float) -> None:
+    smooth = ndimage.gaussian_filter(plane, sigma)
+    for made in (smooth, plane + 0.5 * (plane - smooth)):
+        taps = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain=1.0)
+        assert taps is not None
+        inner = np.s_[8:-8, 8:-8]
+        rest = high_pass(filtered(plane, taps) - made)[inner]
+        assert rest.std() < left * high_pass(made)[inner].std()
+
+
+@pytest.mark.parametrize("place", [(0.5, 0.5), (0.0, 0.3), (-0.4, 0.2)])
+def test_a_shift_by_parts_of_a_pixel_is_explained(plane: np.ndarray, place: tuple[float, float]) -> None:
+    soft = ndimage.gaussian_filter(plane, 0.7)  # as a lens draws it: what spline and taps differ in is hardly there
+    made = ndimage.shift(soft, place, order=3, mode="nearest")
+    taps = fit_filter(high_pass(made), high_pass(soft), EVERYWHERE)
+    assert taps is not None
+    inner = np.s_[8:-8, 8:-8]
+    rest = high_pass(made - filtered(soft, taps))[inner]
+    assert rest.std() < 0.12 * high_pass(made)[inner].std()
+    row, column = np.mgrid[-REACH_PX : REACH_PX + 1, -REACH_PX : REACH_PX + 1]
+    centre = (taps * row).sum() / taps.sum(), (taps * column).sum() / taps.sum()
+    assert centre == pytest.approx((-place[0], -place[1]), abs=0.1)
+
+
+def test_noise_leaves_the_taps_where_they_are(plane: np.ndarray) -> None:
+    kernel = KERNELS["unsharp"]
+    made = ndimage.correlate(plane, kernel) + np.random.default_rng(4).normal(0, 4, SHAPE)
+    found = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain=1.0)
+    assert found is not None
+    assert np.abs(found - kernel).max() < 0.12
+
+
+def test_only_pixels_that_count_are_looked_at(plane: np.ndarray) -> None:
+    west = np.broadcast_to(np.arange(SHAPE[1]) < 110, SHAPE)
+    sharpened = ndimage.correlate(plane, KERNELS["unsharp"], mode="nearest")
+    soft = ndimage.correlate(plane, KERNELS["blur 0.6 px"], mode="nearest")
+    made = np.where(np.arange(SHAPE[1]) < 118, sharpened, soft)
+    found = fit_filter(high_pass(made), high_pass(plane), west, gain=1.0)
+    assert found is not None
+    assert np.abs(found - KERNELS["unsharp"]).max() < 0.02
+
+
+def test_where_there_is_nothing_to_fit_there_is_no_filter(plane: np.ndarray) -> None:
+    few = np.zeros(SHAPE, bool)
+    few[60:100, 60:109] = True  # 1960 pixels
+    fine = high_pass(plane)
+    assert fit_filter(fine, fine, few) is None
+    few[60:100, 60:111] = True
+    assert fit_filter(fine, fine, few) is not None
+    edge = EVERYWHERE.copy()
+    edge[8:-8, 8:-8] = False  # beyond the edge nothing is known
+    assert fit_filter(fine, fine, edge) is None
+    assert fit_filter(fine, np.zeros_like(fine), EVERYWHERE) is None
+
+
+def test_filtering_is_scipys_correlation(plane: np.ndarray) -> None:
+    taps = np.random.default_rng(1).normal(0, 0.2, (5, 5)).astype(np.float32)
+    padded = np.pad(plane.astype(np.float64), REACH_PX, mode="edge")
+    expected = sum(
+        float(taps[i, j]) * padded[i : i + SHAPE[0], j : j + SHAPE[1]] for i in range(5) for j in range(5)
+    )
+    np.testing.assert_allclose(filtered(plane, taps), expected, rtol=1e-4, atol=1e-3)

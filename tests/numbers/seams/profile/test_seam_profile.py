@@ -1,0 +1,320 @@
+"""How much detail is kept along a seam: known blends by PyWavelets, and what whole mosaics go through afterwards."""
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, EDGES_PX
+from seam_inspector.plugin.seams.measure.profile.seam_profile import (
+    BAND_KEPT,
+    STRIP_PX,
+    SeamProfile,
+    local_kept,
+    seam_profile,
+)
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+
+from tests.numbers.seams.profile.blends import SIDE, Blend, blend
+
+Change = Callable[[np.ndarray], np.ndarray]
+
+
+def profile_of(made: Blend, mosaic: np.ndarray | None = None) -> SeamProfile:
+    found = seam_profile(made.cells(mosaic))
+    assert found is not None
+    return found
+
+
+# --- known blends ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ramp", ["cosine", "linear"])
+@pytest.mark.parametrize("width", [13, 33, 66, 200])
+def test_what_a_feather_kept_is_what_pywavelets_says(width: int, ramp: str) -> None:
+    made = blend(width, ramp)
+    found = profile_of(made)
+    assert found.kept[0] == pytest.approx(made.truth(0, STRIP_PX), abs=0.05)
+    assert found.low < made.truth(0, STRIP_PX) < found.high
+
+
+@pytest.mark.parametrize("in_common", [0.0, 0.5, 0.9])
+def test_strangers_keep_half_in_the_middle_and_sources_alike_more(in_common: float) -> None:
+    made = blend(200, in_common=in_common)
+    assert profile_of(made).kept[0] == pytest.approx((1 + in_common) / 2, abs=0.05)  # (1 + rho) / 2
+
+
+@pytest.mark.parametrize("level", [2, 3])
+def test_coarser_levels_are_kept_in_strips_twice_and_four_times_as_wide(level: int) -> None:
+    made = blend(66)
+    expected = made.truth(0, STRIP_PX * 2 ** (level - 1), level)
+    assert profile_of(made).kept[level - 1] == pytest.approx(expected, abs=0.06)
+    assert expected < 0.85
+
+
+def test_each_bin_is_what_pywavelets_says_at_that_distance() -> None:
+    made = blend(66)
+    bins = [one for one in profile_of(made).bins if one.level == 1]
+    for one in bins[:11]:
+        assert one.kept == pytest.approx(made.truth(one.near_px, one.far_px), abs=0.06), one.near_px
+        assert one.low < one.kept < one.high
+
+
+def test_across_a_feather_the_weights_give_what_is_kept() -> None:
+    """Sources that have nothing in common: w^2 + (1 - w)^2 of their variance."""
+    bins = [one for one in profile_of(blend(100, "linear")).bins if one.level == 1 and one.far_px <= 64]
+    for one in bins:
+        weight = np.clip(0.5 + np.linspace(one.near_px, one.far_px, 50) / 100, 0, 1)
+        assert one.kept == pytest.approx(float(np.mean(weight**2 + (1 - weight) ** 2)), abs=0.07), one.near_px
+
+
+def test_bins_follow_each_other_and_stand_for_all_pixels() -> None:
+    found = profile_of(blend(33)).bins
+    for level in (1, 2, 3):
+        own = [one for one in found if one.level == level]
+        nears = [one.near_px for one in own]
+        assert nears == sorted(nears)
+        assert set(nears) <= set(EDGES_PX)
+        assert sum(one.area_px for one in own) == SIDE**2
+    assert all(one.near_px < one.middle_px < one.far_px for one in found if np.isfinite(one.far_px))
+    assert [one.middle_px for one in found if np.isinf(one.far_px)] == [
+        one.near_px for one in found if np.isinf(one.far_px)
+    ]
+
+
+@pytest.mark.parametrize("width", [33, 100])
+def test_three_sources_that_meet_are_one_seam(width: int) -> None:
+    made = blend(width, count=3)
+    found = profile_of(made)
+    assert found.kept[0] == pytest.approx(made.truth(0, STRIP_PX), abs=0.05)
+    assert found.high < 1
+
+
+# --- the width of the band -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("ramp", "share"), [("cosine", 0.705), ("linear", 0.894)])
+@pytest.mark.parametrize("width", [33, 66, 150])
+def test_the_band_is_where_less_than_nine_tenths_are_kept(width: int, ramp: str, share: float) -> None:
+    """Of strangers w^2 + (1 - w)^2 = 0.9 where w = 0.947."""
+    found = profile_of(blend(width, ramp))
+    assert found.band_width_px == pytest.approx(share * width, rel=0.12, abs=3)
+
+
+def test_a_hard_cut_has_no_band() -> None:
+    assert profile_of(blend(0)).band_width_px == 0
+
+
+def test_a_band_that_fills_the_window_is_as_wide_as_what_is_seen() -> None:
+    """Nothing around it is whole, so it can't be told for sure, and the interval says so."""
+    made = blend(0, side=256)
+    faded = made.hard.copy()
+    near = made.distance < 60
+    faded[near] = 120 + 0.6 * (faded[near] - 120)
+    found = profile_of(made, faded)
+    assert 2 * 48 <= found.band_width_px <= 2 * 64
+
+
+# --- whatever was done to the whole mosaic ---------------------------------------------------------------------
+
+
+def unsharp(plane: np.ndarray) -> np.ndarray:
+    return 2 * plane - ndimage.gaussian_filter(plane, 1)
+
+
+def noisy(plane: np.ndarray) -> np.ndarray:
+    return plane + np.random.default_rng(5).normal(0, 2, plane.shape)
+
+
+def curved(plane: np.ndarray) -> np.ndarray:
+    return 255 * (np.clip(plane, 1, 255) / 255) ** 0.7
+
+
+def rounded(plane: np.ndarray) -> np.ndarray:
+    return np.clip(np.rint(0.5 * plane), 0, 255)
+
+
+def without_weak_detail(plane: np.ndarray) -> np.ndarray:
+    """As compression does: differences from the surroundings below 2 DN are dropped."""
+    around = ndimage.gaussian_filter(plane, 1.5)
+    fine = plane - around
+    return around + np.where(np.abs(fine) < 2, 0, fine)
+
+
+def dodged(plane: np.ndarray) -> np.ndarray:
+    return plane * np.linspace(0.7, 1.1, SIDE)[:, np.newaxis]
+
+
+CHANGES: dict[str, Change] = {
+    "gain": lambda plane: 0.6 * plane + 20, "negative": lambda plane: 255 - plane, "unsharp": unsharp,
+    "blur": lambda plane: ndimage.gaussian_filter(plane, 0.5), "noise": noisy, "gamma": curved, "8 bit": rounded,
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("width", [0, 33, 100])
+def test_what_is_done_to_the_whole_mosaic_drops_out(width: int, change: str) -> None:
+    made = blend(width)
+    plain, after = profile_of(made), profile_of(made, CHANGES[change](made.made))
+    assert after.kept[0] == pytest.approx(plain.kept[0], abs=0.06)
+    assert after.low < made.truth(0, STRIP_PX) < after.high
+
+
+@given(gain=st.floats(0.05, 20), bias=st.floats(-1000, 1000))
+@settings(max_examples=10)
+def test_gain_and_bias_change_nothing_at_all(gain: float, bias: float) -> None:
+    made = blend(33, side=256)
+    plain, after = profile_of(made), profile_of(made, gain * made.made + bias)
+    assert after.kept == pytest.approx(plain.kept, rel=0.01)
+    assert (after.low, after.high) == pytest.approx((plain.low, plain.high), rel=0.01)
+    assert after.band_width_px == pytest.approx(plain.band_width_px, rel=0.05)
+
+
+def test_dropping_weak_detail_is_no_loss_of_the_seam() -> None:
+    made = blend(0)
+    assert profile_of(made, without_weak_detail(made.made)).kept[0] == pytest.approx(1, abs=0.03)
+    feathered = blend(66)
+    # What the feather weakened falls below the limit more often, so it looks somewhat worse, and never better.
+    after = profile_of(feathered, without_weak_detail(feathered.made)).kept[0]
+    before = profile_of(feathered).kept[0]
+    assert after is not None
+    assert before is not None
+    assert before - 0.15 < after < before + 0.03
+
+
+def test_a_gain_that_changes_over_the_window_is_no_loss() -> None:
+    made = blend(0)
+    found = profile_of(made, dodged(made.made))
+    assert found.kept[0] == pytest.approx(1, abs=0.08)
+    assert found.low < 1 < found.high
+
+
+# --- the interval ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("side", "count"), [(256, 40), (512, 6)])
+def test_a_sound_hard_cut_is_held_by_its_interval(side: int, count: int) -> None:
+    """What came afterwards differs from place to place: noise whose strength follows the ground's brightness."""
+    held, lost = [], []
+    for seed in range(count):
+        made = blend(0, side=side, seed=seed)
+        rng = np.random.default_rng(seed)
+        strength = 3 + 2 * ndimage.gaussian_filter(rng.standard_normal((side, side)), 20, mode="wrap") * 70
+        found = profile_of(made, made.hard + np.clip(strength, 0.5, 9) * rng.standard_normal((side, side)))
+        held.append(found.low <= 1 <= found.high)
+        lost.append(found.high < 1)
+    assert np.mean(held) >= 0.9
+    assert np.mean(lost) <= 0.05
+
+
+def test_a_hard_cut_that_nothing_happened_to_keeps_all_of_it() -> None:
+    found = profile_of(blend(0))
+    assert found.kept == pytest.approx((1, 1, 1), abs=1e-3)
+    assert found.low < 1 < found.high
+    assert found.added_beside == pytest.approx(0, abs=1e-3)
+
+
+def test_more_seam_narrows_the_interval() -> None:
+    widths = []
+    for side in (192, 256, 512):
+        found = profile_of(blend(0, side=side))
+        widths.append(found.high / found.low)
+    assert widths == sorted(widths, reverse=True)
+    assert widths[-1] < 1.25
+
+
+def test_a_feather_that_reaches_into_the_ground_around_widens_it() -> None:
+    narrow, wide = (profile_of(blend(width, side=256)) for width in (33, 250))
+    assert wide.high / wide.low > 1.2 * narrow.high / narrow.low
+
+
+# --- where nothing can be told ---------------------------------------------------------------------------------
+
+
+def test_without_a_seam_there_is_no_profile() -> None:
+    made = blend(0)
+    assert seam_profile(made.cells(labels=np.zeros((SIDE, SIDE), np.uint8))) is None
+
+
+def test_a_source_beside_unknown_ground_has_no_seam() -> None:
+    made = blend(0)
+    labels = np.where(made.labels == 1, UNKNOWN, 0).astype(np.uint8)
+    assert seam_profile(made.cells(labels=labels)) is None
+
+
+def test_a_few_pixels_of_seam_are_too_little() -> None:
+    made = blend(0)
+    labels = np.zeros((SIDE, SIDE), np.uint8)
+    labels[:8, :8] = 1
+    assert seam_profile(made.cells(labels=labels)) is None
+    labels[:40, :40] = 1
+    assert seam_profile(made.cells(labels=labels)) is not None
+
+
+def test_without_ground_around_there_is_no_profile() -> None:
+    assert seam_profile(blend(0, side=64).cells()) is None
+    made = blend(0, side=256)
+    striped = (np.mgrid[:256, :256][1] // 48 % 2).astype(np.uint8)  # nothing lies 32 px from all seams
+    assert seam_profile(made.cells(labels=striped)) is None
+    assert local_kept(made.cells(labels=striped)) is None
+
+
+# --- what was added in the band alone --------------------------------------------------------------------------
+
+
+def test_detail_that_was_added_beside_the_seam_is_told_from_what_was_kept() -> None:
+    made = blend(66)
+    band = made.distance < 16
+    noise = np.random.default_rng(2).normal(0, 8, band.shape)
+    found = profile_of(made, np.where(band, made.made + noise, made.made))
+    plain = profile_of(made)
+    assert found.kept[0] is not None
+    assert plain.kept[0] is not None
+    assert found.kept[0] > plain.kept[0] + 0.2
+    near, before = found.bins[1], plain.bins[1]
+    assert near.gain == pytest.approx(before.gain, abs=0.06)
+    assert plain.added_beside == pytest.approx(1 - before.gain**2 / before.kept, abs=0.1)
+    assert found.added_beside > plain.added_beside + 0.15
+
+
+def test_added_everywhere_is_not_added_beside() -> None:
+    made = blend(0)
+    assert profile_of(made, noisy(made.made)).added_beside < 0.05
+
+
+# --- the picture -----------------------------------------------------------------------------------------------
+
+
+def test_the_picture_shows_where_detail_was_lost() -> None:
+    made = blend(66)
+    found = local_kept(made.cells())
+    assert found is not None
+    assert found.shape == (SIDE // CELL_PX,) * 2
+    distance = made.distance.reshape(SIDE // CELL_PX, CELL_PX, SIDE // CELL_PX, CELL_PX).mean(axis=(1, 3))
+    assert np.mean(found[distance < 8]) < 0.7
+    assert np.median(found[distance > 48]) == pytest.approx(1, abs=0.01)
+    assert (found[distance < 8] < BAND_KEPT).mean() > 0.9
+    assert (found[distance > 48] > BAND_KEPT).all()
+
+
+def test_the_picture_is_empty_where_no_source_explains() -> None:
+    made = blend(66)
+    labels = made.labels.copy()
+    labels[:64, :64] = UNKNOWN
+    found = local_kept(made.cells(labels=labels))
+    assert found is not None
+    assert np.isnan(found[:4, :4]).all()
+    assert np.isfinite(found[6:, 6:]).all()
+
+
+@pytest.mark.parametrize("level", [1, 2])
+def test_the_picture_of_coarser_levels(level: int) -> None:
+    made = blend(150)
+    found = local_kept(made.cells(), level)
+    assert found is not None
+    distance = made.distance.reshape(SIDE // CELL_PX, CELL_PX, SIDE // CELL_PX, CELL_PX).mean(axis=(1, 3))
+    assert np.mean(found[distance < 16]) == pytest.approx(made.truth(0, 16, level + 1), abs=0.1)
+    assert np.median(found[distance > 128]) == pytest.approx(1, abs=0.02)

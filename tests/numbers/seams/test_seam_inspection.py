@@ -1,0 +1,129 @@
+"""Windows on seams, from files to the result: what was kept, and the verdict by it."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.causes import Cause
+from seam_inspector.plugin.seams.measure.verdicts import Verdict, judge
+
+from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of, templates
+from tests.numbers.seams.made_seams import BORDER, SIDE, as_bytes, blended, inspected, three_images, weight
+
+
+@pytest.fixture(scope="module")
+def sources() -> list[np.ndarray]:
+    """Three images of one scene, (3, rows, columns) 8 bit."""
+    return three_images()
+
+
+# --- what is kept along a seam ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("width", "verdict", "cause"),
+    [(0, Verdict.PRESERVED, Cause.NONE), (40, Verdict.SIGNIFICANT, Cause.FEATHERING)],
+)
+def test_a_seam_is_judged_by_what_it_kept(
+    make_raster: MakeRaster, sources: list[np.ndarray], width: float, verdict: Verdict, cause: Cause
+) -> None:
+    result = inspected(make_raster, blended(sources, width), sources[:2])
+    assert result.judgement.verdict is verdict
+    assert result.judgement.reason is None
+    assert result.causes[0] is cause
+    assert result.source_count == 2
+    assert result.explained == pytest.approx(1, abs=0.01)
+    assert result.notices == ()
+    assert result.profile is not None
+    inner = np.abs(np.arange(SIDE) + 0.5 - BORDER) < 8
+    expected = float(np.mean(weight(width)[inner] ** 2 + (1 - weight(width)[inner]) ** 2))
+    assert result.profile.kept[0] == pytest.approx(expected, abs=0.06)
+    assert result.profile.low < expected < result.profile.high
+    assert result.band_width_m == pytest.approx(0.1 * 0.894 * width, abs=0.5)
+
+
+def test_the_papers_rule_and_the_seam_can_differ(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
+    """A strip is thin in a window; the paper's verdict stands beside the other, to the letter."""
+    image = blended(sources, 40)
+    by_seam = inspected(make_raster, image, sources[:2])
+    by_paper = inspected(make_raster, image, sources[:2], reference="sources")
+    assert by_seam.judgement.verdict is Verdict.SIGNIFICANT
+    assert by_seam.paper_verdict is by_paper.paper_verdict is by_paper.judgement.verdict is not Verdict.SIGNIFICANT
+    assert by_seam.judgement.ratios == by_paper.judgement.ratios
+    own, *others = (clip.curves["luminance"] for clip in by_paper.clips)
+    assert by_paper.judgement == judge(own, others)
+    assert (by_seam.reference, by_paper.reference) == ("seam", "sources")
+
+
+def test_the_operator_sets_the_limit(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
+    image = blended(sources, 40)
+    kept = inspected(make_raster, image, sources[:2]).profile.kept[0]  # type: ignore[union-attr]
+    assert kept is not None
+    for min_kept, verdict in ((kept + 0.01, Verdict.SIGNIFICANT), (kept - 0.01, Verdict.REDUCED)):
+        assert inspected(make_raster, image, sources[:2], min_kept=min_kept).judgement.verdict is verdict
+
+
+@pytest.mark.parametrize("change", ["unsharp", "gain", "noise", "dodged"])
+def test_what_came_over_the_whole_mosaic_moves_no_verdict(
+    make_raster: MakeRaster, sources: list[np.ndarray], change: str
+) -> None:
+    def changed(bands: np.ndarray) -> np.ndarray:
+        values = bands.astype(np.float32)
+        return as_bytes({
+            "unsharp": 2 * values - ndimage.gaussian_filter(values, (0, 1, 1)), "gain": 0.6 * values + 20,
+            "noise": values + np.random.default_rng(1).normal(0, 4, values.shape),
+            "dodged": values * np.linspace(0.75, 1.1, SIDE),
+        }[change])
+
+    hard = inspected(make_raster, changed(blended(sources)), sources[:2])
+    feathered = inspected(make_raster, changed(blended(sources, 40)), sources[:2])
+    assert hard.judgement.verdict is Verdict.PRESERVED
+    assert feathered.judgement.verdict is Verdict.SIGNIFICANT
+    assert feathered.causes[0] is Cause.FEATHERING
+    assert Cause.FEATHERING not in hard.causes
+    assert hard.causes[0] in feathered.causes
+
+
+def test_a_window_of_little_ground_is_not_judged(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
+    mosaic = mosaic_of(make_raster, blended(sources))
+    block = block_of(mosaic, *(make_raster(f"{number}.tif", one) for number, one in enumerate(sources[:2])))
+    small = inspect(block, PixelWindow(BORDER - 32, 96, 64, 64))
+    assert small.judgement.verdict is Verdict.NOT_COMPARABLE
+    assert templates([small.judgement.reason]) == [seams_messages.TOO_LITTLE_GROUND.template]
+    assert small.paper_verdict is not Verdict.NOT_COMPARABLE
+    assert small.profile is None
+    assert small.band_width_m is None
+    beside = inspect(block, PixelWindow(0, 0, 128, 128))
+    assert templates([beside.judgement.reason]) == [seams_messages.NO_SEAM.template]
+    assert beside.judgement.verdict is Verdict.PRESERVED
+
+
+@pytest.mark.parametrize("levels", [1, 2, 4, 5, 6])
+def test_there_is_a_share_kept_for_every_level(
+    make_raster: MakeRaster, sources: list[np.ndarray], levels: int
+) -> None:
+    image = blended(sources, 40)
+    usual = inspected(make_raster, image, sources[:2]).profile
+    found = inspected(make_raster, image, sources[:2], levels=levels).profile
+    assert usual is not None
+    assert found is not None
+    assert len(found.kept) == levels
+    assert found.kept[0] == pytest.approx(usual.kept[0], abs=0.01)
+    known = [kept for kept in found.kept if kept is not None]
+    assert found.kept[: len(known)] == tuple(known)  # coefficients larger than a cell of 16 px tell nothing of a place
+    assert len(known) == min(levels, 4)
+
+
+@pytest.mark.parametrize("wavelet", ["haar", "db4", "sym5"])
+def test_any_wavelet_tells_the_same_of_a_seam(
+    make_raster: MakeRaster, sources: list[np.ndarray], wavelet: str
+) -> None:
+    hard, feathered = (
+        inspected(make_raster, blended(sources, width), sources[:2], wavelet=wavelet) for width in (0, 40)
+    )
+    assert hard.judgement.verdict is Verdict.PRESERVED
+    assert feathered.judgement.verdict is Verdict.SIGNIFICANT
+    assert feathered.profile is not None
+    assert feathered.profile.kept[0] == pytest.approx(0.54, abs=0.07)

@@ -1,0 +1,154 @@
+"""The verdict by the seam profile: its limits, its tolerance, and where there is none."""
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.seams.measure import limits
+from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
+from seam_inspector.plugin.seams.measure.verdicts import (
+    MAX_INTERVAL_FACTOR,
+    SHARPNESS_TOLERANCE,
+    Verdict,
+    check_min_kept,
+    judge_by_seam,
+)
+
+LITTLE = 1e-9
+BLURRED = math.sqrt(limits.MAX_SIGNIFICANT_SHARPNESS_SQUARED)
+
+
+def profile(kept: float, low: float | None = None, high: float | None = None) -> SeamProfile:
+    """With an interval of 5 % either way unless told."""
+    ends = 0.95 * kept if low is None else low, 1.05 * kept if high is None else high
+    return SeamProfile((kept, 1.0, 1.0), *ends, 0.0, 0.0, ())
+
+
+def verdict_of(found: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> Verdict:
+    return judge_by_seam(found, has_seam, sharpness)[0]
+
+
+def reason_of(found: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> str | None:
+    reason = judge_by_seam(found, has_seam, sharpness)[1]
+    return reason.template if reason else None
+
+
+# --- what is kept along the seam -------------------------------------------------------------------------------
+
+
+def test_what_is_kept_decides() -> None:
+    assert verdict_of(profile(0.3)) is Verdict.SIGNIFICANT
+    assert verdict_of(profile(0.85)) is Verdict.REDUCED
+    assert verdict_of(profile(1.0)) is Verdict.PRESERVED
+    assert verdict_of(profile(1.4)) is Verdict.PRESERVED
+    assert reason_of(profile(0.3)) is reason_of(profile(0.85)) is reason_of(profile(1.0)) is None
+
+
+def test_the_limit_of_a_significant_loss() -> None:
+    limit = limits.MAX_SIGNIFICANT_KEPT
+    assert verdict_of(profile(limit)) is Verdict.SIGNIFICANT
+    assert verdict_of(profile(limit + LITTLE)) is Verdict.REDUCED
+
+
+@pytest.mark.parametrize("limit", [0.3, 0.5, 0.9])
+def test_the_user_may_move_that_limit(limit: float) -> None:
+    assert judge_by_seam(profile(limit), True, 1.0, limit) == (Verdict.SIGNIFICANT, None)
+    assert judge_by_seam(profile(limit + LITTLE), True, 1.0, limit) == (Verdict.REDUCED, None)
+
+
+@pytest.mark.parametrize("kept", [0.6, 0.8, 0.97])
+def test_a_loss_that_may_be_none_is_no_loss(kept: float) -> None:
+    """The interval is the verdict's tolerance: a sound hard cut is not called reduced by a coin toss."""
+    assert verdict_of(profile(kept, 0.55, 1.0 - LITTLE)) in (Verdict.REDUCED, Verdict.SIGNIFICANT)
+    assert verdict_of(profile(kept, 0.55, 1.0)) is Verdict.PRESERVED
+
+
+def test_a_wide_interval_is_no_verdict() -> None:
+    assert verdict_of(profile(0.5, 0.3, MAX_INTERVAL_FACTOR * 0.3)) is Verdict.SIGNIFICANT
+    wide = profile(0.5, 0.3, MAX_INTERVAL_FACTOR * 0.3 + LITTLE)
+    assert verdict_of(wide) is Verdict.NOT_COMPARABLE
+    assert reason_of(wide) == seams_messages.INTERVAL_TOO_WIDE.template
+    assert "30 and 60 %" in str(judge_by_seam(wide, True, 1.0)[1])
+
+
+def test_too_little_ground_is_no_verdict() -> None:
+    assert verdict_of(None) is Verdict.NOT_COMPARABLE
+    assert reason_of(None) == seams_messages.TOO_LITTLE_GROUND.template
+
+
+def test_a_strip_that_could_not_be_measured_is_no_loss() -> None:
+    nothing = replace(profile(1.0), kept=(None, None, None))
+    assert verdict_of(nothing) is Verdict.PRESERVED
+
+
+# --- the sharpness of the whole --------------------------------------------------------------------------------
+
+
+def test_without_a_seam_the_sharpness_alone_is_judged_and_that_is_said() -> None:
+    for sharpness, verdict in ((1.0, Verdict.PRESERVED), (0.8, Verdict.REDUCED), (1.5, Verdict.PRESERVED)):
+        assert verdict_of(None, sharpness, has_seam=False) is verdict
+        assert reason_of(None, sharpness, has_seam=False) == seams_messages.NO_SEAM.template
+    assert verdict_of(None, 0.2, has_seam=False) is Verdict.SIGNIFICANT
+
+
+@pytest.mark.parametrize("found", [profile(1.0), profile(0.9), None])
+def test_a_gross_blur_is_significant_whatever_the_seam_kept(found: SeamProfile | None) -> None:
+    assert verdict_of(found, BLURRED - LITTLE) is Verdict.SIGNIFICANT
+    assert verdict_of(found, BLURRED + LITTLE) is not Verdict.SIGNIFICANT
+
+
+def test_bilinear_resampling_at_half_a_pixel_is_not_called_significant() -> None:
+    """It leaves 0.22 of the finest detail's variance in the mean."""
+    assert limits.MAX_SIGNIFICANT_SHARPNESS_SQUARED < 0.22
+
+
+def test_a_slight_blur_is_reduced_beyond_its_tolerance() -> None:
+    assert verdict_of(profile(1.0), 1 - SHARPNESS_TOLERANCE) is Verdict.PRESERVED
+    assert verdict_of(profile(1.0), 1 - SHARPNESS_TOLERANCE - LITTLE) is Verdict.REDUCED
+
+
+@pytest.mark.parametrize("sharpness", [1.2, 2.0])
+def test_sharpening_hides_no_seam(sharpness: float) -> None:
+    assert verdict_of(profile(0.5), sharpness) is Verdict.SIGNIFICANT
+    assert verdict_of(profile(0.85), sharpness) is Verdict.REDUCED
+
+
+def test_what_no_source_explains_is_not_judged() -> None:
+    for has_seam in (True, False):
+        assert verdict_of(profile(0.4), None, has_seam) is Verdict.NOT_COMPARABLE
+        assert reason_of(profile(0.4), None, has_seam) == seams_messages.COMPOSITE_UNCLEAR.template
+
+
+@given(
+    kept=st.floats(0.05, 2), below=st.floats(0.5, 1), above=st.floats(1, 2), sharpness=st.floats(0.05, 3),
+    less=st.floats(0.3, 1),
+)
+def test_less_kept_is_never_judged_better(
+    kept: float, below: float, above: float, sharpness: float, less: float
+) -> None:
+    order = [Verdict.SIGNIFICANT, Verdict.REDUCED, Verdict.PRESERVED]
+    better = verdict_of(profile(kept, kept * below, kept * above), sharpness)
+    worse = verdict_of(profile(kept * less, kept * less * below, kept * less * above), sharpness)
+    if better is not Verdict.NOT_COMPARABLE:
+        assert order.index(worse) <= order.index(better)
+    duller = verdict_of(profile(kept, kept * below, kept * above), sharpness * less)
+    if better is not Verdict.NOT_COMPARABLE:
+        assert order.index(duller) <= order.index(better)
+
+
+@pytest.mark.parametrize("min_kept", [0.0, 1.0, -0.5, 1.5, math.nan, math.inf])
+def test_a_limit_that_is_no_share_is_refused(min_kept: float) -> None:
+    with pytest.raises(SettingsError, match="give a number between 0 and 1"):
+        check_min_kept(min_kept)
+
+
+def test_a_limit_that_is_a_share_is_taken() -> None:
+    for min_kept in (0.01, limits.MAX_SIGNIFICANT_KEPT, 0.99):
+        check_min_kept(min_kept)
+        found = profile(min_kept, 0.9 * min_kept, 1 - LITTLE if min_kept > 0.9 else 1.1 * min_kept)
+        assert judge_by_seam(found, True, 1.0, min_kept)[0] is Verdict.SIGNIFICANT
