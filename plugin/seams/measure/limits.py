@@ -7,4 +7,4 @@ LINEAR, COSINE, GAUSSIAN = "linear", "cosine", "gaussian"
 RAMPS = (LINEAR, COSINE, GAUSSIAN)
 """How a feather leads from one source to the other."""
 MAX_SIGNIFICANT_KEPT = 0.7  # of the finest detail's variance beside a seam; docs/limits.md gives the reasons
-MAX_SIGNIFICANT_SHARPNESS_SQUARED = 0.2  # of the whole window; bilinear resampling at half a pixel leaves 0.22
+MAX_SIGNIFICANT_SHARPNESS_SQUARED = 0.15  # of the whole window; bilinear resampling at half a pixel leaves 0.19

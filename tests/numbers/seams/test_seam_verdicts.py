@@ -103,8 +103,8 @@ def test_a_gross_blur_is_significant_whatever_the_seam_kept(found: SeamProfile |
 
 
 def test_bilinear_resampling_at_half_a_pixel_is_not_called_significant() -> None:
-    """It leaves 0.22 of the finest detail's variance in the mean."""
-    assert limits.MAX_SIGNIFICANT_SHARPNESS_SQUARED < 0.22
+    """It leaves 0.19 of the finest detail's variance in the worst place."""
+    assert limits.MAX_SIGNIFICANT_SHARPNESS_SQUARED < 0.19
 
 
 def test_a_slight_blur_is_reduced_beyond_its_tolerance() -> None:
