@@ -5845,13 +5845,21 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="78"/>
-        <source>One source covers all that can be compared, so there is no seam here; the verdict is that of the sharpness alone.</source>
-        <translation>Wszystko, co można porównać, pochodzi z jednego ortoobrazu, więc nie ma tu linii mozaikowania; ocena wynika z samej ostrości.</translation>
+        <source>The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness alone.</source>
+        <translation>W całym oknie mozaika podąża za jednym obrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="82"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
+    </message>
+    <message>
+        <source>{share:.0f} % of the window is from none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing.</source>
+        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
+    </message>
+    <message>
+        <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
+        <translation>Wzdłuż linii mozaikowania mozaika ma od {low:.0f} do {high:.0f} % detali obrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="86"/>

@@ -78,8 +78,7 @@ def measure_tones(
     found = []
     for raster, share, _, tone, colours in known:
         assert tone is not None
-        theirs = _range(raster)
-        factor = theirs / own if own and theirs else 1.0 if raster.data_type == mosaic.data_type else None
+        factor = range_factor(mosaic, raster)
         gain = None if factor is None else tone.gain * factor
         found.append(SourceTone(share, gain, (tone.gain * middle + tone.bias) / span, tone.gamma, colours))
     return tuple(found)
@@ -90,6 +89,12 @@ def grey_unit(mosaic: Raster, values: np.ndarray) -> float:
     found = value_range(mosaic, float(values.max()))
     span = found[1] - found[0] if found else 1.25 * float(np.subtract(*np.percentile(values, (95, 5))))
     return max(span / 255, 1e-9)
+
+
+def range_factor(mosaic: Raster, source: Raster) -> float | None:
+    """The source's range of values over the mosaic's, 1 for one type of data; None where that is not known."""
+    own, theirs = _range(mosaic), _range(source)
+    return theirs / own if own and theirs else 1.0 if source.data_type == mosaic.data_type else None
 
 
 def _range(raster: Raster) -> float | None:

@@ -9,6 +9,7 @@ from math import log
 from . import limits
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
+MIN_SURE_FIT, MIN_UNSURE_MISSING_SHARE = 0.9, 0.08  # where compression or filters left less of the sources' detail
 MIN_CLIPPED_SHARE = 0.005  # of the pixels: the share that JRC's specification allows in one tail of the histogram
 MIN_COLOUR_SHIFT = 1.05  # gains of the colours 5 % apart
 MIN_GAMMA_CHANGE = 1.1  # as a factor, either way
@@ -91,6 +92,8 @@ class CauseEvidence:
     """None where too little is unmixed."""
     lossy_file: bool
     """Whether the mosaic's file says that it is compressed with loss."""
+    fit: float = 1.0
+    """Share of the mosaic's fine detail that its sources explain as they are, the mean over the window."""
     unit_dn: float = 1.0
     """How many grey values of the mosaic are one of 8 bit."""
 
@@ -142,7 +145,8 @@ Strength = Callable[[CauseEvidence], float]
 
 
 def _missing(found: CauseEvidence) -> float:
-    return 3 + found.missing if found.missing >= MIN_MISSING_SHARE else 0.0
+    least = MIN_MISSING_SHARE if found.fit >= MIN_SURE_FIT else MIN_UNSURE_MISSING_SHARE
+    return 3 + found.missing if found.missing >= least else 0.0
 
 
 def _misregistration(found: CauseEvidence) -> float:

@@ -14,7 +14,7 @@ import numpy as np
 from ...imagery.band_curves import correlation, measure_bands
 from ...imagery.shifts import Shift, Spectra, find_shift, shifted
 from ...imagery.wavelets import Curve, detail_components
-from .cause_evidence import grey_unit, measure_texture, measure_tones
+from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
 from .causes import Cause, CauseEvidence, find_causes
 from .changes import Change, gains_of_colours, measure_changes
 from .compared_image import ComparedImage, MeasuredClip, on_common_bands
@@ -59,6 +59,9 @@ class Explanation:
     """Whether two sources meet in the window."""
     explained: float
     """Share of the pixels whose fine detail the given sources explain."""
+    contrast: float | None
+    """Standard deviation of the finest detail over the composite's, each by its own range of values; None where the
+    ranges can't be compared."""
     sharpness: float | None
     """Of the finest detail in the whole window against the composite in the mosaic's tones, as an amplitude."""
     added: float | None
@@ -140,6 +143,7 @@ def explain(
         apart=_difference(_of_followed(shifts, following)),
         off_pixel=_off_pixel(images, shifts, following),
         texture=measure_texture(details[0], expected.labels, sure, image.plane, expected.unfiltered, unit),
+        fit=following.fit,
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
     )
@@ -150,6 +154,7 @@ def explain(
         profile=None if unclear else profile,
         has_seam=cells.has_seam,
         explained=0.0 if unclear else explained,
+        contrast=_contrast(image, images, next(iter(against_composite.values()))),
         sharpness=None if unclear else sharpness,
         added=None if unclear else _added(cells),
         curves=curves,
@@ -350,6 +355,12 @@ def _composite_changes(
     if shift is None:
         shift = find_shift(image.spectra, reference.spectra)
     return measure_changes(image, reference, image.tones_of(reference, where), shift)
+
+
+def _contrast(image: ComparedImage, images: Sequence[ComparedImage], change: Change) -> float | None:
+    factors = {range_factor(image.raster, other.raster) for other in images}
+    factor = next(iter(factors)) if len(factors) == 1 else None
+    return None if factor is None or change.contrast[0] is None else factor * change.contrast[0]
 
 
 def _sharpness(details: np.ndarray, labels: np.ndarray) -> float | None:

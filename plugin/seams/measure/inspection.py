@@ -185,9 +185,9 @@ class WindowResult:
     @property
     def source_count(self) -> int:
         """How many sources took part, wholly or in part."""
-        return len({pair.source for pair in self.pairs}) if self.explanation else sum(
-            clip.role == "source" for clip in self.clips
-        )
+        if self.explanation is None:
+            return sum(clip.role == "source" for clip in self.clips)
+        return len(self.explanation.changes) - 1  # the last is against the composite
 
 
 def make_block(
@@ -317,7 +317,7 @@ def _judged(
     settings = request.settings
     if settings.reference == SEAM:
         verdict, reason = judge_by_seam(
-            found.profile, found.has_seam, found.sharpness, settings.min_kept, found.mixed_share
+            found.profile, found.has_seam, found.sharpness, settings.min_kept, found.mixed_share, found.explained
         )
         return replace(paper, verdict=verdict, reason=reason)
     if settings.reference == COMPOSITE:

@@ -76,12 +76,21 @@ COMPOSITE_UNCLEAR = Message(
     "made from, or take the verdict against the sources.", INFO
 )
 NO_SEAM = Message(
-    "One source covers all that can be compared, so there is no seam here; the verdict is that of the sharpness alone.",
+    "The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness "
+    "alone.",
     INFO
 )
 TOO_LITTLE_GROUND = Message(
     "There is too little ground beside the seam to compare it with; take a larger window, or move it so that more "
     "than the seam's surroundings are in it.", INFO
+)
+SEAM_UNEXPLAINED = Message(
+    "{share:.0f} % of the window is from none of the given sources, so what its seam kept can't be told; add the "
+    "orthoimage that is missing.", INFO
+)
+MORE_ALONG_THE_SEAM = Message(
+    "Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, "
+    "more than any seam leaves; add the orthoimages that it was made from.", INFO
 )
 INTERVAL_TOO_WIDE = Message(
     "What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.",

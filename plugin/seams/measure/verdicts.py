@@ -14,6 +14,8 @@ from .causes import MIN_MIXED
 from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from .profile.seam_profile import SeamProfile
 
+MIN_EXPLAINED = 0.9  # of the pixels: else a seam may lie where no given source explains the mosaic
+MAX_KEPT_LOW = 1.15  # lower end of kept_1: no seam adds detail, so the sources that are followed are not the mosaic's
 MAX_INTERVAL_FACTOR = 2.0  # from the lower to the upper end of kept_1: wider ones say nothing
 SHARPNESS_TOLERANCE = 0.02  # what a sound hard cut may miss: 0.998 to 1.004 were found on real imagery
 
@@ -66,13 +68,14 @@ def judge_by_seam(
     sharpness: float | None,
     min_kept: float = MAX_SIGNIFICANT_KEPT,
     mixed: float = 0.0,
+    explained: float = 1.0,
 ) -> tuple[Verdict, Message | None]:
     """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
 
     ``significant`` where kept_1 is at most ``min_kept`` or the square of the sharpness at most its limit, ``reduced``
     where one of them is surely below 1, else ``preserved``. Where a good part is ``mixed``, share of the pixels, the
     seam is as wide as the window, and the sharpness is judged as kept_1 is. A window without a seam is judged by its
-    sharpness alone.
+    sharpness alone. ``explained``: share of the pixels that the sources explain.
     """
     if sharpness is None:
         return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
@@ -81,12 +84,16 @@ def judge_by_seam(
     if mixed >= MIN_MIXED and sharpness**2 <= min_kept:
         return Verdict.SIGNIFICANT, None
     is_blurred = sharpness < 1 - SHARPNESS_TOLERANCE
+    if profile is None and explained < MIN_EXPLAINED:
+        return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
     if profile is None:
         if has_seam:
             return Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_GROUND()
         return Verdict.REDUCED if is_blurred else Verdict.PRESERVED, messages.NO_SEAM()
     if profile.high > MAX_INTERVAL_FACTOR * profile.low:
         return Verdict.NOT_COMPARABLE, messages.INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
+    if profile.low > MAX_KEPT_LOW:
+        return Verdict.NOT_COMPARABLE, messages.MORE_ALONG_THE_SEAM(low=100 * profile.low, high=100 * profile.high)
     kept = profile.kept[0]
     if kept is not None and kept <= min_kept and profile.high < 1:
         return Verdict.SIGNIFICANT, None

@@ -71,7 +71,7 @@ WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
     Column("kept_low", "real", lambda result: result.profile and result.profile.low),
     Column("kept_high", "real", lambda result: result.profile and result.profile.high),
     Column("band_width", "real", lambda result: result.band_width_m),
-    Column("contrast_1", "real", lambda result: _contrast(result)),
+    Column("contrast_1", "real", lambda result: result.explanation and result.explanation.contrast),
     Column("sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness),
     Column("added_1", "real", lambda result: result.explanation and result.explanation.added),
     Column("explained", "real", lambda result: result.explained),
@@ -209,10 +209,6 @@ def _curve_rows(result: WindowResult) -> Iterator[_CurveRow]:
 
 def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
     return next(iter(result.explanation.ratios.values())).detail if result.explanation else None
-
-
-def _contrast(result: WindowResult) -> float | None:
-    return next(iter(result.explanation.changes[-1].values())).contrast[0] if result.explanation else None
 
 
 def _words(reason: Message | None) -> str | None:

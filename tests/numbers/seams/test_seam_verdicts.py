@@ -13,6 +13,8 @@ from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
 from seam_inspector.plugin.seams.measure.verdicts import (
     MAX_INTERVAL_FACTOR,
+    MAX_KEPT_LOW,
+    MIN_EXPLAINED,
     SHARPNESS_TOLERANCE,
     Verdict,
     check_min_kept,
@@ -45,7 +47,7 @@ def test_what_is_kept_decides() -> None:
     assert verdict_of(profile(0.3)) is Verdict.SIGNIFICANT
     assert verdict_of(profile(0.85)) is Verdict.REDUCED
     assert verdict_of(profile(1.0)) is Verdict.PRESERVED
-    assert verdict_of(profile(1.4)) is Verdict.PRESERVED
+    assert verdict_of(profile(1.15)) is Verdict.PRESERVED
     assert reason_of(profile(0.3)) is reason_of(profile(0.85)) is reason_of(profile(1.0)) is None
 
 
@@ -79,6 +81,21 @@ def test_a_wide_interval_is_no_verdict() -> None:
 def test_too_little_ground_is_no_verdict() -> None:
     assert verdict_of(None) is Verdict.NOT_COMPARABLE
     assert reason_of(None) == seams_messages.TOO_LITTLE_GROUND.template
+
+
+def test_more_than_any_seam_leaves_is_no_verdict() -> None:
+    """The sources that it seems to follow are not those that it was made from."""
+    assert verdict_of(profile(1.3, MAX_KEPT_LOW, 1.4)) is Verdict.PRESERVED
+    assert reason_of(profile(1.3, MAX_KEPT_LOW + LITTLE, 1.4)) == seams_messages.MORE_ALONG_THE_SEAM.template
+
+
+@pytest.mark.parametrize("has_seam", [True, False])
+def test_without_a_profile_a_part_from_no_source_is_no_verdict(has_seam: bool) -> None:
+    verdict, reason = judge_by_seam(None, has_seam, 1.0, explained=MIN_EXPLAINED - LITTLE)
+    assert verdict is Verdict.NOT_COMPARABLE
+    assert reason is not None
+    assert reason.template == seams_messages.SEAM_UNEXPLAINED.template
+    assert judge_by_seam(None, False, 1.0, explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
 
 
 def test_a_strip_that_could_not_be_measured_is_no_loss() -> None:

@@ -63,7 +63,7 @@ def result(
     curve = Curve((0.1, 0.2, 0.3), 0.4, 100.0)
     found = Explanation(
         causes=(Cause(cause),), evidence=evidence, profile=PROFILE, has_seam=True, explained=0.83,
-        sharpness=sharpness, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
+        contrast=0.43, sharpness=sharpness, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
         similarity={"luminance": 1.0}, changes=({"luminance": change},) * 2, expected=(0.41, 0.6, 0.9),
         unclear_share=0.02, mixed_share=0.1, apart=apart,
     )  # fmt: skip

@@ -92,7 +92,7 @@ def seam_profile(cells: DetailCells) -> SeamProfile | None:
         tuple(None if one is None else one.kept for one in strips),
         beside.low,
         beside.high,
-        _band_width_px(bins[0]),
+        _band_width_px(bins[0]) if beside.kept < BAND_KEPT else 0.0,
         max(0.0, 1 - beside.gain**2 / beside.kept) if beside.kept > 0 else 0.0,
         tuple(one for found in bins for one in found),
     )
