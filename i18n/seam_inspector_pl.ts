@@ -5858,6 +5858,11 @@
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <source>{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing.</source>
+        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
+    </message>
+    <message>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania mozaika ma od {low:.0f} do {high:.0f} % detali obrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>

@@ -257,6 +257,8 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     pairs = [pair for one, changes in zip(judged, found.changes) for pair in _pairs(mosaic, one, changes)]
     pairs += [pair for one in shown for pair in _pairs(mosaic, one, {})]
     judgement = _judged(paper, mosaic.curves[band], found, band, request)
+    if Cause.MISSING_SOURCE in found.causes and judgement.reason is None:
+        judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - found.explained)))
     if judged[0].clip.resampled and judgement.reason is None:
         judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
     return WindowResult(

@@ -88,6 +88,10 @@ SEAM_UNEXPLAINED = Message(
     "{share:.0f} % of the window is from none of the given sources, so what its seam kept can't be told; add the "
     "orthoimage that is missing.", INFO
 )
+VERDICT_OF_THE_REST = Message(
+    "{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, "
+    "so add the orthoimage that is missing.", WARNING
+)
 MORE_ALONG_THE_SEAM = Message(
     "Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, "
     "more than any seam leaves; add the orthoimages that it was made from.", INFO

@@ -84,12 +84,8 @@ def judge_by_seam(
     if mixed >= MIN_MIXED and sharpness**2 <= min_kept:
         return Verdict.SIGNIFICANT, None
     is_blurred = sharpness < 1 - SHARPNESS_TOLERANCE
-    if profile is None and explained < MIN_EXPLAINED:
-        return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
     if profile is None:
-        if has_seam:
-            return Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_GROUND()
-        return Verdict.REDUCED if is_blurred else Verdict.PRESERVED, messages.NO_SEAM()
+        return _without_profile(has_seam, is_blurred, explained)
     if profile.high > MAX_INTERVAL_FACTOR * profile.low:
         return Verdict.NOT_COMPARABLE, messages.INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     if profile.low > MAX_KEPT_LOW:
@@ -97,7 +93,20 @@ def judge_by_seam(
     kept = profile.kept[0]
     if kept is not None and kept <= min_kept and profile.high < 1:
         return Verdict.SIGNIFICANT, None
-    return Verdict.REDUCED if profile.high < 1 or is_blurred else Verdict.PRESERVED, None
+    if profile.high < 1 or is_blurred:
+        return Verdict.REDUCED, None
+    if explained < MIN_EXPLAINED:  # that seam is sound, but there is another one
+        return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
+    return Verdict.PRESERVED, None
+
+
+def _without_profile(has_seam: bool, is_blurred: bool, explained: float) -> tuple[Verdict, Message | None]:
+    """The same where nothing could be measured along a seam."""
+    if explained < MIN_EXPLAINED:
+        return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
+    if has_seam:
+        return Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_GROUND()
+    return Verdict.REDUCED if is_blurred else Verdict.PRESERVED, messages.NO_SEAM()
 
 
 def curve_ratios(mosaic: Curve, source: Curve) -> Ratios:

@@ -98,6 +98,12 @@ def test_without_a_profile_a_part_from_no_source_is_no_verdict(has_seam: bool) -
     assert judge_by_seam(None, False, 1.0, explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
 
 
+def test_a_sound_seam_beside_a_part_from_no_source_is_no_verdict() -> None:
+    for kept, verdict in ((0.5, Verdict.SIGNIFICANT), (0.85, Verdict.REDUCED), (1.0, Verdict.NOT_COMPARABLE)):
+        assert judge_by_seam(profile(kept), True, 1.0, explained=MIN_EXPLAINED - LITTLE)[0] is verdict
+    assert judge_by_seam(profile(1.0), True, 1.0, explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
+
+
 def test_a_strip_that_could_not_be_measured_is_no_loss() -> None:
     nothing = replace(profile(1.0), kept=(None, None, None))
     assert verdict_of(nothing) is Verdict.PRESERVED

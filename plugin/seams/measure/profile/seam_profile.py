@@ -34,6 +34,7 @@ _BLOCK_CELLS = 2  # a side of the blocks whose scatter the interval follows from
 _BLOCK_AREA_PX = float((_BLOCK_CELLS * CELL_PX) ** 2)
 _LABEL_ERROR = 0.13  # of one such block: pixels beside a seam that are given to the wrong source
 _LEAST_ERROR = 0.02  # of kept, however long the seam: borders that are drawn where the mosaic fits best
+_MOST_TOO_HIGH = 0.06  # of kept: in a feather the border is drawn where either side is nearest to the mixture
 _REACH_ERROR = 0.8  # of what is still missing where the ground around begins: a feather reaches into that
 _CONFIDENCE = 0.95
 
@@ -173,7 +174,7 @@ class _LevelProfile:
         return [
             ProfileBin(self._level + 1, *ends, *numbers) if is_some else None
             for is_some, ends, *numbers in zip(some.tolist(), edges, *(
-                column.tolist() for column in (kept, kept / factor, kept * factor, gain, area)
+                column.tolist() for column in (kept, kept / factor * (1 - _MOST_TOO_HIGH), kept * factor, gain, area)
             ))
         ]
 
