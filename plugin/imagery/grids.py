@@ -159,3 +159,8 @@ def _trim(start: int, stop: int, multiple: int) -> tuple[int, int]:
     """Start and length of the longest multiple inside [start, stop), the rest cut evenly on both sides."""
     length = (stop - start) // multiple * multiple
     return start + (stop - start - length) // 2, length
+
+
+def extents_meet(first: Extent, second: Extent) -> bool:
+    """Whether two rectangles share more than a border."""
+    return first[0] < second[2] and first[2] > second[0] and first[1] < second[3] and first[3] > second[1]

@@ -6,8 +6,10 @@ the tile with the clearest peak leads, and those that agree with it are taken to
 """
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
+from itertools import combinations
 
 import numpy as np
 from scipy import fft, ndimage
@@ -44,6 +46,11 @@ class Shift:
     def length(self) -> float:
         """Distance, px."""
         return float(np.hypot(self.x, self.y))
+
+
+def farthest_apart(shifts: Sequence[Shift]) -> float:
+    """The largest distance between two shifts, px; 0 where there are no two."""
+    return max((float(np.hypot(a.x - b.x, a.y - b.y)) for a, b in combinations(shifts, 2)), default=0.0)
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,8 +33,9 @@ def measure_texture(
     ``unit_dn``: how many grey values are one of 8 bit. None where too few blocks of 16 px follow one source for sure.
     """
     own, predicted, plain = details[:, 0], details[:, 1], details[:, -1]
-    first = _minimum(np.where(sure, labels, UNKNOWN), _BLOCK_PX)
-    whole = (first == _maximum(np.where(sure, labels, UNKNOWN), _BLOCK_PX)) & (first != UNKNOWN)
+    blocks = _blockwise(np.where(sure, labels, UNKNOWN), _BLOCK_PX)
+    first = blocks.min(axis=(1, 3))
+    whole = (first == blocks.max(axis=(1, 3))) & (first != UNKNOWN)
     if np.count_nonzero(whole) < _FEWEST_BLOCKS:
         return None
     side = _BLOCK_PX // 2
@@ -106,17 +107,7 @@ def _range(raster: Raster) -> float | None:
 
 
 def _block_sums(values: np.ndarray, side: int) -> np.ndarray:
-    rows, columns = (length // side for length in values.shape)
-    whole = values[: rows * side, : columns * side]
-    return np.asarray(whole.reshape(rows, side, columns, side).sum(axis=(1, 3), dtype=np.float64))
-
-
-def _minimum(labels: np.ndarray, side: int) -> np.ndarray:
-    return _blockwise(labels, side).min(axis=(1, 3))
-
-
-def _maximum(labels: np.ndarray, side: int) -> np.ndarray:
-    return _blockwise(labels, side).max(axis=(1, 3))
+    return np.asarray(_blockwise(values, side).sum(axis=(1, 3), dtype=np.float64))
 
 
 def _blockwise(labels: np.ndarray, side: int) -> np.ndarray:

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 
 from ...imagery.band_curves import correlation, measure_bands
-from ...imagery.shifts import Shift, Spectra, find_shift, shifted
+from ...imagery.shifts import Shift, farthest_apart, find_shift
 from ...imagery.wavelets import Curve, detail_components
 from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
 from .causes import Cause, CauseEvidence, find_causes
@@ -21,8 +20,9 @@ from .compared_image import ComparedImage, MeasuredClip, on_common_bands
 from .feather_prediction import expected_ratios, feathers
 from .following.composite import Composite, follows_at, make_composite
 from .following.expected_mosaic import ExpectedMosaic, expected_mosaic
-from .following.followed_source import FollowedSource, follow, high_pass
+from .following.followed_source import FollowedSource
 from .following.levelling import left_over
+from .following.placed_sources import PlacedSources, follow_sources
 from .profile.detail_cells import DetailCells, detail_cells
 from .profile.seam_profile import SeamProfile, seam_profile
 from .seam_cells import UNKNOWN
@@ -31,15 +31,6 @@ from .verdicts import Ratios, curve_ratios
 
 MIN_CAUSE_FIT = 0.05  # of the fine detail; strangers explain 0.01 to 0.03
 MIN_EXPLAINED_SHARE = 0.05  # of the pixels: with less there is nothing to compare with
-MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
-MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
-MIN_MOVED_PX = 0.15  # by which a source is moved to be tried again
-FARTHEST_FILTERED_PX = 1.2  # a filter of 5 x 5 taps moves an image as far
-ALIKE_SHIFTS_PX = 0.2
-MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
-MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
-MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
-MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
 MIN_UNMIXED_SQUARES = 64  # of 2^R px that follow one source, for the tone to be taken from them alone
 MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
 MAX_SAME_SHIFT_PX = 0.02  # between sources: their composite lies where they lie
@@ -89,18 +80,6 @@ class Explanation:
         return self.causes[0]
 
 
-@dataclass(frozen=True, eq=False)
-class _Followed:
-    """What the mosaic follows: planes of the sources, and some of them moved to where it lies."""
-
-    following: FollowedSource
-    planes: tuple[np.ndarray, ...]
-    fine: tuple[np.ndarray, ...]
-    """The fine detail of the mosaic, then of the planes."""
-    source_of: tuple[int, ...]
-    """Number of the source that each plane is of."""
-
-
 def explain(
     mosaic: MeasuredClip, sources: Sequence[MeasuredClip], wavelet: str, levels: int, labels: np.ndarray | None = None
 ) -> Explanation:
@@ -110,7 +89,7 @@ def explain(
     ``seam_cells.UNKNOWN``.
     """
     image, *images = on_common_bands((mosaic, *sources), levels)
-    followed = _follow(image, images)
+    followed = follow_sources(image, images)
     expected, labels = _expected(image, images, followed, labels)
     explained = np.count_nonzero(expected.labels != UNKNOWN) / expected.labels.size
     following = _merged(followed, labels, len(images))
@@ -120,8 +99,8 @@ def explain(
     curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
     is_level = composite.levelled is composite.bands
     plain = curves if is_level else measure_bands(composite.bands, image.names, wavelet, levels)[0]
-    shift = _main_shift(shifts, images, following)
-    against_composite = _composite_changes(image, composite, plain, following, shift, levels)
+    on_pixels, on_ground = _on_pixels(shifts, images, following), _of_followed(shifts, following)
+    against_composite = _composite_changes(image, composite, plain, following, _main_shift(on_pixels), levels)
     planes = [image.plane, expected.plane]
     planes += [] if expected.unfiltered is expected.plane else [expected.unfiltered]
     details = list(detail_components(np.stack(planes), wavelet, levels))
@@ -139,9 +118,9 @@ def explain(
         clipped=next(iter(against_composite.values())).clipped,
         tones=_source_tones(image, images, following, tones),
         unevenness=_unevenness(image, images, following, levels),
-        misregistration=max((one.length for one in _of_followed(shifts, following)), default=0.0),
-        apart=_difference(_of_followed(shifts, following)),
-        off_pixel=_off_pixel(images, shifts, following),
+        misregistration=max((one.length for one in on_ground), default=0.0),
+        apart=farthest_apart(on_ground),
+        off_pixel=_off_pixel(on_pixels),
         texture=measure_texture(details[0], expected.labels, sure, image.plane, expected.unfiltered, unit),
         fit=following.fit,
         unit_dn=unit,
@@ -168,77 +147,13 @@ def explain(
     )
 
 
-def _follow(image: ComparedImage, images: Sequence[ComparedImage]) -> _Followed:
-    """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
-    shape = (image.bands.shape[1], image.bands.shape[2])
-    count = len(images)
-    planes = tuple(one.plane for one in images)
-    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
-    plain = _following(fine, shape)
-    first = _Followed(plain, planes, fine, tuple(range(count)))
-    unexplained, unclear = np.count_nonzero(plain.unexplained) / plain.unexplained.size, plain.unclear_share
-    if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE:
-        return first
-    shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
-    moved = {i: s for i, s in shifts.items() if s is not None and s.length >= MIN_MOVED_PX}
-    of_followed = [find_shift(image.spectra, images[i].spectra, plain.labels == i) for i in plain.followed]
-    if unexplained >= MIN_UNEXPLAINED_SHARE:
-        of_followed += [s for i, s in moved.items() if i in plain.followed and s.length > FARTHEST_FILTERED_PX]
-    if not moved or _is_of_all(of_followed):
-        return first
-    placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
-    fine_placed = tuple(map(high_pass, placed))
-    both = _Followed(
-        _following((*fine, *fine_placed), shape), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved)
-    )
-    found = _followed_again(both, shape)
-    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
-    is_clearer = unclear >= MIN_UNCLEAR_SHARE and found.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
-    return found if explains_part or is_clearer or found.following.fit >= plain.fit + MIN_FIT_GAIN else first
-
-
-def _is_of_all(shifts: Sequence[Shift | None]) -> bool:
-    """Whether the mosaic lies as far off all sources that it follows, so near that a filter tells it better."""
-    known = [shift for shift in shifts if shift is not None]
-    if not known or max(shift.length for shift in known) > FARTHEST_FILTERED_PX:
-        return False
-    return _difference(known) < ALIKE_SHIFTS_PX
-
-
-def _followed_again(both: _Followed, shape: tuple[int, int]) -> _Followed:
-    """Without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two images."""
-    shares = both.following.shares
-    of_source = {i: max(shares[k] for k, of in enumerate(both.source_of) if of == i) for i in both.source_of}
-    kept = [k for k, of in enumerate(both.source_of) if shares[k] == of_source[of] or shares[k] >= MIN_BOTH_SHARE]
-    if len(kept) == len(both.source_of):
-        return both
-    fine = (both.fine[0], *(both.fine[1 + k] for k in kept))
-    return _Followed(
-        _following(fine, shape), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept)
-    )
-
-
-def _following(fine: Sequence[np.ndarray], shape: tuple[int, int]) -> FollowedSource:
-    return follow(lambda start, stop: [plane[start:stop] for plane in fine], shape, len(fine) - 1)
-
-
-def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:
-    """In the part where it matters; in the whole window where that part is too small or shows nothing."""
-    return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)
-
-
 def _expected(
-    image: ComparedImage, images: Sequence[ComparedImage], followed: _Followed, known: np.ndarray | None
+    image: ComparedImage, images: Sequence[ComparedImage], followed: PlacedSources, known: np.ndarray | None
 ) -> tuple[ExpectedMosaic, np.ndarray]:
     """What the mosaic would look like cut hard, its labels those of the sources; and labels for the composite."""
     valid = {i: mask for i, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
     moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
-    found = expected_mosaic(
-        image.plane, followed.planes, followed.fine, followed.following, valid, known, moved
-    )
-    if not moved:
-        nothing = (found.labels == UNKNOWN).all()
-        return found, followed.following.labels if nothing else found.labels
+    found = expected_mosaic(image.plane, followed.planes, followed.fine, followed.following, valid, known, moved)
     numbers = np.full(256, UNKNOWN, np.uint8)
     numbers[: len(followed.source_of)] = followed.source_of
     found = replace(found, labels=numbers[found.labels])
@@ -246,7 +161,7 @@ def _expected(
     return found, numbers[followed.following.labels] if nothing else found.labels
 
 
-def _merged(followed: _Followed, labels: np.ndarray, count: int) -> FollowedSource:
+def _merged(followed: PlacedSources, labels: np.ndarray, count: int) -> FollowedSource:
     """The first estimate with better labels, of ``count`` sources."""
     shares = tuple(np.count_nonzero(labels == i) / labels.size for i in range(count))
     return replace(followed.following, labels=labels, shares=shares)
@@ -265,37 +180,29 @@ def _shift(image: ComparedImage, other: ComparedImage, following: FollowedSource
     return shift and replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1])
 
 
-def _main_shift(
+def _main_shift(shifts: Sequence[Shift]) -> Shift | None:
+    """Of the composite, on the mosaic's own grid: that of its sources on their pixels, if they have the same."""
+    return shifts[0] if shifts and farthest_apart(shifts) <= MAX_SAME_SHIFT_PX else None
+
+
+def _on_pixels(
     shifts: Sequence[Shift | None], images: Sequence[ComparedImage], following: FollowedSource
-) -> Shift | None:
-    """Of the composite, on the mosaic's own grid: that of its sources, if they have the same."""
-    known = [
+) -> list[Shift]:
+    """How the mosaic lies on the pixels of the sources that it follows, those with most pixels first."""
+    return [
         replace(shift, x=shift.x - images[i].offset[0], y=shift.y - images[i].offset[1])
         for i in following.followed
         if (shift := shifts[i]) is not None
     ]
-    return known[0] if known and _difference(known) <= MAX_SAME_SHIFT_PX else None
 
 
 def _of_followed(shifts: Sequence[Shift | None], following: FollowedSource) -> list[Shift]:
     return [shift for i, shift in enumerate(shifts) if shift is not None and i in following.followed]
 
 
-def _difference(shifts: Sequence[Shift]) -> float:
-    """The largest between two shifts, px."""
-    return max((float(np.hypot(a.x - b.x, a.y - b.y)) for a, b in combinations(shifts, 2)), default=0.0)
-
-
-def _off_pixel(
-    images: Sequence[ComparedImage], shifts: Sequence[Shift | None], following: FollowedSource
-) -> float:
+def _off_pixel(shifts: Sequence[Shift]) -> float:
     """How far the mosaic's pixels lie off those of a source that it follows, px."""
-    found = [0.0]
-    for i, shift in enumerate(shifts):
-        if shift is not None and i in following.followed:
-            x, y = shift.x - images[i].offset[0], shift.y - images[i].offset[1]
-            found.append(float(np.hypot(x - round(x), y - round(y))))
-    return max(found)
+    return max((float(np.hypot(one.x - round(one.x), one.y - round(one.y))) for one in shifts), default=0.0)
 
 
 def _source_tones(

@@ -229,7 +229,8 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     band = mosaic.clip.raster.judged_band
     sources, notices, not_covering = _comparable_sources(request, band)
     judged = [one for one in sources if not one.clip.resampled] or sources
-    notices += [messages.SOURCE_RESAMPLED(name=one.clip.raster.ref.name) for one in sources if one not in judged]
+    shown = [one for one in sources if one not in judged]
+    notices += [messages.SOURCE_RESAMPLED(name=one.clip.raster.ref.name) for one in shown]
     whole = [one for one in judged if one.clip.valid is None]
     paper = judge(mosaic.curves[band], [one.curves[band] for one in whole], request.settings.max_ratio)
     refused = (*notices, *not_covering)
@@ -240,8 +241,8 @@ def inspect_window(request: WindowRequest) -> WindowResult:
         _clip_result(one, role, request.settings)
         for one, role in ((mosaic, "mosaic"), *((source, "source") for source in sources if source.curves))
     ]
-    shown = [one for one in sources if one not in judged]
-    if not judged or mosaic.curves[band].variance == 0 or (len(whole) == len(judged) and _has_no_detail(paper)):
+    has_no_detail = len(whole) == len(judged) and paper.verdict is Verdict.NOT_COMPARABLE
+    if not judged or mosaic.curves[band].variance == 0 or has_no_detail:
         pairs = [pair for one in sources for pair in _pairs(mosaic, one, {})]
         return WindowResult(
             request.window_id, request.window, paper, paper.verdict, tuple(clips), tuple(pairs),
@@ -265,10 +266,6 @@ def inspect_window(request: WindowRequest) -> WindowResult:
         request.window_id, request.window, judgement, paper.verdict, tuple(clips), tuple(pairs), found,
         tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
     )
-
-
-def _has_no_detail(paper: Judgement) -> bool:
-    return paper.verdict is Verdict.NOT_COMPARABLE
 
 
 def _measured(ref: RasterRef, request: WindowRequest, partly: bool = False) -> MeasuredClip:

@@ -9,7 +9,7 @@ import numpy as np
 from osgeo import gdal, ogr
 
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.grids import Extent, Grid, PixelWindow
+from ...imagery.grids import Extent, Grid, PixelWindow, extents_meet
 
 UNKNOWN = 255
 """The label of pixels that no cell covers, or one of a source that does not take part."""
@@ -29,12 +29,7 @@ class Cell:
 
 def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
     """Those whose bounding box meets a rectangle."""
-    xmin, ymin, xmax, ymax = extent
-    return tuple(
-        cell
-        for cell in cells
-        if cell.extent[0] < xmax and cell.extent[2] > xmin and cell.extent[1] < ymax and cell.extent[3] > ymin
-    )
+    return tuple(cell for cell in cells if extents_meet(cell.extent, extent))
 
 
 def cell_labels(cells: Sequence[Cell], names: Sequence[str], grid: Grid, window: PixelWindow) -> np.ndarray:

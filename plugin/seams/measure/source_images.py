@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError, SettingsError
-from ...imagery.grids import Extent
+from ...imagery.grids import Extent, extents_meet
 from ...imagery.message import Message
 from ...imagery.open_raster import describe_placed
 from ...imagery.rasters import RasterRef
@@ -64,12 +64,7 @@ def sources_over(
 
 def sources_in(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
     """Those whose footprint meets a rectangle."""
-    xmin, ymin, xmax, ymax = extent
-    return tuple(
-        one
-        for one in sources
-        if one.extent[0] < xmax and one.extent[2] > xmin and one.extent[1] < ymax and one.extent[3] > ymin
-    )
+    return tuple(one for one in sources if extents_meet(one.extent, extent))
 
 
 def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0) -> bool:

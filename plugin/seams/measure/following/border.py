@@ -30,6 +30,8 @@ def to_the_pixel(
         return labels
     rows, columns = (_reflected(_TILE_PX * places, length) for places, length in zip(tiles, labels.shape))
     around = rows[:, :, np.newaxis], columns[:, np.newaxis, :]
+    inside = slice(_REACH_PX, -_REACH_PX)
+    pixels = tuple(np.broadcast_arrays(rows[:, inside, np.newaxis], columns[:, np.newaxis, inside]))
     own, smoothing = mosaic[around], _smoothing()
     least: np.ndarray | None = None
     for number, plane in planes.items():
@@ -37,18 +39,14 @@ def to_the_pixel(
         rest *= rest
         differences = smoothing @ rest @ smoothing.T
         if number in valid:
-            within = slice(_REACH_PX, -_REACH_PX)
-            held = valid[number][rows[:, within, np.newaxis], columns[:, np.newaxis, within]]
-            differences[~held] = np.inf
+            differences[~valid[number][pixels]] = np.inf
         if least is None:
             least, nearest = differences, np.full(differences.shape, number, np.uint8)
         else:
             np.copyto(nearest, np.uint8(number), where=differences < least)
             np.minimum(least, differences, out=least)
-    inside = slice(_REACH_PX, -_REACH_PX)
     found = labels.copy()
-    pixels = np.broadcast_arrays(rows[:, inside, np.newaxis], columns[:, np.newaxis, inside])
-    beside = near[tuple(pixels)]
+    beside = near[pixels]
     found[pixels[0][beside], pixels[1][beside]] = nearest[beside]
     return found
 

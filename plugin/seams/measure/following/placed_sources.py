@@ -1,0 +1,95 @@
+"""Which of its sources a mosaic follows, though they may not lie where it does.
+
+Where the sources as they are given explain it badly, they are tried once more where the mosaic lies on them.
+"""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
+from ..compared_image import ComparedImage
+from .followed_source import FollowedSource, follow, high_pass
+
+MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
+MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
+MIN_MOVED_PX = 0.15  # by which a source is moved to be tried again
+FARTHEST_FILTERED_PX = 1.2  # a filter of 5 x 5 taps moves an image as far
+ALIKE_SHIFTS_PX = 0.2
+MIN_BOTH_SHARE = 0.05  # of the pixels: an image that lies where it should and also elsewhere is kept in both places
+MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
+MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
+MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedSources:
+    """What the mosaic follows: planes of the sources, and some of them moved to where it lies."""
+
+    following: FollowedSource
+    planes: tuple[np.ndarray, ...]
+    fine: tuple[np.ndarray, ...]
+    """The fine detail of the mosaic, then of the planes."""
+    source_of: tuple[int, ...]
+    """Number of the source that each plane is of."""
+
+
+def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
+    """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies."""
+    shape = (image.bands.shape[1], image.bands.shape[2])
+    count = len(images)
+    planes = tuple(one.plane for one in images)
+    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
+    plain = _following(fine, shape)
+    first = PlacedSources(plain, planes, fine, tuple(range(count)))
+    unexplained, unclear = np.count_nonzero(plain.unexplained) / plain.unexplained.size, plain.unclear_share
+    if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE:
+        return first
+    shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
+    moved = {i: s for i, s in shifts.items() if s is not None and s.length >= MIN_MOVED_PX}
+    of_followed = [find_shift(image.spectra, images[i].spectra, plain.labels == i) for i in plain.followed]
+    if unexplained >= MIN_UNEXPLAINED_SHARE:
+        of_followed += [s for i, s in moved.items() if i in plain.followed and s.length > FARTHEST_FILTERED_PX]
+    if not moved or _is_of_all(of_followed):
+        return first
+    placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
+    fine_placed = tuple(map(high_pass, placed))
+    both = PlacedSources(
+        _following((*fine, *fine_placed), shape), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved)
+    )
+    found = _without_idle_planes(both, shape)
+    explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
+    is_clearer = unclear >= MIN_UNCLEAR_SHARE and found.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
+    return found if explains_part or is_clearer or found.following.fit >= plain.fit + MIN_FIT_GAIN else first
+
+
+def _is_of_all(shifts: Sequence[Shift | None]) -> bool:
+    """Whether the mosaic lies as far off all sources that it follows, so near that a filter tells it better."""
+    known = [shift for shift in shifts if shift is not None]
+    if not known or max(shift.length for shift in known) > FARTHEST_FILTERED_PX:
+        return False
+    return farthest_apart(known) < ALIKE_SHIFTS_PX
+
+
+def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedSources:
+    """Without the planes that hardly won: an image mixed with itself a bit farther on is no mixture of two images."""
+    shares = both.following.shares
+    of_source = {i: max(shares[k] for k, of in enumerate(both.source_of) if of == i) for i in both.source_of}
+    kept = [k for k, of in enumerate(both.source_of) if shares[k] == of_source[of] or shares[k] >= MIN_BOTH_SHARE]
+    if len(kept) == len(both.source_of):
+        return both
+    fine = (both.fine[0], *(both.fine[1 + k] for k in kept))
+    return PlacedSources(
+        _following(fine, shape), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept)
+    )
+
+
+def _following(fine: Sequence[np.ndarray], shape: tuple[int, int]) -> FollowedSource:
+    return follow(lambda start, stop: [plane[start:stop] for plane in fine], shape, len(fine) - 1)
+
+
+def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:
+    """In the part where it matters; in the whole window where that part is too small or shows nothing."""
+    return (find_shift(image, reference, where) if where.any() else None) or find_shift(image, reference)
