@@ -12,6 +12,8 @@ from pathlib import Path
 from . import messages
 from .errors import SettingsError
 
+_UNFINISHED = ".unfinished-"
+
 
 @contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
@@ -46,7 +48,7 @@ def replacing(path: Path) -> Iterator[Path]:
         return
     if path.exists() and not os.access(path, os.W_OK):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    folder = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=path.parent))
+    folder = Path(tempfile.mkdtemp(prefix=_UNFINISHED, dir=path.parent))
     try:
         yield folder / path.name
         with suppress(OSError):
@@ -55,3 +57,13 @@ def replacing(path: Path) -> Iterator[Path]:
             os.replace(made, path.with_name(made.name))
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def drop_unfinished(path: Path) -> None:
+    """Remove what processes that were killed left of a file, where it is sure that nobody is writing it now."""
+    path = Path(os.path.realpath(path))
+    with suppress(OSError):
+        for folder in path.parent.glob(f"{_UNFINISHED}*"):
+            names = [made.name for made in folder.iterdir()]  # none in one that somebody has just begun
+            if names and all(name.startswith(path.name) for name in names):
+                shutil.rmtree(folder, ignore_errors=True)

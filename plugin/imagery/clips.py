@@ -17,6 +17,8 @@ from .reference_systems import extent_on, same_coordinates
 
 MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
 MAX_MISSING_SHARE = 0.995  # of the window: a source that covers less of it can't be told from others there
+HOLE_PX = 8  # side of a square without pixels that is a hole
+MANY_PIXELS = 4096 * 512  # of a window: more than any that is inspected by itself
 MAX_OVERVIEW_PIXELS = 64_000_000  # that may have to be decoded for the sketch's background: about a second
 
 
@@ -40,20 +42,23 @@ class Clip:
 
 
 
-def read_clip(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool = False) -> Clip:
+def read_clip(
+    source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool = False, holes: bool = False
+) -> Clip:
     """The pixels of a raster under a window of the mosaic.
 
     They are read as they are when the pixel sizes agree to 1 % and the axes are parallel, since resampling
     destroys what is measured; the sub-pixel offset is reported. Otherwise the raster is warped to the
-    window's grid, by averaging where it is finer and by cubic convolution where it is not.
+    window's grid, by averaging where it is finer and by cubic convolution where it is not. With ``holes`` ``valid``
+    tells of small ones, too: of a large window they are a share that would be passed over.
 
     Raises NotCoveredError when more than 0.1 % of the pixels are invalid, or with ``partly`` when all but 0.5 % are;
     RasterError when the raster can't be read.
     """
     raster = placed(source.raster)
     if raster.is_north_up and _on_mosaic_system(raster.wkt, mosaic) and _same_pixel_size(raster.grid, mosaic.grid):
-        return _clip_as_it_is(source, mosaic.grid.window_extent(window), window, partly)
-    return _clip_warped(source, mosaic, window, partly)
+        return _clip_as_it_is(source, mosaic.grid.window_extent(window), window, partly, holes)
+    return _clip_warped(source, mosaic, window, partly, holes)
 
 
 def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[PixelBlock, Extent] | None:
@@ -81,18 +86,18 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     return source.read(window, size), grid.window_extent(window)
 
 
-def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, partly: bool) -> Clip:
+def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, partly: bool, holes: bool) -> Clip:
     grid, (xmin, ymin, xmax, ymax) = source.raster.grid, extent
     column = ((xmin + xmax) / 2 - grid.left) / grid.pixel_width - window.width / 2
     row = (grid.top - (ymin + ymax) / 2) / grid.pixel_height - window.height / 2
     own = replace(window, column=round(column), row=round(row))
-    bands, invalid_share, valid = _read_valid(source, own, partly)
+    bands, invalid_share, valid = _read_valid(source, own, partly, holes)
     # Six decimals: below that it is rounding of coordinates of millions of metres.
     offsets = round(column - own.column, 6), round(row - own.row, 6)
     return Clip(source.raster, bands, invalid_share, *offsets, valid=valid)
 
 
-def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool) -> Clip:
+def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool, holes: bool) -> Clip:
     raster, dataset, failure = source.raster, source.dataset, messages.NOT_READABLE(name=source.ref.name)
     extent = mosaic.grid.window_extent(window)
     extent_on(extent, mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
@@ -110,7 +115,7 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
     for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
         warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
     made = OpenRaster(source.ref, warped)
-    bands, invalid_share, valid = _read_valid(made, PixelWindow(0, 0, window.width, window.height), partly)
+    bands, invalid_share, valid = _read_valid(made, PixelWindow(0, 0, window.width, window.height), partly, holes)
     return Clip(raster, bands, invalid_share, resampled=True, valid=valid)
 
 
@@ -127,7 +132,7 @@ def _palette_expanded(dataset: gdal.Dataset) -> gdal.Dataset | None:
 
 
 def _read_valid(
-    source: OpenRaster, window: PixelWindow, partly: bool
+    source: OpenRaster, window: PixelWindow, partly: bool, holes: bool
 ) -> tuple[np.ndarray, float, np.ndarray | None]:
     """The bands of a pixel window, invalid pixels filled, the share of those, and where it is valid if only partly.
 
@@ -150,10 +155,20 @@ def _read_valid(
     if share > most:
         raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=share, most=most))
     bands = np.array(bands)
+    # Of a large window samples tell the mean as well.
+    some = np.s_[::8, ::8] if pixels > MANY_PIXELS and not invalid[::8, ::8].all() else np.s_[:, :]
     for band in bands:
-        mean = band[~invalid].mean(dtype=np.float64)
+        mean = band[some][~invalid[some]].mean(dtype=np.float64)
         band[invalid] = mean if bands.dtype.kind == "f" else np.rint(mean)
-    return bands, share, ~invalid if share > limits.MAX_INVALID_SHARE else None
+    is_told = share > limits.MAX_INVALID_SHARE or (holes and _has_hole(invalid))
+    return bands, share, ~invalid if is_told else None
+
+
+def _has_hole(invalid: np.ndarray) -> bool:
+    """Whether more than single pixels lack somewhere; those may be dark ground that has the value of no data."""
+    rows, columns = (length // HOLE_PX * HOLE_PX for length in invalid.shape)
+    across = np.logical_and.reduceat(invalid[:rows, :columns], np.arange(0, columns, HOLE_PX), axis=1)
+    return bool(across.reshape(rows // HOLE_PX, HOLE_PX, columns // HOLE_PX).all(axis=1).any())
 
 
 def _on_mosaic_system(wkt: str, mosaic: Raster) -> bool:

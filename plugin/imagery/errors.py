@@ -51,5 +51,9 @@ class SensorModelError(SeamInspectorError):
     """A sensor model that can't be fitted, read or applied."""
 
 
+class WorkersLostError(SeamInspectorError):
+    """Nobody is left who could do the work; what is done is kept where it is kept at all."""
+
+
 class CancelledError(SeamInspectorError):
     """The user stopped the work."""

@@ -83,3 +83,15 @@ SEAMLINES_NOT_FINITE = Message(
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
 RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")
+# files that are read over the network
+REMOTE_NOT_FOUND = Message("{name} is not on its server (HTTP {code}); check its address.")
+REMOTE_REFUSED = Message("The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.")
+REMOTE_FAILING = Message("The server of {name} fails (HTTP {code}); try again later.")
+REMOTE_SILENT = Message("The server of {name} does not answer ({why}); check the network, and try again.")
+REMOTE_WITHOUT_RANGES = Message(
+    "The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests."
+)
+REMOTE_IN_PART = Message(
+    "{name} came over the network only in part, also when asked again; check that it is complete on its server."
+)
+REMOTE_NOT_OPENED = Message("{name} can't be read over the network ({why}); check its address and GDAL's settings.")

@@ -27,6 +27,14 @@ SCHEDULER_SILENT = Message(
     "The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty."
 )
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
+SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.")
+WORKERS_LOST = Message(
+    "The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again."
+)
+WORKERS_WITHOUT_PACKAGES = Message(
+    "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as "
+    "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty."
+)
 # outputs and charts
 OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belongs to an input; choose another file.")
 OUTPUTS_ARE_ONE = Message(

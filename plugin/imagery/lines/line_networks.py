@@ -112,7 +112,7 @@ def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarr
     nodes, edges, piece = network(pieces, BORDER_SNAP_PX)
     owner = owner[piece]
     forward = edges[:, 0] < edges[:, 1]
-    pairs, pair = _undirected(edges, len(nodes))
+    pairs, pair = undirected(edges, len(nodes))
     left, right = np.zeros((2, len(pairs)), dtype=bool)
     left[pair[forward]] = True
     right[pair[~forward]] = True
@@ -122,7 +122,7 @@ def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarr
     return nodes, pairs[left & right & (first < last)]
 
 
-def _undirected(edges: np.ndarray, node_count: int) -> tuple[np.ndarray, np.ndarray]:
+def undirected(edges: np.ndarray, node_count: int) -> tuple[np.ndarray, np.ndarray]:
     """Each pair of nodes that edges join, once, (k, 2); and for each edge the number of its pair, (m,)."""
     key, pair = np.unique(edges.min(axis=1) * node_count + edges.max(axis=1), return_inverse=True)
     return np.column_stack(np.divmod(key, node_count)), pair
@@ -133,7 +133,7 @@ def joined(nodes: np.ndarray, edges: np.ndarray) -> Iterator[np.ndarray]:
 
     An end of edge e is numbered 2e (its start) or 2e + 1 (its stop), so ``end ^ 1`` is the other end.
     """
-    edges, _ = _undirected(edges, len(nodes))
+    edges, _ = undirected(edges, len(nodes))
     ends = edges.ravel()
     order = np.argsort(ends, kind="stable")
     degree = np.bincount(ends, minlength=len(nodes))

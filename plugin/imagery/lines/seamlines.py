@@ -72,18 +72,18 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
         raise SeamlineError(messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
     nodes, edges = np.empty(0, dtype=complex), np.empty((0, 2), dtype=int)
     if rings:
-        pieces, ring = _pieces(rings)
+        pieces, ring = line_pieces(rings)
         nodes, edges = line_networks.borders((pieces - origin) / pixel_size, np.array(owners)[ring])
     if lines:
-        pieces = (_pieces(lines)[0] - origin) / pixel_size
+        pieces = (line_pieces(lines)[0] - origin) / pixel_size
         nodes, edges, _ = line_networks.network(np.concatenate([pieces, nodes[edges]]), END_SNAP_PX)
-    seams = [_straightened(_directed(path)) for path in line_networks.joined(nodes, edges)]
+    seams = [straightened(directed(path)) for path in line_networks.joined(nodes, edges)]
     seams = [seam for seam in seams if abs(np.diff(seam)).any()]  # a loop of one pixel straightens to a point
     if not seams:
         raise SeamlineError(messages.SEAMLINES_APART() if rings else messages.SEAMLINES_TOO_SHORT())
     # Rounded, so that equal lengths stay equal whichever way the input was summed up.
     seams.sort(key=lambda seam: (-round(abs(np.diff(seam)).sum(), 3), seam[0].real, seam[0].imag))
-    return [Seam(number, _xy(seam * pixel_size + origin)) for number, seam in enumerate(seams, start=1)]
+    return [Seam(number, as_xy(seam * pixel_size + origin)) for number, seam in enumerate(seams, start=1)]
 
 
 # --- reading ---------------------------------------------------------------------------------------------------
@@ -98,15 +98,15 @@ def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np
     for number, wkb in enumerate(geometries, start=1):
         if not wkb:
             continue
-        geometry = _geometry(wkb, number)
+        geometry = read_geometry(wkb, number)
         if geometry.IsEmpty():
             continue
         empty = False
-        for part in _simple_parts(geometry):
-            if _is_line(part):
-                lines += [_points(part)] if part.GetPointCount() > 1 else []
+        for part in simple_parts(geometry):
+            if is_line(part):
+                lines += [line_points(part)] if part.GetPointCount() > 1 else []
             else:
-                found = list(_rings(part, number))
+                found = list(polygon_rings(part, number))
                 rings += found
                 owners += [number] * len(found)
     if empty:
@@ -114,7 +114,7 @@ def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np
     return lines, rings, owners
 
 
-def _geometry(wkb: bytes, number: int) -> ogr.Geometry:
+def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:
     """A geometry without curves, Z and M. Raises SeamlineError when the bytes are none."""
     try:
         geometry = ogr.CreateGeometryFromWkb(bytes(wkb))
@@ -128,25 +128,25 @@ def _geometry(wkb: bytes, number: int) -> ogr.Geometry:
     return geometry
 
 
-def _simple_parts(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
+def simple_parts(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
     """Every line string and polygon in a geometry, however deep in collections."""
-    if _is_line(geometry) or _is_polygon(geometry):
+    if is_line(geometry) or is_polygon(geometry):
         if not geometry.IsEmpty():
             yield geometry
     else:
         for index in range(geometry.GetGeometryCount()):
-            yield from _simple_parts(geometry.GetGeometryRef(index))
+            yield from simple_parts(geometry.GetGeometryRef(index))
 
 
-def _is_line(geometry: ogr.Geometry) -> bool:
+def is_line(geometry: ogr.Geometry) -> bool:
     return geometry.GetGeometryType() == ogr.wkbLineString
 
 
-def _is_polygon(geometry: ogr.Geometry) -> bool:
+def is_polygon(geometry: ogr.Geometry) -> bool:
     return geometry.GetGeometryType() in (ogr.wkbPolygon, ogr.wkbTriangle)
 
 
-def _rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
+def polygon_rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
     """The rings of a polygon, its interior on their left: outer ones counter-clockwise, inner ones clockwise.
 
     Raises SeamlineError when the polygon is invalid beyond repair.
@@ -160,7 +160,7 @@ def _rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
         gdal.PopErrorHandler()
     if valid is None:
         raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
-    for part in filter(_is_polygon, _simple_parts(valid)):
+    for part in filter(is_polygon, simple_parts(valid)):
         wkb, offset = part.ExportToWkb(ogr.wkbNDR), 9  # byte order, type, number of rings
         for index in range(part.GetGeometryCount()):
             count = int.from_bytes(wkb[offset : offset + 4], "little")
@@ -169,7 +169,7 @@ def _rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
             yield ring if (_signed_area(ring) > 0) == (index == 0) else ring[::-1]
 
 
-def _points(line: ogr.Geometry) -> np.ndarray:
+def line_points(line: ogr.Geometry) -> np.ndarray:
     """The vertices of a 2D line string, complex."""
     return np.frombuffer(line.ExportToWkb(ogr.wkbNDR), dtype="<c16", offset=9)  # byte order, type, number of points
 
@@ -177,7 +177,7 @@ def _points(line: ogr.Geometry) -> np.ndarray:
 # --- lines -----------------------------------------------------------------------------------------------------
 
 
-def _directed(path: np.ndarray) -> np.ndarray:
+def directed(path: np.ndarray) -> np.ndarray:
     """A path in its standard direction: west to east, or a ring counter-clockwise from its westernmost vertex."""
     if path[0] != path[-1]:
         return path if (path[0].real, path[0].imag) < (path[-1].real, path[-1].imag) else path[::-1]
@@ -187,11 +187,11 @@ def _directed(path: np.ndarray) -> np.ndarray:
     return ring if _signed_area(ring) > 0 else ring[::-1]
 
 
-def _straightened(path: np.ndarray) -> np.ndarray:
+def straightened(path: np.ndarray) -> np.ndarray:
     """A path without the vertices that lie within 1.5 px of it."""
     header = struct.pack("<BII", 1, ogr.wkbLineString, len(path))
     line = ogr.CreateGeometryFromWkb(header + path.astype("<c16").tobytes())
-    return _points(line.Simplify(STRAIGHTEN_PX))
+    return line_points(line.Simplify(STRAIGHTEN_PX))
 
 
 def _signed_area(ring: np.ndarray) -> float:
@@ -200,7 +200,7 @@ def _signed_area(ring: np.ndarray) -> float:
     return float((ring[:-1].conj() * ring[1:]).imag.sum()) / 2
 
 
-def _pieces(paths: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+def line_pieces(paths: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     """The pieces of all paths, (n, 2) start and end, and the number of the path each one is from, (n,)."""
     points = np.concatenate(paths)
     path = np.repeat(np.arange(len(paths)), [len(one) for one in paths])
@@ -208,6 +208,6 @@ def _pieces(paths: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     return np.column_stack([points[:-1], points[1:]])[within], path[1:][within]
 
 
-def _xy(points: np.ndarray) -> np.ndarray:
+def as_xy(points: np.ndarray) -> np.ndarray:
     """(n, 2) float64 of (n,) complex."""
     return np.column_stack([points.real, points.imag])

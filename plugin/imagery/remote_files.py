@@ -1,0 +1,286 @@
+"""Rasters that are read over the network, by GDAL's own file systems: how, and what to say when that fails."""
+from __future__ import annotations
+
+import os
+import re
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from html import unescape
+from pathlib import Path
+from typing import Callable, NamedTuple, TypeVar
+from urllib.parse import urlsplit
+
+from osgeo import gdal
+
+from . import messages
+from .errors import RasterError
+from .gdal_calls import gdal_silenced
+from .message import Message
+
+Result = TypeVar("Result")
+
+SETTINGS = {
+    "GDAL_HTTP_CONNECTTIMEOUT": "10",
+    "GDAL_HTTP_LOW_SPEED_TIME": "20",  # seconds in which nothing comes: no answer
+    "GDAL_HTTP_LOW_SPEED_LIMIT": "1",
+    "GDAL_HTTP_MAX_RETRY": "2",  # by GDAL, of a request that is refused for now (429, 5xx)
+    "GDAL_HTTP_RETRY_DELAY": "0.5",
+    "GDAL_HTTP_MERGE_CONSECUTIVE_RANGES": "YES",
+}
+"""GDAL's options for all that is remote; those that the user has set stay."""
+COMPLETE = {"GDAL_DISABLE_READDIR_ON_OPEN": "EMPTY_DIR"}
+"""For a file that has all inside, as a COG: nothing beside it is asked for."""
+WITH_OTHERS = {"GDAL_DISABLE_READDIR_ON_OPEN": "TRUE"}
+"""For one that may have a mask beside it: that is asked for by name, and no folder is listed."""
+DELAYS_S = (1.0, 4.0)  # before the second attempt and the third, our own: GDAL gives up a group of ranges at once
+PATIENCE_S = 30.0  # no further attempt when those before took longer and it still is not there
+REMEMBERED_S = 60.0  # in which what failed is not asked for again: each block would wait for it
+GONE_S = 600.0  # the same for what is not there, or refused
+MOST_PROBED = 32  # remote parts of a VRT that are asked which one failed
+
+_REMOTE = re.compile(r"/vsi(?:curl|s3|gs|az|adls|oss|swift|hdfs|webhdfs)(?:_streaming)?[/?]|^(?:https?|ftp)://", re.I)
+_INDEX = re.compile(r"^GTI:|\.gti(?:\.gpkg|\.fgb|\.parquet)?$", re.I)
+_ADDRESS = re.compile(r"^(?:https?|ftp)://", re.I)
+_PART = re.compile(rb"<Source(?:Filename|Dataset)[^>]*?(?:relativeToVRT=\"([01])\"[^>]*)?>([^<]+)<")
+_STATUS = re.compile(r"HTTP (?:response|error) code[^:]*: (\d{3})")
+
+
+_MAY_BE_THE_NETWORK = (
+    messages.NOT_FOUND.template, messages.NOT_A_RASTER.template, messages.NOT_READABLE.template
+)
+
+
+class RemoteError(RasterError):
+    """A raster could not be read over the network."""
+
+    def __init__(self, message: Message, may_pass: bool = False) -> None:
+        super().__init__(message)
+        self.may_pass = may_pass
+        """Whether it may be there again later: no answer, an overloaded server, a broken connection."""
+
+
+class _Failure(NamedTuple):
+    """Why the network gave nothing."""
+
+    message: Message
+    may_pass: bool
+    of_host: bool = False
+    """Whether every file of that server will have it."""
+
+
+def is_remote(path: str) -> bool:
+    """Whether a raster's path leads over the network, an archive there included."""
+    return _REMOTE.search(path) is not None
+
+
+def readable_path(path: str) -> str:
+    """What GDAL reads in parts: of a plain address it would fetch the whole file first."""
+    return f"/vsicurl/{path}" if _ADDRESS.match(path) else path
+
+
+def vrt_parts(path: str) -> list[str]:
+    """The files that a VRT on this machine names, as far as it can be read; none of what is no VRT."""
+    if not path.lower().endswith(".vrt"):
+        return []
+    try:
+        text = Path(path).read_bytes()
+    except OSError:
+        return []
+    folder = os.path.dirname(os.path.abspath(path))
+    names = ((relative, unescape(raw.decode(errors="replace"))) for relative, raw in _PART.findall(text))
+    return [os.path.normpath(os.path.join(folder, name)) if inside == b"1" else name for inside, name in names]
+
+
+def _index_parts(path: str) -> list[str]:
+    """The first files that a raster tile index (GTI) on this machine names."""
+    with gdal_silenced():
+        try:
+            index = gdal.OpenEx(re.sub(r"^GTI:", "", path, flags=re.I), gdal.OF_VECTOR)
+            layer = index and index.GetLayer(0)
+            rows = [layer.GetNextFeature() for _ in range(min(layer.GetFeatureCount(), MOST_PROBED))] if layer else []
+            return [row.GetFieldAsString("location") for row in rows if row.GetFieldIndex("location") >= 0]
+        except RuntimeError:
+            return []
+
+
+def remote_parts(path: str) -> tuple[str, ...]:
+    """What of a raster is read over the network: itself, or what VRTs and tile indexes on this machine name."""
+    found = {path: None}  # in their order
+    waiting = [path]
+    while waiting:
+        one = waiting.pop()
+        parts = [] if is_remote(one) else _index_parts(one) if _INDEX.search(one) else vrt_parts(one)
+        waiting += [part for part in dict.fromkeys(parts) if part not in found]
+        found.update(dict.fromkeys(parts))
+    return tuple(filter(is_remote, found))
+
+
+@contextmanager
+def remote_settings(more: Mapping[str, str]) -> Iterator[None]:
+    """GDAL's options for remote files in this thread, but for those that the user set otherwise."""
+    options = {**SETTINGS, **more}
+    before = {name: gdal.GetThreadLocalConfigOption(name) for name in options}
+    # One that only this thread has is from a block around this one.
+    free = [name for name in options if before[name] is not None or gdal.GetConfigOption(name) is None]
+    try:
+        for name in free:
+            gdal.SetThreadLocalConfigOption(name, options[name])
+        yield
+    finally:
+        for name in free:
+            gdal.SetThreadLocalConfigOption(name, before[name])
+
+
+def persistently(path: str, name: str, read: Callable[[bool], Result]) -> Result:
+    """What ``read`` gives of a raster at once or in a later attempt, where another one makes sense.
+
+    ``read`` is told whether it is another one, for which the raster is best opened anew.
+
+    Raises RemoteError with the cause, or what ``read`` raises about a raster that came whole. What failed is remembered
+    for a while, by all threads, and fails at once; of a VRT not, since others of its parts may be there.
+    """
+    started = time.monotonic()
+    if is_remote(path):
+        _raise_remembered(path)
+    for attempt, delay in enumerate((*DELAYS_S, None)):
+        try:
+            return read(attempt > 0)
+        except RasterError as error:
+            if error.message.template not in _MAY_BE_THE_NETWORK:
+                raise
+            forget_fetched(path)
+            lasting = _failure_of(path, name)
+            failure = lasting or _failure_in_between(error, name)
+        if delay is None or not failure.may_pass or (lasting and time.monotonic() - started > PATIENCE_S):
+            break
+        time.sleep(delay)
+    if is_remote(path):
+        _remember(path, failure)
+    raise RemoteError(failure.message, failure.may_pass)
+
+
+def forget_fetched(path: str) -> None:
+    """Drop what GDAL keeps of a raster that was fetched, in memory and of its being there."""
+    with gdal_silenced():
+        if is_remote(path):
+            gdal.VSICurlPartialClearCache(_container(readable_path(path)))
+        else:
+            gdal.VSICurlClearCache()
+
+
+def forget_failures() -> None:
+    """Ask again for all that failed."""
+    with _failures_lock:
+        _failures.clear()
+
+
+_failures: dict[str, tuple[float, _Failure]] = {}
+"""By path or host: until when it is not asked for again, and why."""
+_failures_lock = threading.Lock()
+
+
+def _remember(path: str, failure: _Failure) -> None:
+    until = time.monotonic() + (REMEMBERED_S if failure.may_pass else GONE_S)
+    with _failures_lock:
+        _failures[(failure.of_host and _host(path)) or path] = until, failure
+
+
+def _raise_remembered(path: str) -> None:
+    if not _failures:
+        return
+    with _failures_lock:
+        for key in (path, _host(path)):
+            until, failure = _failures.get(key, (0.0, None))
+            if failure is not None and time.monotonic() < until:
+                raise RemoteError(failure.message, failure.may_pass)
+            _failures.pop(key, None)
+
+
+def _failure_in_between(error: RasterError, name: str) -> _Failure:
+    """Of a raster that failed though its server gives it: the connection broke, or the file itself is broken."""
+    if error.message.template == messages.NOT_READABLE.template:
+        return _Failure(messages.REMOTE_IN_PART(name=_shown(name)), may_pass=True)
+    return _Failure(error.message, may_pass=True)
+
+
+def _failure_of(path: str, name: str) -> _Failure | None:
+    """What keeps the network from giving a raster; None where it gives it by now."""
+    several = not is_remote(path)
+    for part in remote_parts(path)[:MOST_PROBED]:
+        failure = _probed(_container(readable_path(part)), _shown(os.path.basename(part) if several else name))
+        if failure is not None:
+            return failure
+    return None
+
+
+def _probed(path: str, name: str) -> _Failure | None:
+    """What a server says when asked for a file as GDAL asks first (HEAD), and for its bytes (GET)."""
+    for head in ("YES", "NO"):
+        gdal.VSICurlPartialClearCache(path)
+        with remote_settings({"CPL_VSIL_CURL_USE_HEAD": head, "GDAL_HTTP_MAX_RETRY": "0"}):
+            said = _said_on_opening(path)
+        if said:
+            gdal.VSICurlPartialClearCache(path)
+            return _failure(said, name)
+    return None
+
+
+def _said_on_opening(path: str) -> str:
+    """GDAL's word for why a file can't be opened or read; empty where it can."""
+    said: list[str] = []
+    gdal.PushErrorHandler(lambda level, number, text: said.append(text))
+    try:
+        gdal.VSIErrorReset()
+        file = gdal.VSIFOpenExL(path, "rb", 1)
+        if file is None:
+            return gdal.VSIGetLastErrorMsg() or "".join(said[-1:]) or "unknown"
+        try:
+            gdal.VSIFReadL(1, 1, file)
+        finally:
+            gdal.VSIFCloseL(file)
+    except RuntimeError as error:
+        return str(error)
+    finally:
+        gdal.PopErrorHandler()
+    return next((text for text in said if "Range downloading" in text), "")
+
+
+def _failure(said: str, name: str) -> _Failure:
+    status = _STATUS.search(said)
+    code = int(status[1]) if status else 0
+    if code in (404, 410):
+        return _Failure(messages.REMOTE_NOT_FOUND(name=name, code=code), may_pass=False)
+    if code in (401, 403, 407):
+        return _Failure(messages.REMOTE_REFUSED(name=name, code=code), may_pass=False)
+    if code:
+        passes = code >= 500 or code in (408, 429)
+        return _Failure(messages.REMOTE_FAILING(name=name, code=code), may_pass=passes)
+    if "Range downloading" in said:
+        return _Failure(messages.REMOTE_WITHOUT_RANGES(name=name), may_pass=False)
+    if "CURL error" in said:
+        why = said.partition("CURL error: ")[2]
+        return _Failure(messages.REMOTE_SILENT(name=name, why=why), may_pass=True, of_host=True)
+    return _Failure(messages.REMOTE_NOT_OPENED(name=name, why=said), may_pass=False)
+
+
+def _container(path: str) -> str:
+    """The file that is fetched: of one inside an archive, the archive."""
+    inside = re.match(r"^/vsi(?:zip|tar|gzip|7z|rar|cached)/\{?(.*)$", path)
+    if inside is None:
+        return path
+    archive = re.match(r"(.*?\.(?:zip|kmz|tar|tgz|tar\.gz|gz|7z|rar))(?=/|\}|$)", inside[1], re.I)
+    found = archive[1] if archive else inside[1]
+    return found if found.startswith("/") else f"/{found}"
+
+
+def _host(path: str) -> str:
+    """The server of an address; empty where the path names none."""
+    address = re.search(r"https?://[^/]+", path)
+    return urlsplit(address[0]).netloc.rpartition("@")[2] if address else ""
+
+
+def _shown(name: str) -> str:
+    """A name without what may be a password behind it."""
+    return name.partition("?")[0]

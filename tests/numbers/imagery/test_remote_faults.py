@@ -1,0 +1,186 @@
+"""Rasters over the network: faults that pass cost nothing but time, those that stay are named."""
+from __future__ import annotations
+
+import pickle
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery import remote_files
+from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.remote_files import RemoteError
+
+from tests.numbers.imagery.conftest import SIDE, WHOLE, WINDOW, expected, read
+from tests.range_server import NONE, Answer, Fault, RangeServer, serving
+
+# --- faults that pass ------------------------------------------------------------------------------------------
+
+
+def first(count: int, fault: Fault, method: str = "") -> Callable[[Answer], Fault]:
+    """The fault for so many requests."""
+    left = [count]
+
+    def choose(asked: Answer) -> Fault:
+        if method not in ("", asked.method) or not left[0]:
+            return NONE
+        left[0] -= 1
+        return fault
+
+    return choose
+
+
+PASSING = [Fault(status=503), Fault(status=500), Fault(status=429), Fault(dropped=True), Fault(cut_to=0.5)]
+
+
+@pytest.mark.parametrize("fault", PASSING, ids=["503", "500", "429", "dropped", "cut"])
+@pytest.mark.parametrize("count", [1, 3, 6])
+def test_a_fault_while_reading_that_passes_costs_nothing(
+    server: RangeServer, folder: Path, fault: Fault, count: int
+) -> None:
+    raster = open_raster(RasterRef(server.vsi("cog.tif")))
+    server.fault = first(count, fault)
+    np.testing.assert_array_equal(raster.read(WINDOW).bands, expected(folder))
+
+
+@pytest.mark.parametrize("fault", PASSING, ids=["503", "500", "429", "dropped", "cut"])
+def test_a_fault_while_opening_that_passes_costs_nothing(server: RangeServer, folder: Path, fault: Fault) -> None:
+    server.fault = first(2, fault)
+    np.testing.assert_array_equal(read(server.vsi("cog.tif")), expected(folder))
+
+
+@pytest.fixture
+def one_second(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without an answer is long enough."""
+    monkeypatch.setitem(remote_files.SETTINGS, "GDAL_HTTP_LOW_SPEED_TIME", "1")
+
+
+@pytest.mark.usefixtures("one_second")
+def test_no_answer_once_is_asked_again(server: RangeServer, folder: Path) -> None:
+    server.fault = first(1, Fault(silent=True), "GET")
+    np.testing.assert_array_equal(read(server.vsi("cog.tif")), expected(folder))
+
+
+# --- faults that stay ------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(params=[False, True], ids=["errors", "exceptions"])
+def gdal_exceptions(request: pytest.FixtureRequest) -> Iterator[None]:
+    """GDAL's own exceptions off, as in QGIS, and on, as they will be."""
+    before = gdal.GetUseExceptions()
+    (gdal.UseExceptions if request.param else gdal.DontUseExceptions)()
+    yield
+    (gdal.UseExceptions if before else gdal.DontUseExceptions)()
+
+
+@pytest.mark.parametrize(
+    ("fault", "sentence", "may_pass"),
+    [
+        (Fault(status=404), "cog.tif is not on its server (HTTP 404); check its address.", False),
+        (Fault(status=403),
+         "The server of cog.tif refuses it (HTTP 403); give GDAL the credentials, or ask for access.", False),
+        (Fault(status=503), "The server of cog.tif fails (HTTP 503); try again later.", True),
+        (Fault(status=418), "The server of cog.tif fails (HTTP 418); try again later.", False),
+        (Fault(dropped=True),
+         "The server of cog.tif does not answer (Empty reply from server); check the network, and try again.", True),
+    ],
+)
+@pytest.mark.parametrize("while_reading", [False, True])
+@pytest.mark.usefixtures("gdal_exceptions")
+def test_a_fault_that_stays_is_named_and_not_asked_for_by_each_block(
+    server: RangeServer, fault: Fault, sentence: str, may_pass: bool, while_reading: bool
+) -> None:
+    ref = RasterRef(server.vsi("cog.tif") + "?token=secret")
+    if while_reading:
+        open_raster(ref)
+    server.fault = lambda asked: fault
+    with pytest.raises(RemoteError) as caught:
+        open_raster(ref).read(WINDOW)
+    assert str(caught.value) == sentence
+    assert caught.value.may_pass is may_pass
+    server.forget()
+    with pytest.raises(RemoteError, match="server"):
+        open_raster(ref).read(WINDOW)
+    assert server.answers == []
+    server.fault = lambda asked: NONE
+    with rasters_kept():  # the end of a run forgets it
+        pass
+    read(ref.path)
+
+
+def test_what_is_gone_or_refused_is_asked_for_in_one_attempt(server: RangeServer) -> None:
+    with pytest.raises(RemoteError):
+        read(server.vsi("gone.tif"))
+    assert len(server.answers) <= 3  # GDAL's own and ours for the cause
+
+
+@pytest.mark.usefixtures("one_second")
+def test_a_silent_server_is_named_and_so_are_its_other_files(
+    server: RangeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server.fault = lambda asked: Fault(silent=True)
+    monkeypatch.setattr(remote_files, "PATIENCE_S", 1.0)
+    started = time.monotonic()
+    with pytest.raises(RemoteError, match=r"does not answer \(Operation too slow"):
+        read(server.vsi("cog.tif"))
+    assert time.monotonic() - started < 15
+    started = time.monotonic()
+    with pytest.raises(RemoteError, match="does not answer"):
+        read(server.vsi("plain.tif"))
+    assert time.monotonic() - started < 1
+
+
+def test_nobody_at_that_address_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(remote_files, "DELAYS_S", ())
+    with serving(Path()) as gone:
+        path = gone.vsi("a.tif")
+    with rasters_kept(), pytest.raises(RemoteError, match=r"The server of a\.tif does not answer \(.*onnect.*\)"):
+        read(path)
+
+
+def test_a_file_that_is_truncated_there_is_named_and_its_whole_part_can_be_read(server: RangeServer) -> None:
+    path = server.vsi("short.tif")
+    read(path, PixelWindow(0, 0, 64, 64))
+    with pytest.raises(RemoteError, match=r"short\.tif came over the network only in part"):
+        read(path, WHOLE)
+
+
+def test_a_page_instead_of_a_raster_is_named(server: RangeServer) -> None:
+    with pytest.raises(RasterError, match=r"page\.tif is not a raster that GDAL can read"):
+        read(server.vsi("page.tif"))
+
+
+def test_a_part_of_a_vrt_that_is_gone_is_named_and_costs_its_place_only(
+    server: RangeServer, folder: Path, tmp_path: Path
+) -> None:
+    path = str(tmp_path / "two.vrt")
+    gdal.BuildVRT(path, [server.vsi("cog.tif")]).FlushCache()
+    text = Path(path).read_text()
+    start, end = text.index("<ComplexSource>" if "<ComplexSource>" in text else "<SimpleSource>"), 0
+    end = text.index("Source>", text.index("</", text.index("DstRect", start))) + len("Source>")
+    part = text[start:end]
+    half = SIDE // 2
+    parts = [
+        part.replace(f'DstRect xOff="0" yOff="0" xSize="{SIDE}"', f'DstRect xOff="{x}" yOff="0" xSize="{half}"')
+        .replace(f'SrcRect xOff="0" yOff="0" xSize="{SIDE}"', f'SrcRect xOff="{x}" yOff="0" xSize="{half}"')
+        .replace("/cog.tif", name)
+        for x, name in ((0, "/cog.tif"), (half, "/gone.tif"))
+    ]
+    Path(path).write_text(text.replace(part, "".join(parts)))
+    left = PixelWindow(0, 0, 300, 300)
+    np.testing.assert_array_equal(read(path, left), expected(folder, window=left))
+    with pytest.raises(RemoteError, match=r"gone\.tif is not on its server \(HTTP 404\)"):
+        read(path, WHOLE)
+    np.testing.assert_array_equal(read(path, left), expected(folder, window=left))
+
+
+def test_the_error_crosses_processes(server: RangeServer) -> None:
+    with pytest.raises(RemoteError) as caught:
+        read(server.vsi("gone.tif"))
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert (str(copy), copy.may_pass) == (str(caught.value), False)
