@@ -56,12 +56,12 @@ class BackgroundTask(QgsTask):
             self._failure = error.message
         except Exception as error:  # the last door: a task must not raise into QGIS
             self._failure = messages.TASK_FAILED(task=self.description(), error=f"{type(error).__name__}: {error}")
-        return self._failure is None and not self.isCanceled()
+        return True  # QGIS would say of anything else that it failed, over what we say of it
 
     def finished(self, result: bool) -> None:
-        if result:
-            self.ended.emit(Outcome(End.DONE))
-        elif self._failure is not None:
+        if self._failure is not None:
             self.ended.emit(Outcome(End.FAILED, self._failure))
-        else:
+        elif self.isCanceled() or not result:
             self.ended.emit(Outcome(End.CANCELLED))
+        else:
+            self.ended.emit(Outcome(End.DONE))

@@ -8,9 +8,14 @@ from collections.abc import Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..imagery.errors import SettingsError
 from . import messages
+from .watched_executor import WatchedExecutor
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 _ANSWER_SECONDS = 10
 _FORGET = f"""
@@ -18,7 +23,15 @@ import sys
 for name in [name for name in sys.modules if name.partition(".")[0] == {__name__.partition(".")[0]!r}]:
     del sys.modules[name]
 """  # else workers that met an older version of the plugin would go on with its code
-_MEASURING = ("*/__init__.py", "imagery/**/*.py", "*/measure/**/*.py")
+_MEASURING = ("*/__init__.py", "imagery/**/*.py", "*/measure/**/*.py")  # as in the wheel, see pyproject.toml
+_NEEDED = ("numpy", "scipy", "pywt", "osgeo")
+_MISSING = "[name for name in {needed} if __import__('importlib.util').util.find_spec(name) is None]"
+_CLOSE = f"""
+import sys
+pool = sys.modules.get("{__package__.rpartition(".")[0]}.imagery.raster_pool")
+if pool:
+    pool.close_rasters()
+"""  # else the workers, which live on, would keep the last rasters of the run open
 _AHEAD = 2  # windows under way per worker: one is measured while the next waits
 
 
@@ -50,13 +63,36 @@ def _dask_executor(scheduler: str) -> Iterator[tuple[Executor, int]]:
     except (OSError, ValueError, TypeError) as error:
         raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=error)) from None
     with client:
-        client.run(exec, _FORGET)
-        with tempfile.TemporaryDirectory() as folder:
-            client.upload_file(_measuring_archive(Path(folder)))
         threads = sum(client.nthreads().values())
         if not threads:
             raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=scheduler))
-        yield client.get_executor(), _AHEAD * threads
+        _prepare(client, scheduler)
+        executor = WatchedExecutor(client, scheduler)
+        try:
+            yield executor, _AHEAD * threads
+        finally:
+            executor.shutdown()
+            if client.status == "running":
+                client.run(exec, _CLOSE, on_error="ignore")
+
+
+def _prepare(client: Client, scheduler: str) -> None:
+    """Give the workers this plugin's code, whatever they have of it; those that come later get it, too.
+
+    A worker that is lost costs its windows' time only: Dask gives them to others.
+    """
+    lacking = client.run(eval, _MISSING.format(needed=_NEEDED))
+    missing = sorted({name for names in lacking.values() for name in names})
+    if missing:
+        raise SettingsError(messages.WORKERS_WITHOUT_PACKAGES(address=scheduler, packages=", ".join(missing)))
+    client.run(exec, _FORGET)
+    with tempfile.TemporaryDirectory() as folder:
+        client.upload_file(_measuring_archive(Path(folder)))
+
+
+def measuring_modules(plugin: Path) -> list[Path]:
+    """The files below the plugin's folder that measure, with what makes them packages: no QGIS, no charts."""
+    return sorted({found for part in _MEASURING for found in plugin.glob(part)})
 
 
 def _measuring_archive(folder: Path) -> str:
@@ -70,6 +106,6 @@ def _measuring_archive(folder: Path) -> str:
     with zipfile.ZipFile(archive, "w") as file:
         for depth in range(1, len(package) + 1):
             file.writestr("/".join([*package[:depth], "__init__.py"]), "")
-        for module in sorted({found for part in _MEASURING for found in plugin.glob(part)}):
+        for module in measuring_modules(plugin):
             file.write(module, "/".join([*package, *module.relative_to(plugin).parts]))
     return str(archive)

@@ -12,6 +12,7 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
+    QgsProcessingParameterString,
 )
 
 from ...imagery import limits as imagery_limits
@@ -25,6 +26,7 @@ SOURCE_INDEX = "SOURCE_INDEX"
 LEVELS = "LEVELS"
 WAVELET = "WAVELET"
 MAX_RATIO = "MAX_RATIO"
+SCHEDULER = "SCHEDULER"
 CHART = "CHART"
 REPORT = "REPORT"
 
@@ -95,6 +97,16 @@ def wavelet() -> Described:
     return (
         choice(WAVELET, tr("Wavelet"), imagery_limits.WAVELETS, imagery_limits.DEFAULT_WAVELET),
         tr("An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka's papers."),
+    )
+
+
+def scheduler() -> Described:
+    return (
+        QgsProcessingParameterString(SCHEDULER, tr("Dask scheduler"), optional=True),
+        tr(
+            "Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. "
+            "Empty: all cores of this machine."
+        ),
     )
 
 

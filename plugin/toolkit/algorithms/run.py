@@ -241,6 +241,10 @@ class Run:
         """Tell a fact, translated already."""
         self.feedback.pushInfo(text)
 
+    def doing(self, text: str) -> None:
+        """Say what is under way, translated already: it stands beside the progress."""
+        self.feedback.setProgressText(text)
+
     def is_cancelled(self) -> bool:
         return bool(self.feedback.isCanceled())
 

@@ -1,9 +1,7 @@
 """The parameter ``SCHEDULER``: the same windows on a Dask cluster whose workers know nothing of the plugin."""
 from __future__ import annotations
 
-import importlib.util
 import os
-import subprocess
 import sys
 import zipfile
 from collections.abc import Iterator
@@ -13,51 +11,18 @@ from typing import Any
 import pytest
 
 from tests.numbers.synthetic import write_raster
+from tests.qgis.clusters import needs_dask, two_workers
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, whole, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
-HAS_DASK = importlib.util.find_spec("distributed") is not None
-needs_dask = pytest.mark.skipif(not HAS_DASK, reason="dask[distributed] is not installed")
-
-# A process of its own, so that neither the workers nor the scheduler inherit this one's modules and paths.
-CLUSTER = """
-import sys
-from distributed import LocalCluster
-
-if __name__ == "__main__":
-    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
-        print(cluster.scheduler_address, flush=True)
-        sys.stdin.read()
-"""
-
 
 @pytest.fixture(scope="module")
 def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The address of a scheduler with two workers."""
-    folder = tmp_path_factory.mktemp("cluster")
-    script = folder / "cluster.py"
-    script.write_text(CLUSTER, encoding="utf-8")
-    environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "QGIS"))}
-    command = [sys.executable, "-I", str(script)]
-    pipe = subprocess.PIPE
-    with subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, cwd=folder, env=environment) as process:
-        assert process.stdin is not None
-        assert process.stdout is not None
-        address = process.stdout.readline().strip()
-        assert_knows_nothing(address)
+    with two_workers(tmp_path_factory.mktemp("cluster")) as address:
         yield address
-        process.stdin.close()
-
-
-def assert_knows_nothing(address: str) -> None:
-    """Neither the scheduler nor the workers can import the plugin."""
-    from distributed import Client
-
-    with Client(address) as client:
-        assert list(client.run(importlib.util.find_spec, "seam_inspector").values()) == [None, None]
-        assert client.run_on_scheduler(importlib.util.find_spec, "seam_inspector") is None
 
 
 def inspect(scene: Scene, **parameters: Any) -> Run:
@@ -122,6 +87,17 @@ def test_workers_take_the_core_of_an_updated_plugin(
         after = inspect(scene, SCHEDULER=cluster).rows()
     assert [row["ratio_1"] for row in after] != [row["ratio_1"] for row in before]
     assert inspect(scene, SCHEDULER=cluster).rows() == before
+
+
+@needs_dask
+def test_workers_that_lack_a_package_are_told(
+    cluster: str, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from seam_inspector.plugin.toolkit import executors
+
+    monkeypatch.setattr(executors, "_NEEDED", (*executors._NEEDED, "nowhere_installed"))
+    outcome = inspect(scene, SCHEDULER=cluster)
+    assert_sentence(outcome.complaint, f"workers of the Dask scheduler at {cluster} lack nowhere_installed in .*; inst")
 
 
 @needs_dask

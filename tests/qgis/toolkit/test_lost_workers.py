@@ -1,0 +1,103 @@
+"""A worker process that is killed in the middle of a run costs nothing but time."""
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from seam_inspector.plugin.imagery.errors import WorkersLostError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.inspection import (
+    Block,
+    InspectionSettings,
+    Source,
+    WindowRequest,
+    WindowResult,
+    inspect_window,
+)
+from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
+from seam_inspector.plugin.toolkit import watched_executor
+from seam_inspector.plugin.toolkit.executors import open_executor
+
+from tests.numbers.synthetic import orthoimage, write_raster
+from tests.qgis.clusters import needs_dask, scheduler_process, two_workers, worker_processes
+
+pytestmark = [needs_dask, pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")]
+
+SIDE, WINDOWS, LOSSES = 1024, 60, 3
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[str]:
+    with two_workers(tmp_path) as address:
+        yield address
+
+
+@pytest.fixture
+def requests(tmp_path: Path) -> list[WindowRequest]:
+    refs = [
+        RasterRef(write_raster(tmp_path / f"{number}.tif", orthoimage((SIDE, SIDE), seed=number)))
+        for number in range(2)
+    ]
+    block = Block(describe_mosaic(refs[0]), tuple(Source(ref, describe(ref).extent) for ref in refs[1:]))
+    return [
+        WindowRequest(number, block.mosaic, block.sources, PixelWindow(8 * number, 0, 256, 256), InspectionSettings())
+        for number in range(WINDOWS)
+    ]
+
+
+def test_killed_workers_cost_nothing_but_time(cluster: str, requests: list[WindowRequest]) -> None:
+    expected = [inspect_window(request) for request in requests]
+    first = worker_processes(cluster)
+    found = []
+    with open_executor(cluster) as (executor, ahead):
+        for result in inspect_windows(requests, executor, ahead):
+            found.append(result)
+            if len(found) % (WINDOWS // (LOSSES + 1)) == 0 and len(found) < WINDOWS:
+                os.kill(worker_processes(cluster)[0], signal.SIGKILL)
+    assert set(worker_processes(cluster)) != set(first)
+    assert [one.window_id for one in found] == [one.window_id for one in expected]
+    assert [one.judgement.reason for one in found] == [one.judgement.reason for one in expected]
+    assert [one.judgement.ratios.detail for one in found] == [
+        pytest.approx(one.judgement.ratios.detail, rel=1e-5) for one in expected
+    ]
+
+
+@pytest.fixture
+def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(watched_executor, "LOOK_SECONDS", 0.1)
+    monkeypatch.setattr(watched_executor, "PATIENCE_SECONDS", 1.0)
+
+
+def lose(address: str, requests: list[WindowRequest], loss: Callable[[], object]) -> Iterator[WindowResult]:
+    """Results, the loss happening after the fourth."""
+    with open_executor(address) as (executor, ahead):
+        for count, result in enumerate(inspect_windows(requests, executor, ahead), 1):
+            yield result
+            if count == 4:
+                loss()
+
+
+def end_all(address: str) -> None:
+    """End the workers and who would start them anew."""
+    from distributed import Client
+
+    with Client(address) as client:
+        client.run(lambda dask_worker: dask_worker.loop.add_callback(dask_worker.close), nanny=True)
+
+
+@pytest.mark.usefixtures("impatient")
+def test_a_cluster_that_lost_all_workers_is_told(cluster: str, requests: list[WindowRequest]) -> None:
+    with pytest.raises(WorkersLostError, match=f"{cluster} has had no workers for 1 s; start some"):
+        list(lose(cluster, requests, lambda: end_all(cluster)))
+
+
+@pytest.mark.usefixtures("impatient")
+def test_a_scheduler_that_is_gone_is_told(cluster: str, requests: list[WindowRequest]) -> None:
+    process = scheduler_process(cluster)
+    with pytest.raises(WorkersLostError, match=f"{cluster} (is gone|has had no workers)"):
+        list(lose(cluster, requests, lambda: os.kill(process, signal.SIGKILL)))
