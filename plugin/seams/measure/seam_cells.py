@@ -34,14 +34,14 @@ def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
 
 def cell_labels(cells: Sequence[Cell], names: Sequence[str], grid: Grid, window: PixelWindow) -> np.ndarray:
     """Index of each pixel's source in ``names``, (rows, columns) uint8, ``UNKNOWN`` where no cell says."""
-    places = {_stem(name): place for place, name in enumerate(names)}
+    places = {source_stem(name): place for place, name in enumerate(names)}
     xmin, _, _, ymax = grid.window_extent(window)
     with gdal_silenced():
         target = gdal.GetDriverByName("MEM").Create("", window.width, window.height, 1, gdal.GDT_Byte)
         target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
         target.GetRasterBand(1).Fill(UNKNOWN)
         for cell in cells:
-            place = places.get(_stem(cell.source))
+            place = places.get(source_stem(cell.source))
             if place is None:
                 continue
             vector = ogr.GetDriverByName("Memory").CreateDataSource("")
@@ -53,5 +53,6 @@ def cell_labels(cells: Sequence[Cell], names: Sequence[str], grid: Grid, window:
         return target.ReadAsArray()
 
 
-def _stem(name: str) -> str:
+def source_stem(name: str) -> str:
+    """What a source is compared by: its name without folder, ending and capitals."""
     return PurePath(name.replace("\\", "/")).stem.lower()

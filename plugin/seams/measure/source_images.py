@@ -3,16 +3,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError, SettingsError
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.message import Message
-from ...imagery.open_raster import describe_placed
+from ...imagery.open_raster import placed
+from ...imagery.raster_pool import RasterPool
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import extent_on
+from ...imagery.remote_files import readable_path
 from . import messages
 
 
@@ -41,17 +43,20 @@ def gather_sources(
     kept: list[Source] = []
     notices: list[Message] = []
     taken: set[str] = set()
-    for candidate in candidates:
-        ref = candidate.ref if isinstance(candidate, Source) else candidate
-        key = _key(ref)
-        if mosaic is not None and key == _key(mosaic):
-            notices.append(messages.MOSAIC_AMONG_SOURCES(name=ref.name))
-        elif key not in taken:
-            taken.add(key)
-            try:
-                kept.append(candidate if isinstance(candidate, Source) else _footprint(ref, wkt))
-            except RasterError as error:
-                notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
+    mosaic_key = None if mosaic is None else _key(_in_parts(mosaic))
+    with RasterPool(most=1) as pool:
+        for candidate in candidates:
+            ref = _in_parts(candidate.ref if isinstance(candidate, Source) else candidate)
+            key = _key(ref)
+            if key == mosaic_key:
+                notices.append(messages.MOSAIC_AMONG_SOURCES(name=ref.name))
+            elif key not in taken:
+                taken.add(key)
+                try:
+                    extent = candidate.extent if isinstance(candidate, Source) else _footprint(ref, wkt, pool)
+                    kept.append(Source(ref, extent))
+                except RasterError as error:
+                    notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
     return kept, notices
 
 
@@ -80,9 +85,20 @@ def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: flo
     )
 
 
-def _footprint(ref: RasterRef, wkt: str) -> Source:
-    raster = describe_placed(ref)
-    return Source(ref, extent_on(raster.extent, raster.wkt, wkt))
+def is_same_file(first: RasterRef, second: RasterRef) -> bool:
+    """Whether two rasters are one file, however its path is written."""
+    return _key(_in_parts(first)) == _key(_in_parts(second))
+
+
+def _footprint(ref: RasterRef, wkt: str, pool: RasterPool) -> Extent:
+    raster = placed(pool.open(ref).raster)
+    return extent_on(raster.extent, raster.wkt, wkt)
+
+
+def _in_parts(ref: RasterRef) -> RasterRef:
+    """By a path that GDAL reads in parts."""
+    path = readable_path(ref.path)
+    return ref if path == ref.path else replace(ref, path=path)
 
 
 def _key(ref: RasterRef) -> str:

@@ -81,7 +81,7 @@ def place_windows(
     densest_m = (side_px / 2 + 1) * max(metres_x, metres_y)
     shortest_m = max(MIN_SEAM_SHARE * side_px, MIN_SEAM_PX) * grid.ground_sample_distance
 
-    placed = _WindowIndex(side_px)
+    placed = WindowIndex(side_px)
     windows: list[PlacedWindow] = []
     dropped: list[Message] = []
     outside = tiny = covered = crowded = 0
@@ -157,7 +157,7 @@ def _along(
     asked = sum(_count(start, end, spacing_m) for start, end in stretches)
     fitting = track.fitting_stretches()
     inside = ((fitting[:, 0] <= spots[:, :1]) & (spots[:, :1] <= fitting[:, 1])).any(axis=1)
-    taken = _WindowIndex(track.side_px)
+    taken = WindowIndex(track.side_px)
     found: list[tuple[float, PixelWindow]] = []
     too_near = asked - len(spots)
     to_move = ~inside
@@ -265,7 +265,7 @@ class _Track:
         return np.column_stack([first[np.append(True, apart)[: len(first)]], last[np.append(apart, True)[: len(last)]]])
 
 
-class _WindowIndex:
+class WindowIndex:
     """Windows of one size by place."""
 
     def __init__(self, side_px: int) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor, Future, wait
 from typing import Callable, TypeVar
 
+from ...imagery.errors import WorkersLostError
 from ...imagery.message import Message
 from . import messages
 from .inspection import WindowRequest, WindowResult, inspect_window, not_comparable
@@ -36,7 +37,7 @@ def in_order(
     At most ``ahead`` windows are under way or waiting to be taken, so memory does not grow with their number.
     ``failed`` makes the result of a request whose measurement raised an error that nobody foresaw. Stops when
     ``cancelled`` says so, with the results that are ready by then, within a fraction of a second even while a window
-    is under way.
+    is under way. Raises WorkersLostError when nobody is left to measure.
     """
     waiting: deque[tuple[Request, Future[Result]]] = deque()
     try:
@@ -68,7 +69,7 @@ def _ready(
     error = future.exception()
     if error is None:
         yield future.result()
-    elif isinstance(error, Exception):
+    elif isinstance(error, Exception) and not isinstance(error, WorkersLostError):
         yield failed(request, messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}"))
     else:
         raise error

@@ -14,8 +14,8 @@ from ..seam_cells import UNKNOWN
 from .border import BORDER_PX, to_the_pixel
 from .boxes import near_border
 from .followed_source import FollowedSource
-from .levelling import levelled, square_means
-from .likely_source import likely_source
+from .levelling import SQUARE_PX, Levelled, levelled, square_means
+from .likely_source import FINE, Sampling, likely_source
 from .mosaic_filter import filtered, fit_filter
 
 MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
@@ -39,6 +39,20 @@ class ExpectedMosaic:
     """(rows, columns) uint8: the source of every pixel, ``UNKNOWN`` where none explains it."""
 
 
+@dataclass(frozen=True, eq=False)
+class Filters:
+    """What makes of the sources what the mosaic shows of them."""
+
+    taps: Mapping[int, np.ndarray]
+    """Of each source that is followed, (5, 5); empty where nothing was done to them."""
+    came_over_cuts: bool
+    """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
+
+    def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
+        """A source's plane as the mosaic shows it."""
+        return filtered(plane, self.taps[source]) if self.taps else plane
+
+
 def expected_mosaic(
     mosaic: np.ndarray,
     planes: Sequence[np.ndarray],
@@ -47,6 +61,9 @@ def expected_mosaic(
     valid: Mapping[int, np.ndarray],
     known: np.ndarray | None = None,
     moved: Collection[int] = (),
+    filters: Filters | None = None,
+    sampling: Sampling = FINE,
+    patch_px: int = 0,
 ) -> ExpectedMosaic:
     """Planes (rows, columns) float32 of the mosaic and its sources, ``following`` a first estimate.
 
@@ -54,29 +71,30 @@ def expected_mosaic(
 
     ``valid``: pixels that a source has, of those that don't have all. ``known``: labels that are known, else
     ``UNKNOWN``; they go before the estimate. ``moved``: planes of sources that were moved to where they fit.
+    ``filters``: what came over the mosaic, where that is known from more ground than there is here. ``sampling``: how
+    closely sources are told from each other. ``patch_px``: as for ``mosaic_of``, whose ground this is compared with.
     """
     own, sources = fine[0], {i: fine[1 + i] for i in sorted(following.followed)}
-    predicted = {i: _through_filter(own, one, (following.labels == i) & following.clear) for i, one in sources.items()}
-    likely = likely_source(own, predicted, following.labels, following.clear, valid, moved)
+    if filters is None:
+        shown_fine = {
+            i: _through_filter(own, one, (following.labels == i) & following.clear) for i, one in sources.items()
+        }
+    else:
+        shown_fine = {i: filters.applied(i, one) for i, one in sources.items()}
+    likely = likely_source(own, shown_fine, following.labels, following.clear, valid, moved, sampling)
     labels = likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
     if known is not None:
         labels = np.where(known == UNKNOWN, labels, known)
-    means = square_means(mosaic)
-    numbers = _present(labels)
-    in_tone = {i: levelled(means, planes[i], labels == i, following.clear) for i in numbers}
+    in_tone = _in_tone(mosaic, dict(enumerate(planes)), labels, following.clear, patch_px)
     toned = {i: one.plane for i, one in in_tone.items()}
-    sure = following.clear & (labels != UNKNOWN)
-    # The gain is even enough to be taken for the same within the reach of a high-pass.
-    def reference(place: slice | tuple[slice, ...]) -> np.ndarray:
-        return _cut(own[place], {i: one.gain[place] * fine[1 + i][place] for i, one in in_tone.items()}, labels[place])
-
-    is_unfiltered = _is_a_multiple(own[_SAMPLE], reference(_SAMPLE), labels[_SAMPLE], sure[_SAMPLE])
-    found = None if is_unfiltered else _find_filters(own, reference(np.s_[:]), labels, sure)
-    shown = {i: filtered(plane, found.taps[i]) for i, plane in toned.items()} if found else toned
+    found = filters
+    if found is None:
+        found = _find_filters(own, dict(enumerate(fine[1:])), in_tone, labels, following.clear & (labels != UNKNOWN))
+    shown = {i: found.applied(i, plane) for i, plane in toned.items()}
     if known is None and len(toned) > 1:
         labels = to_the_pixel(mosaic, shown, labels, valid)
     unfiltered = _cut(mosaic, toned, labels)
-    if found is None:
+    if not found.taps:
         return ExpectedMosaic(unfiltered, unfiltered, labels)
     if not found.came_over_cuts:
         return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels)
@@ -84,14 +102,47 @@ def expected_mosaic(
     return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels)
 
 
-@dataclass(frozen=True, eq=False)
-class _Filters:
-    """What makes of the sources what the mosaic shows of them."""
+def mosaic_of(
+    mosaic: np.ndarray,
+    planes: Mapping[int, np.ndarray],
+    own: np.ndarray,
+    fine: Mapping[int, np.ndarray],
+    labels: np.ndarray,
+    within: np.ndarray,
+    patch_px: int,
+) -> tuple[np.ndarray, Filters]:
+    """The same where labels are known for sure and no seam is near, ``UNKNOWN`` elsewhere: (rows, columns) float32;
+    and what came over the mosaic.
 
-    taps: Mapping[int, np.ndarray]
-    """Of each source that is followed, (5, 5)."""
-    came_over_cuts: bool
-    """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
+    ``own``, ``fine``: the fine detail of the mosaic and of the sources. ``within``: pixels a filter may be taken from.
+    ``patch_px``: side of the patches that all of them consist of.
+    """
+    sure = labels != UNKNOWN
+    in_tone = _in_tone(mosaic, planes, labels, sure, patch_px)
+    found = _find_filters(own, fine, in_tone, labels, sure & within)
+    return _cut(mosaic, {i: found.applied(i, one.plane) for i, one in in_tone.items()}, labels), found
+
+
+def _in_tone(
+    mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarray, clear: np.ndarray, patch_px: int
+) -> dict[int, Levelled]:
+    """The sources that any pixel follows, in the mosaic's grey values."""
+    means = square_means(mosaic)
+    return {i: levelled(means, planes[i], labels == i, clear, patch_px // SQUARE_PX) for i in _present(labels)}
+
+
+def _find_filters(
+    own: np.ndarray, fine: Mapping[int, np.ndarray], in_tone: Mapping[int, Levelled], labels: np.ndarray,
+    sure: np.ndarray,
+) -> Filters:
+    """What has to be done to the sources in the mosaic's tones."""
+    # The gain is even enough to be taken for the same within the reach of a high-pass.
+    def reference(place: slice | tuple[slice, ...]) -> np.ndarray:
+        return _cut(own[place], {i: one.gain[place] * fine[i][place] for i, one in in_tone.items()}, labels[place])
+
+    if _is_a_multiple(own[_SAMPLE], reference(_SAMPLE), labels[_SAMPLE], sure[_SAMPLE]):
+        return Filters({}, False)
+    return _fitted_filters(own, reference(np.s_[:]), labels, sure)
 
 
 def _present(labels: np.ndarray) -> list[int]:
@@ -120,16 +171,16 @@ def _cut(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarra
     return made
 
 
-def _find_filters(
+def _fitted_filters(
     fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray
-) -> _Filters | None:
-    """One filter for all sources, or one for each where that explains more; None where none is needed."""
+) -> Filters:
+    """One filter for all sources, or one for each where that explains more; none where none is needed."""
     taps = fit_filter(fine, reference, sure, gain=1.0)
     if taps is None:
-        return None
+        return Filters({}, False)
     common = filtered(reference, taps)
     if not _explains_more(fine, reference, common, sure):
-        return None
+        return Filters({}, False)
     numbers = _present(labels)
     if len(numbers) > 1:
         fitted = {i: fit_filter(fine, reference, sure & (labels == i), gain=1.0) for i in numbers}
@@ -138,8 +189,8 @@ def _find_filters(
         if len(single) == len(numbers) and _explains_more(
             fine, common, _cut(fine, planes, labels), sure, MIN_SINGLE_GAIN
         ):
-            return _Filters(single, False)
-    return _Filters(dict.fromkeys(numbers, taps), True)
+            return Filters(single, False)
+    return Filters(dict.fromkeys(numbers, taps), True)
 
 
 def _through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:

@@ -44,6 +44,8 @@ class FollowedSource:
     """(rows, columns) uint8: index of the source that the mosaic follows, everywhere."""
     clear: np.ndarray
     """(rows, columns) bool: where one source wins clearly."""
+    mixed: np.ndarray
+    """(rows, columns) bool: where it is a mixture of two sources."""
     mixed_share: float
     """Share of the pixels where the mosaic is a mixture of two sources."""
     shares: tuple[float, ...]
@@ -99,6 +101,7 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
     return FollowedSource(
         _to_pixels(winner, rows, columns),
         _to_pixels(clear, rows, columns),
+        _to_pixels(mixed, rows, columns),
         float(mixed.mean()),
         tuple((np.bincount(winner.ravel(), minlength=count) / winner.size).tolist()),
         float(fit[textured].mean()) if textured.any() else 0.0,
@@ -109,9 +112,9 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
 
 def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
     """By cells: winner, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
-    own = _products(mosaic, mosaic)
-    energies = [_products(source, source) for source in sources]
-    shared = [_products(mosaic, source) for source in sources]
+    own = sums_over_cells(mosaic, mosaic)
+    energies = [sums_over_cells(source, source) for source in sources]
+    shared = [sums_over_cells(mosaic, source) for source in sources]
     near, wide = _correlations(own, energies, shared)
     winner, lead = _highest(near)
     if len(sources) > 1:
@@ -146,7 +149,7 @@ def _binomial(band: np.ndarray, spacing: int, axis: int) -> np.ndarray:
     return pairs[:-spacing] + pairs[spacing:]
 
 
-def _products(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def sums_over_cells(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Sums of a x b over cells, (rows / 4, columns / 4), without what sticks out of whole cells."""
     rows, columns = (length // CELL_PX for length in a.shape)
     whole = slice(columns * CELL_PX)
@@ -225,7 +228,7 @@ def _mixtures(
     explained = np.zeros_like(mosaic)
     for i, j in combinations(followed, 2):
         (energy_i, product_i), (energy_j, product_j) = sums[i], sums[j]
-        common = _together(_products(sources[i], sources[j]))
+        common = _together(sums_over_cells(sources[i], sources[j]))
         determinant = 1.001 * energy_i * energy_j - common**2
         a = (product_i * energy_j - product_j * common) / determinant
         b = (product_j * energy_i - product_i * common) / determinant

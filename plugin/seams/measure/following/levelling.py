@@ -15,7 +15,8 @@ from scipy import ndimage
 from ..tone import coarse_means
 
 LEVELS = 3
-"""Squares of 8 px are compared."""
+SQUARE_PX = 2**LEVELS
+"""Side of the squares that are compared."""
 
 _MIN_OWN = 0.9  # of a square's pixels that follow the source
 _FEWEST_SQUARES = 24
@@ -40,16 +41,16 @@ class Levelled:
 
 
 def levelled(
-    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray
+    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0
 ) -> Levelled:
     """A source's plane in the mosaic's grey values; (rows, columns), float32 and bool.
 
     ``mosaic_means``: of the mosaic's squares of 8 px. ``own``: pixels that follow the source, ``clear``: pixels that
-    follow one source for sure.
+    follow one source for sure. ``patch``: see ``gain_field``.
     """
     share = square_means(own)
     reference = square_means(source)
-    gain = _gain_field(mosaic_means, reference, square_means(own & clear) > _MIN_OWN)
+    gain = gain_field(mosaic_means, reference, square_means(own & clear) > _MIN_OWN, patch)
     # A square that two sources share tells neither's tone.
     bias = _spread_out(mosaic_means - gain * reference, share)
     gain = _to_pixels(gain, source.shape)
@@ -81,7 +82,7 @@ def left_over(
     scale = _scale(curve)
     if scale <= least:
         return scale, scale
-    gain = _gain_field(mosaic, source, where)
+    gain = gain_field(mosaic, source, where)
     bias = mosaic - gain * source
     local = (bias - _spread_out(bias, where.astype(np.float32)))[where]
     return scale, _scale(local)
@@ -91,14 +92,18 @@ def _scale(rest: np.ndarray) -> float:
     return 1.4826 * float(np.median(np.abs(rest)))
 
 
-def _gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
-    """The gain at every square, (rows, columns): by its place and its brightness where there is ground enough."""
+def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch: int = 0) -> np.ndarray:
+    """The gain at every square, (rows, columns): by its place and its brightness where there is ground enough.
+
+    ``patch``: side in squares of patches that are each compared by themselves, 0: every square with those around it.
+    Both see other scales, and so another gain where a mosaic was sharpened: one filter goes with one of them.
+    """
     ones = np.ones(mosaic.shape, np.float32)
     if np.count_nonzero(where) < _FEWEST_SQUARES:
         return ones
-    weight = ndimage.uniform_filter(where.astype(np.float32), _NEAR_SQUARES) + 1e-6
+    weight = _near_means(where.astype(np.float32), patch) + 1e-6
     x, y = (
-        (band - ndimage.uniform_filter(np.where(where, band, 0), _NEAR_SQUARES) / weight)[where].astype(np.float64)
+        (band - _near_means(np.where(where, band, 0), patch) / weight)[where].astype(np.float64)
         for band in (source, mosaic)
     )
     fields = _places(source, where) if np.count_nonzero(where) >= _FEWEST_FOR_TREND else [ones]
@@ -118,6 +123,18 @@ def _gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np
     gain = sum(factor * field for factor, field in zip(factors, fields))
     middle = float(np.median(np.asarray(gain)[where]))
     return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)
+
+
+def _near_means(values: np.ndarray, patch: int) -> np.ndarray:
+    """Means of what is near to every square: around it, or of its patch."""
+    if not patch:
+        return np.asarray(ndimage.uniform_filter(values, _NEAR_SQUARES))
+    sums, counts = values, np.ones(values.shape, np.float32)
+    for axis in (0, 1):
+        firsts = np.arange(0, values.shape[axis], patch)
+        sums, counts = (np.add.reduceat(one, firsts, axis=axis) for one in (sums, counts))
+    means = (sums / counts).repeat(patch, axis=0).repeat(patch, axis=1)
+    return np.asarray(means[: values.shape[0], : values.shape[1]])
 
 
 def _places(source: np.ndarray, where: np.ndarray) -> list[np.ndarray]:

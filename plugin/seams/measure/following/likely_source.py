@@ -14,8 +14,8 @@ from scipy import ndimage
 
 from ..profile.energy_response import EnergyResponse, fit_response, log_energies, sampled
 from .boxes import box_means, near_border, opened
+from .followed_source import CELL_PX, sums_over_cells
 
-GRID_PX = 2
 MIN_UNEXPLAINED = 0.4  # of the way from what a source leaves over elsewhere to what a stranger would
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
 MIN_UNEXPLAINED_BY_ONE = 0.15  # where one source alone is followed there is no mixture that it could be half of
@@ -26,16 +26,42 @@ MAX_EXPECTED = 0.7  # of what a stranger leaves over
 MAX_LEARNED = 0.25  # of the way to a stranger: squares that a source explains better tell what it leaves over
 SMALLEST_PART_PX = 600  # pixels of one source on their own that are believed; a square of 24 px
 
-_NEAR, _WIDE = 7, 17  # squares of the grid that are looked at together: 14 and 34 px
-_STRIP = 7  # squares: what a seam leaves unexplained along itself is no part of a source
 _WIDE_WEIGHT = 0.1  # of the wider neighbourhood: it decides only where the near one doesn't
 _INSIDE_PX = 8  # from the border that is known so far
-_FEWEST_SQUARES = 400
-_FEWEST_LEARNED = 200
+_FEWEST_PX = 1600  # that follow a source for sure, for the others to be left out
+_FEWEST_LEARNED_PX = 800
 _BEST = 0.6  # quantile of the squares' fit that is begun with
 _ROUNDS = 5
 _LEAST_ENERGY = 1e-2  # DN squared a pixel
 _PIECE_PX = 128  # rows multiplied at a time, so that what lies between two passes stays in the cache
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """How closely sources are told from each other."""
+
+    grid_px: int
+    """Side of the squares that are summed up."""
+    near: int
+    """Squares a side that are looked at together, odd."""
+    wide: int
+    """The same where those don't decide, odd."""
+    strip: int
+    """Squares: what a seam leaves unexplained along itself is no part of a source."""
+
+    def sums(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+        """Of the products over the squares, (rows, columns)."""
+        return _sums(a, b) if self.grid_px == 2 else sums_over_cells(a, b)
+
+    def squares(self, pixels: int) -> int:
+        """So many pixels."""
+        return pixels // self.grid_px**2
+
+
+FINE = Sampling(2, 7, 17, 7)
+"""14 and 34 px."""
+QUICK = Sampling(CELL_PX, 3, 9, 4)
+"""12 and 36 px, a third of the time: for labels whose borders are then moved to the pixel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,27 +81,32 @@ def likely_source(
     clear: np.ndarray,
     valid: Mapping[int, np.ndarray],
     moved: Collection[int] = (),
+    sampling: Sampling = FINE,
 ) -> LikelySource:
     """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
     those that don't have all. ``moved``: sources that lie elsewhere than where they were given.
     """
-    grid = np.s_[::GRID_PX, ::GRID_PX]
+    near_side, wide_side, step = sampling.near, sampling.wide, sampling.grid_px
+    grid = np.s_[::step, ::step]
+    least_energy = _LEAST_ENERGY * step**2
     first = np.ascontiguousarray(labels[grid])
-    sure = clear[grid] & ~near_border(first, _INSIDE_PX // GRID_PX)
-    own = _sums(mosaic, mosaic)
-    near, wide = box_means(own, (_NEAR, _WIDE))
+    sure = clear[grid] & ~near_border(first, _INSIDE_PX // step)
+    own = sampling.sums(mosaic, mosaic)
+    near, wide = box_means(own, (near_side, wide_side))
     costs, rests, fits = [], [], []
     for i, plane in sources.items():
-        energy, shared = _sums(plane, plane), _sums(mosaic, plane)
-        energy_near, energy_wide = box_means(energy, (_NEAR, _WIDE))
-        shared_near, shared_wide = box_means(shared, (_NEAR, _WIDE))
+        energy, shared = sampling.sums(plane, plane), sampling.sums(mosaic, plane)
+        energy_near, energy_wide = box_means(energy, (near_side, wide_side))
+        shared_near, shared_wide = box_means(shared, (near_side, wide_side))
         own_part = first == i if i not in valid else (first == i) & valid[i][grid]
         where = np.flatnonzero(own_part & sure)
-        if len(where) < _FEWEST_SQUARES:
+        if len(where) < sampling.squares(_FEWEST_PX):
             where = np.flatnonzero(own_part if own_part.any() else first == i)
-        gain, response, fit = _learned(sampled(where), wide, energy_wide, shared_wide)
+        gain, response, fit = _learned(
+            sampled(where), wide, energy_wide, shared_wide, sampling.squares(_FEWEST_LEARNED_PX)
+        )
         logs_wide = log_energies(energy_wide)
         gain_wide = gain.at(logs_wide)
         cost, _ = _left_over(near, energy_near, shared_near, gain(energy_near))
@@ -96,26 +127,26 @@ def likely_source(
         if fit < MIN_FIT or stands_in or (i in moved and fit < MIN_ALIKE_FIT):
             rest[0], rest[2] = rest[1], 0.0
     numbers, rest = _least(list(sources), costs, rests)
-    found = without_islands(numbers, SMALLEST_PART_PX // GRID_PX**2)
+    found = without_islands(numbers, sampling.squares(SMALLEST_PART_PX))
     limit = MIN_UNEXPLAINED if len(sources) > 1 else MIN_UNEXPLAINED_BY_ONE
-    unexplained = opened(_strange(rest, wide) > limit, _STRIP)
-    unexplained = without_islands(unexplained.view(np.uint8), SMALLEST_PART_PX // GRID_PX**2) > 0
+    unexplained = opened(_strange(rest, wide, wide_side, least_energy) > limit, sampling.strip)
+    unexplained = without_islands(unexplained.view(np.uint8), sampling.squares(SMALLEST_PART_PX)) > 0
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
-    return LikelySource(_to_pixels(found), _to_pixels(unexplained))
+    return LikelySource(_to_pixels(found, step), _to_pixels(unexplained, step))
 
 
-def _strange(rest: np.ndarray, wide: np.ndarray) -> np.ndarray:
+def _strange(rest: np.ndarray, wide: np.ndarray, side: int, least: float) -> np.ndarray:
     """How far what the sources leave over is on the way to what strangers would; ``rest`` (3, rows, columns): left
     over, left over by a stranger, expected to be left over, of the source of every square."""
-    (left,), (stranger,), (expected,) = (box_means(sums, (_WIDE,)) for sums in rest)
+    (left,), (stranger,), (expected,) = (box_means(sums, (side,)) for sums in rest)
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
-    textured = (wide > _LEAST_ENERGY * GRID_PX**2) & ((1 + MIN_TEXTURE) * wide >= MIN_TEXTURE * stranger)
-    return np.where(textured, (left - expected) / np.maximum(stranger - expected, _LEAST_ENERGY * GRID_PX**2), 0)
+    textured = (wide > least) & ((1 + MIN_TEXTURE) * wide >= MIN_TEXTURE * stranger)
+    return np.where(textured, (left - expected) / np.maximum(stranger - expected, least), 0)
 
 
 def _learned(
-    sample: np.ndarray, own: np.ndarray, energy: np.ndarray, shared: np.ndarray
+    sample: np.ndarray, own: np.ndarray, energy: np.ndarray, shared: np.ndarray, fewest: int
 ) -> tuple[EnergyResponse, EnergyResponse, float]:
     """The gain of a source by its energy, what it leaves over, and the share that it explains, from squares that follow
     it, ``sample`` by number.
@@ -132,7 +163,7 @@ def _learned(
         response = fit_response(energy[chosen], np.maximum(left[chosen], 0))
         expected = np.minimum(response(energy) * energy, MAX_EXPECTED * stranger)
         explained = left - expected < MAX_LEARNED * (stranger - expected)
-        if np.count_nonzero(explained) < min(_FEWEST_LEARNED, len(own)) or (explained == chosen).all():
+        if np.count_nonzero(explained) < min(fewest, len(own)) or (explained == chosen).all():
             break
         chosen = explained
     return gain, response, _fit(own[chosen], energy[chosen], shared[chosen])
@@ -183,9 +214,14 @@ def without_islands(labels: np.ndarray, least: int) -> np.ndarray:
         few[0] = False
         if few.any():
             small |= few[parts]
-    if not small.any() or small.all():
+    return filled_in(labels, small)
+
+
+def filled_in(labels: np.ndarray, open_to: np.ndarray) -> np.ndarray:
+    """What is ``open_to`` what surrounds it goes with what is nearest, (rows, columns); labels if all or nothing is."""
+    if not open_to.any() or open_to.all():
         return labels
-    found = labels.copy()
+    found, small = labels.copy(), open_to
     islands, _ = ndimage.label(small, np.ones((3, 3)))
     for number, place in enumerate(ndimage.find_objects(islands), 1):
         # What is nearest to an island touches it.
@@ -196,15 +232,15 @@ def without_islands(labels: np.ndarray, least: int) -> np.ndarray:
 
 
 def _sums(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Of the products over squares of the grid, (rows / 2, columns / 2)."""
-    sums = np.empty(tuple(length // GRID_PX for length in a.shape), np.float32)
+    """Of the products over squares of 2 px, (rows / 2, columns / 2)."""
+    sums = np.empty(tuple(length // 2 for length in a.shape), np.float32)
     for start in range(0, len(a), _PIECE_PX):
         part = slice(start, start + _PIECE_PX)
         product = a[part] * b[part]
         down = product[0::2] + product[1::2]
-        np.add(down[:, 0::2], down[:, 1::2], out=sums[start // GRID_PX : (start + _PIECE_PX) // GRID_PX])
+        np.add(down[:, 0::2], down[:, 1::2], out=sums[start // 2 : (start + _PIECE_PX) // 2])
     return sums
 
 
-def _to_pixels(squares: np.ndarray) -> np.ndarray:
-    return np.asarray(squares.repeat(GRID_PX, axis=1).repeat(GRID_PX, axis=0))
+def _to_pixels(squares: np.ndarray, side: int) -> np.ndarray:
+    return np.asarray(squares.repeat(side, axis=1).repeat(side, axis=0))

@@ -16,6 +16,7 @@ from scipy.special import stdtrit
 
 from .detail_cells import CELL_PX, EDGES_PX, DetailCells
 from .energy_response import EnergyResponse, fit_response
+from .ground import scatter_of_blocks
 
 STRIP_PX = 8
 """Width on either side of the seam that kept_1 is of; twice and four times that at levels 2 and 3."""
@@ -34,8 +35,10 @@ _BLOCK_CELLS = 2  # a side of the blocks whose scatter the interval follows from
 _BLOCK_AREA_PX = float((_BLOCK_CELLS * CELL_PX) ** 2)
 _LABEL_ERROR = 0.13  # of one such block: pixels beside a seam that are given to the wrong source
 _LEAST_ERROR = 0.02  # of kept, however long the seam: borders that are drawn where the mosaic fits best
-_MOST_TOO_HIGH = 0.06  # of kept: in a feather the border is drawn where either side is nearest to the mixture
-_REACH_ERROR = 0.8  # of what is still missing where the ground around begins: a feather reaches into that
+LEAST_OF_LOW = 0.94
+"""Of kept: in a feather the border is drawn where either side is nearest to the mixture, which makes it seem more."""
+REACH_ERROR = 0.8
+"""Of what is still missing where the ground around begins: a feather reaches into that."""
 _CONFIDENCE = 0.95
 
 
@@ -79,7 +82,7 @@ class SeamProfile:
 
 def seam_profile(cells: DetailCells) -> SeamProfile | None:
     """The profile of a window, a strip or a mosaic; None without a seam, or with too little ground around."""
-    if not cells.has_seam or cells.area[0, _strip(0)].sum() < MIN_STRIP_PX:
+    if not cells.has_seam or cells.area[0, strip_bins(0)].sum() < MIN_STRIP_PX:
         return None
     far, beyond = _far_cells(cells)
     if np.count_nonzero(far) < FEWEST_FAR_CELLS:
@@ -93,7 +96,7 @@ def seam_profile(cells: DetailCells) -> SeamProfile | None:
         tuple(None if one is None else one.kept for one in strips),
         beside.low,
         beside.high,
-        _band_width_px(bins[0]) if beside.kept < BAND_KEPT else 0.0,
+        band_width_px(bins[0][:-1]) if beside.kept < BAND_KEPT else 0.0,
         max(0.0, 1 - beside.gain**2 / beside.kept) if beside.kept > 0 else 0.0,
         tuple(one for found in bins for one in found),
     )
@@ -107,7 +110,25 @@ def local_kept(cells: DetailCells, level: int = 0) -> np.ndarray | None:
     return _LevelProfile(cells, level, far, beyond).by_cell()
 
 
-def _strip(level: int) -> slice:
+def interval_factor(
+    scatter: float | np.ndarray, strip_blocks: np.ndarray, far_blocks: float | np.ndarray, area_px: np.ndarray,
+    reach: float | np.ndarray,
+) -> np.ndarray:
+    """What kept is divided and multiplied by at the ends of its 95 % interval.
+
+    ``scatter`` between blocks of the ground, as many as ``far_blocks``; ``strip_blocks`` that what is judged is as good
+    as, ``area_px`` of it; ``reach``: what a feather may have taken from the ground itself, as a share.
+    """
+    error = np.sqrt(
+        scatter**2 * (1 / np.maximum(strip_blocks, 1) + 1 / np.maximum(far_blocks, 1))
+        + _LABEL_ERROR**2 * _BLOCK_AREA_PX / area_px
+        + reach**2
+        + _LEAST_ERROR**2
+    )
+    return np.asarray(np.exp(stdtrit(np.maximum(far_blocks - 1, 1), (1 + _CONFIDENCE) / 2) * error))
+
+
+def strip_bins(level: int) -> slice:
     """Bins of the strip beside the seam."""
     return slice(0, EDGES_PX.index(STRIP_PX * 2**level) if STRIP_PX * 2**level in EDGES_PX else len(EDGES_PX) - 1)
 
@@ -142,7 +163,7 @@ class _LevelProfile:
         self._sums = np.stack([one.reshape(len(one), -1).sum(axis=1) for one in parts])
         own_before, expected_before, _, _, area_before = self._sums[:, beyond - 1].tolist()
         still = own_before / max(expected_before, 1e-12) if area_before else 1.0
-        self._reach = _REACH_ERROR * min(max(1 - still, 0.0), 1.0)
+        self._reach = REACH_ERROR * min(max(1 - still, 0.0), 1.0)
 
     def bins(self) -> list[ProfileBin]:
         """Those that there is anything of."""
@@ -151,7 +172,7 @@ class _LevelProfile:
 
     def strip(self) -> ProfileBin | None:
         """The strip beside the seam; None where there is nothing of it."""
-        bins = _strip(self._level)
+        bins = strip_bins(self._level)
         sums, expected = self._sums[:, bins].sum(axis=1, keepdims=True), self._expected[bins].sum(axis=0, keepdims=True)
         (found,) = self._measured(sums, expected, [(0, EDGES_PX[bins.stop])])
         return found
@@ -164,17 +185,13 @@ class _LevelProfile:
         some = (expected > 0) & (area > 0)
         kept = own / np.where(some, expected, 1)
         gain = shared / np.maximum(expected_shared, 1e-12)
-        error = np.sqrt(
-            self._scatter**2 * (1 / np.maximum(_effective(expected_cells), 1) + 1 / max(self._far_blocks, 1))
-            + _LABEL_ERROR**2 * _BLOCK_AREA_PX / np.where(some, area, 1)
-            + self._reach**2
-            + _LEAST_ERROR**2
+        factor = interval_factor(
+            self._scatter, _effective(expected_cells), self._far_blocks, np.where(some, area, 1), self._reach
         )
-        factor = np.exp(stdtrit(max(self._far_blocks - 1, 1), (1 + _CONFIDENCE) / 2) * error)
         return [
             ProfileBin(self._level + 1, *ends, *numbers) if is_some else None
             for is_some, ends, *numbers in zip(some.tolist(), edges, *(
-                column.tolist() for column in (kept, kept / factor * (1 - _MOST_TOO_HIGH), kept * factor, gain, area)
+                column.tolist() for column in (kept, kept / factor * LEAST_OF_LOW, kept * factor, gain, area)
             ))
         ]
 
@@ -185,10 +202,10 @@ class _LevelProfile:
         return np.divide(own, expected, out=np.full(own.shape, np.nan), where=expected > 0)
 
 
-def _band_width_px(bins: Sequence[ProfileBin]) -> float:
-    """Twice the distance at which BAND_KEPT is reached, linear between the middles of the bins."""
+def band_width_px(bins: Sequence[ProfileBin]) -> float:
+    """Twice the distance at which BAND_KEPT is reached, linear between the middles of the bins, which have ends."""
     last: tuple[float, float] | None = None
-    for one in bins[:-1]:
+    for one in bins:
         middle = one.middle_px
         if one.kept >= BAND_KEPT and middle > STRIP_PX / 2:
             if last is None:
@@ -202,16 +219,7 @@ def _band_width_px(bins: Sequence[ProfileBin]) -> float:
 
 def _block_scatter(mm: np.ndarray, expected: np.ndarray, far: np.ndarray) -> tuple[float, float]:
     """Standard deviation of log kept between blocks of the ground around, and how many blocks that is as good as."""
-    own, hoped = (_blocks(np.where(far, values.sum(axis=0), 0)) for values in (mm, expected))
-    known = hoped > 0
-    if np.count_nonzero(known) < 2:
-        return 1.0, 1.0
-    weights = hoped[known]
-    ratios = own[known] / weights
-    mean = float((weights * ratios).sum() / weights.sum())
-    count = float(weights.sum() ** 2 / (weights**2).sum())
-    variance = float((weights * (ratios - mean) ** 2).sum() / weights.sum()) * count / max(count - 1, 1)
-    return float(np.sqrt(variance)) / max(mean, 1e-6), count
+    return scatter_of_blocks(*(_blocks(np.where(far, values.sum(axis=0), 0)) for values in (mm, expected)))
 
 
 def _effective(weights: np.ndarray) -> np.ndarray:

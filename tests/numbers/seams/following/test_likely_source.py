@@ -8,7 +8,7 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
 from seam_inspector.plugin.seams.measure.following.likely_source import (
-    GRID_PX,
+    FINE,
     SMALLEST_PART_PX,
     LikelySource,
     likely_source,
@@ -204,4 +204,4 @@ def test_a_part_begins_at_its_least_size() -> None:
         assert (found[96 + side // 2, 64 + side // 2] == 1) is np.bool_(stays)
         sizes = np.bincount(ndimage.label(found == 1)[0].ravel())[1:]
         assert sizes.min() >= SMALLEST_PART_PX
-    assert SMALLEST_PART_PX % GRID_PX**2 == 0
+    assert SMALLEST_PART_PX % FINE.grid_px**2 == 0

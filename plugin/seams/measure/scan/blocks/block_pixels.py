@@ -1,0 +1,216 @@
+"""The pixels of one block, read once: what mosaic and sources show of it, in the band that is judged."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from osgeo import gdal
+
+from .....imagery.band_curves import judged_plane
+from .....imagery.band_names import LUMINANCE, measured_bands
+from .....imagery.clips import Clip, read_clip
+from .....imagery.errors import NotCoveredError, RasterError
+from .....imagery.grids import PixelWindow
+from .....imagery.message import Message
+from .....imagery.raster_pool import open_raster
+from .....imagery.rasters import Raster, RasterRef
+from ... import messages
+from .block_grid import UNIT_PX
+from .grey_values import factor_of
+
+_EVERY = 16  # rows and columns of which the range of values is taken
+MOST_HELD = 8
+"""Sources of a block that are held in memory; of others only what is asked for is read."""
+
+
+@dataclass(frozen=True, eq=False)
+class Planes:
+    """A part of a block in the band that is judged, each (rows, columns)."""
+
+    mosaic: np.ndarray
+    """float32"""
+    mosaic_valid: np.ndarray | None
+    """bool; None: everywhere."""
+    sources: dict[int, np.ndarray]
+    """float32, by number."""
+    valid: dict[int, np.ndarray]
+    """bool, of those that don't have all pixels."""
+    rasters: dict[int, Raster] = field(default_factory=dict)
+    """What the sources are."""
+    offsets: dict[int, tuple[float, float]] = field(default_factory=dict)
+    """How the pixel grids of the sources lie beside the mosaic's, px."""
+
+
+    def take_sources(self, more: Planes) -> None:
+        """Those of other sources, too."""
+        self.sources.update(more.sources)
+        self.valid.update(more.valid)
+        self.rasters.update(more.rasters)
+        self.offsets.update(more.offsets)
+
+
+class BlockPixels:
+    """The clips of one window of the mosaic, and parts of them; what lies beyond is read anew."""
+
+    def __init__(
+        self, mosaic: Raster, refs: Sequence[RasterRef], window: PixelWindow, whole: bool = True, margin_px: int = 0,
+        grey_factor: float = 1.0,
+    ) -> None:
+        """Reads the mosaic and the sources that have pixels there, and ``margin_px`` around; unless ``whole``, only the
+        parts that are asked for.
+
+        A source that can't be read is told in ``notices`` and takes no part. Raises NotCoveredError where the mosaic
+        has no pixels, RasterError where it can't be read.
+        """
+        self.window = window
+        self.notices: list[Message] = []
+        self.mosaic, self._refs, self._band = mosaic, refs, mosaic.judged_band
+        self._absent: set[int] = set()
+        self._factors: dict[int, float] = {}
+        self._margin, self._factor = margin_px, grey_factor
+        self._around = PixelWindow(
+            window.column - margin_px, window.row - margin_px, window.width + 2 * margin_px,
+            window.height + 2 * margin_px,
+        )
+        self._held = self._read(self._around, range(min(len(refs), MOST_HELD))) if whole else None
+
+    @property
+    def numbers(self) -> tuple[int, ...]:
+        """Of the sources that may have pixels here."""
+        return tuple(i for i in range(len(self._refs)) if i not in self._absent)
+
+    @property
+    def valid(self) -> np.ndarray | None:
+        """(rows, columns) bool: where the mosaic has pixels; None: everywhere."""
+        if self._held is None or self._held.own.valid is None:
+            return None
+        first = self._margin
+        return self._held.own.valid[first : first + self.window.height, first : first + self.window.width]
+
+    def patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
+        """Squares of ``side`` px that begin at these rows and columns of the block, side by side as one image."""
+        inside = self._margin + np.arange(side)
+        down, across = ((one[:, np.newaxis] + inside).ravel() for one in (rows, columns))
+        if self._held is None:
+            return self._single_patches(rows, columns, side)
+        planes = self._planes(self._held, down[:, np.newaxis], across)
+        for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
+            alone = _Clips(self._held.own, self._read_sources(self._around, [number]))
+            planes.take_sources(self._planes(alone, down[:, np.newaxis], across))
+        return planes
+
+    def strip_of_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
+        """Squares of ``side`` px that begin at these places (n,) of the block, one below the other, of a block that was
+        read as a whole; of the sources that are held only."""
+        assert self._held is not None
+        inside = self._margin + np.arange(side)
+        down = (rows[:, np.newaxis] + inside).ravel()[:, np.newaxis]
+        across = np.repeat(columns[:, np.newaxis] + inside, side, axis=0)
+        return self._planes(self._held, down, across)
+
+    def part(self, window: PixelWindow, numbers: Sequence[int]) -> Planes:
+        """A window of the mosaic of some sources. Raises RasterError where the mosaic can't be read."""
+        around = self._around
+        left, top = window.column - around.column, window.row - around.row
+        within = min(left, top) >= 0 and left + window.width <= around.width and top + window.height <= around.height
+        if self._held is None or not within or any(i not in self._held.clips for i in numbers):
+            return self._planes(self._read(window, numbers), slice(None), slice(None))
+        held = _Clips(self._held.own, {i: self._held.clips[i] for i in numbers})
+        return self._planes(held, slice(top, top + window.height), slice(left, left + window.width))
+
+    def _single_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
+        """Patches read one by one."""
+        shape = len(rows) * side, len(columns) * side
+        mosaic, known = np.zeros(shape, np.float32), np.zeros(shape, bool)
+        sources: dict[int, np.ndarray] = {}
+        valid: dict[int, np.ndarray] = {}
+        for i, row in enumerate(rows.tolist()):
+            for j, column in enumerate(columns.tolist()):
+                window = PixelWindow(self.window.column + column, self.window.row + row, side, side)
+                try:
+                    found = self._planes(self._read(window, self.numbers), slice(None), slice(None))
+                except NotCoveredError:
+                    continue
+                place = np.s_[i * side : (i + 1) * side, j * side : (j + 1) * side]
+                mosaic[place] = found.mosaic
+                known[place] = True if found.mosaic_valid is None else found.mosaic_valid
+                for number, plane in found.sources.items():
+                    if number not in sources:
+                        sources[number], valid[number] = np.zeros(shape, np.float32), np.zeros(shape, bool)
+                    sources[number][place] = plane
+                    valid[number][place] = found.valid.get(number, True)
+        return Planes(mosaic, known, sources, valid)
+
+    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> _Clips:
+        own = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
+        return _Clips(own, self._read_sources(window, numbers))
+
+    def _read_sources(self, window: PixelWindow, numbers: Sequence[int]) -> dict[int, Clip]:
+        clips = {}
+        for i in numbers:
+            try:
+                clip = read_clip(open_raster(self._refs[i]), self.mosaic, window, partly=True, holes=True)
+            except NotCoveredError:
+                continue
+            except RasterError as error:
+                self.notices.append(error.message.as_warning())
+                continue
+            if self._band not in measured_bands(clip.raster.band_names):
+                self.notices.append(messages.SOURCE_WITHOUT_BAND(name=clip.raster.ref.name, band=self._band))
+                continue
+            clips[i] = clip
+            if i not in self._factors:
+                self._factors[i] = factor_of(clip.bands[:3, ::_EVERY, ::_EVERY])
+        if window == self._around:
+            self._absent.update(i for i in numbers if i not in clips)
+        return clips
+
+    def _planes(self, read: _Clips, rows: np.ndarray | slice, columns: np.ndarray | slice) -> Planes:
+        own, clips = read.own, read.clips
+        return Planes(
+            _plane(own, self._band, rows, columns, self._factor),
+            None if own.valid is None else own.valid[rows, columns],
+            {i: _plane(clip, self._band, rows, columns, self._factors.get(i, 1.0)) for i, clip in clips.items()},
+            {i: clip.valid[rows, columns] for i, clip in clips.items() if clip.valid is not None},
+            {i: clip.raster for i, clip in clips.items()},
+            {i: (clip.offset_x, clip.offset_y) for i, clip in clips.items()},
+        )
+
+
+def thin_valid(mosaic: Raster, window: PixelWindow) -> np.ndarray | None:
+    """One pixel in each unit of a block, (rows, columns) bool; None where all are valid or the file says nothing of it.
+
+    Raises RasterError where it can't be read.
+    """
+    opened = open_raster(mosaic.ref)
+    band = opened.dataset.GetRasterBand(1)
+    if band.GetMaskFlags() == gdal.GMF_ALL_VALID:
+        return None
+    size = -(-window.width // UNIT_PX), -(-window.height // UNIT_PX)
+    invalid = opened.read(window, size).invalid
+    return None if invalid is None else ~invalid
+
+
+@dataclass(frozen=True, eq=False)
+class _Clips:
+    """What was read of one window."""
+
+    own: Clip
+    clips: dict[int, Clip]
+
+
+def _plane(
+    clip: Clip, band: str, rows: np.ndarray | slice, columns: np.ndarray | slice, factor: float
+) -> np.ndarray:
+    names = clip.raster.band_names
+    wanted = slice(0, 3) if band == LUMINANCE else slice(names.index(band), names.index(band) + 1)
+    bands = clip.bands[wanted]
+    if isinstance(rows, np.ndarray) and isinstance(columns, np.ndarray) and columns.ndim == 1:
+        pixels = bands[:, rows.ravel()][:, :, columns]  # whole rows first are faster
+    else:
+        pixels = bands[:, rows, columns]
+    plane = judged_plane(pixels, names[wanted])
+    if factor != 1:
+        plane *= np.float32(factor)
+    return plane

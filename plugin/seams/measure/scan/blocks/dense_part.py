@@ -1,0 +1,154 @@
+"""A part of a block measured pixel by pixel: which source is followed, and what is left of its detail."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import ndimage
+
+from .....imagery.grids import PixelWindow
+from .....imagery.wavelets import detail_components
+from ...compared_image import ComparedImage
+from ...following.expected_mosaic import Filters, expected_mosaic
+from ...following.followed_source import follow, high_pass
+from ...following.likely_source import QUICK, filled_in
+from ...following.placed_sources import PlacedSources, follow_sources
+from ...profile.detail_cells import CELL_PX, detail_cells
+from ...seam_cells import UNKNOWN
+from .block_grid import LABEL_PX
+from .block_pixels import BlockPixels
+from .cell_table import CellTable
+from .patches import PATCH_PX
+from .rectangles import MARGIN_PX
+
+_BAND = ("judged",)
+
+MIN_CLEAR = 0.9  # of a window: with more there is no part that is guessed
+MIN_SURE = 0.3  # of a part of one source; true ones have 0.56 or more after JPEG 75, guessed ones 0.25 or less
+MIN_VALID = 0.02  # of a part's pixels: with less there is nothing to be measured
+
+
+@dataclass(frozen=True, eq=False)
+class DensePart:
+    """What was measured in a rectangle of whole squares."""
+
+    window: PixelWindow
+    """On the mosaic's grid, without margins."""
+    labels: np.ndarray
+    """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
+    mixture: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
+    clear: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: share of the pixels in which one source is followed for sure."""
+    cells: CellTable
+    unexplained: float
+    """Share of the mosaic's valid pixels that no source explains."""
+
+
+def measure_part(
+    pixels: BlockPixels, window: PixelWindow, numbers: tuple[int, ...], wavelet: str, levels: int,
+    filters: Filters | None = None,
+) -> DensePart:
+    """A window, on the mosaic's grid, by some of the sources of its block.
+
+    ``filters``: what came over the mosaic, where that is known of all of them.
+
+    Raises RasterError where the mosaic can't be read.
+    """
+    around = PixelWindow(
+        window.column - MARGIN_PX, window.row - MARGIN_PX, window.width + 2 * MARGIN_PX, window.height + 2 * MARGIN_PX
+    )
+    planes = pixels.part(around, numbers)
+    own = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
+    present = tuple(planes.sources)
+    known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
+    if not present or known[own].mean() < MIN_VALID:
+        return _nothing(window, levels, float(known[own].any()))
+    image = ComparedImage(planes.mosaic[np.newaxis], _BAND, {}, {}, pixels.mosaic)
+    images = [
+        ComparedImage(planes.sources[i][np.newaxis], _BAND, {}, {}, planes.rasters[i], planes.offsets[i],
+                      planes.valid.get(i))
+        for i in present
+    ]
+    known_filters = None if filters is None else _of_planes(filters, present)
+    if known_filters is not None and known_filters.taps:
+        followed = _follow_filtered(image, images, known_filters)
+    else:
+        followed = follow_sources(image, images)
+    valid = {k: mask for k, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
+    # What fills the mosaic where it has no pixels must tell nothing of tones and filters.
+    following = replace(followed.following, clear=followed.following.clear & known)
+    moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
+    expected = expected_mosaic(
+        image.plane, followed.planes, followed.fine, following, valid, None, moved, None if moved else known_filters,
+        QUICK, PATCH_PX,
+    )
+    numbering = np.full(256, UNKNOWN, np.uint8)
+    numbering[: len(followed.source_of)] = [present[of] for of in followed.source_of]
+    labels = numbering[expected.labels]
+    labels[~known] = UNKNOWN
+    guessed = known & guesses(labels, following.clear | following.mixed)
+    labels[guessed] = UNKNOWN
+    details = list(detail_components(np.stack([image.plane, expected.plane]), wavelet, levels))
+    cells = detail_cells(details, labels)
+    labels = filled_in(labels, guessed)
+    margin = MARGIN_PX // CELL_PX
+    place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
+    first = around.row // CELL_PX, around.column // CELL_PX
+    mixed, clear = (
+        one[own].reshape(window.height // CELL_PX, CELL_PX, window.width // CELL_PX, CELL_PX)
+        .mean(axis=(1, 3), dtype=np.float32)
+        for one in (following.mixed, following.clear)
+    )
+    return DensePart(
+        window,
+        labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
+        mixed,
+        clear,
+        CellTable.of(cells, place, first),
+        float((labels[own][known[own]] == UNKNOWN).mean()),
+    )
+
+
+def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
+    """Parts that follow a source for sure almost nowhere: compression or smooth ground left nothing to tell it by.
+    (rows, columns) bool."""
+    found = np.zeros(labels.shape, bool)
+    if np.count_nonzero(told) >= MIN_CLEAR * told.size:
+        return found
+    coarse, sure = labels[::LABEL_PX, ::LABEL_PX], told[::LABEL_PX, ::LABEL_PX]
+    unsure = np.zeros(coarse.shape, bool)
+    for number in np.unique(coarse[coarse != UNKNOWN]).tolist():
+        parts, count = ndimage.label(coarse == number)
+        shares = [1.0, *ndimage.mean(sure, parts, np.arange(1, count + 1))]
+        unsure |= (np.array(shares) < MIN_SURE)[parts]
+    return unsure.repeat(LABEL_PX, axis=0).repeat(LABEL_PX, axis=1)
+
+
+def _follow_filtered(image: ComparedImage, images: Sequence[ComparedImage], filters: Filters) -> PlacedSources:
+    """What the mosaic follows when what came over it was done to its sources, too."""
+    planes = tuple(one.plane for one in images)
+    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
+    shown = [fine[0], *(filters.applied(k, one) for k, one in enumerate(fine[1:]))]
+    rows, columns = image.plane.shape
+    following = follow(lambda start, stop: [one[start:stop] for one in shown], (rows, columns), len(planes))
+    return PlacedSources(following, planes, fine, tuple(range(len(planes))))
+
+
+def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:
+    """By the number of a plane instead of its source's."""
+    if not filters.taps:
+        return filters
+    return replace(filters, taps={k: filters.taps[number] for k, number in enumerate(numbers)})
+
+
+def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
+    return DensePart(
+        window,
+        np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8),
+        np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32),
+        np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32),
+        CellTable.empty(levels),
+        unexplained,
+    )

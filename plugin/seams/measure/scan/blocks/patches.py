@@ -1,0 +1,305 @@
+"""A sparse look at a block: a patch in every square of 128 px tells which source is followed there.
+
+Where a patch is unsure of it, or its neighbours follow another source, the squares are measured densely.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+from scipy import ndimage
+
+from .....imagery.wavelets import detail_components
+from ...following.expected_mosaic import Filters, mosaic_of
+from ...following.followed_source import (
+    MIN_LEFT_FACTOR,
+    MIN_MIXTURE_FIT,
+    MIN_MIXTURE_GAIN,
+    MIN_MIXTURE_WEIGHT,
+    MIN_WINNER_LEAD,
+    high_pass,
+)
+from ...profile.detail_cells import CELL_PX
+from ...seam_cells import UNKNOWN
+from .block_grid import SQUARE_PX
+from .block_pixels import MOST_HELD, BlockPixels, Planes
+from .cell_table import CellTable
+
+PATCH_PX = 40
+"""Side of a patch."""
+PATCH_START_PX = 36
+"""Where it begins in its square: its middle cell of 16 px is one of the block's."""
+
+MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
+MIN_STRANGER_FIT = 0.05  # of a patch's fine detail: strangers explain 0.01 to 0.03
+_LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
+_INNER = slice(4, 36)  # of a patch: what its high-pass knows
+_CELL = slice(12, 12 + CELL_PX)
+_MIN_VALID = 0.98  # of a patch
+_FARTHEST_FILLED = 1.5  # squares
+_MANY = 100  # patches
+
+
+@dataclass(frozen=True, eq=False)
+class SquareLook:
+    """What the patches of a block say, each (rows, columns) of squares."""
+
+    source: np.ndarray
+    """uint8: number of the source that is followed, ``UNKNOWN`` where none explains it or there are no pixels."""
+    doubtful: np.ndarray
+    """bool: where a patch shows more than one source, or none for sure."""
+    empty: np.ndarray
+    """bool: where the mosaic has no pixels at all."""
+    cells: CellTable
+    """One cell of each patch that follows one source for sure, finest level only."""
+    filters: Filters | None = None
+    """What came over the mosaic here; None where it is not known."""
+    learned_of: frozenset[int] = frozenset()
+    """The sources that it was learned of."""
+    looked: np.ndarray | bool = True
+    """bool: squares whose own patch was looked at."""
+
+
+def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int = 1) -> SquareLook:
+    """The patches of a block, or those of ``every`` so many-th square along both sides."""
+    rows, columns = (_every(_starts(length), every) for length in (pixels.window.height, pixels.window.width))
+    shape = len(rows), len(columns)
+    planes = pixels.patches(rows, columns, PATCH_PX)
+    with_patch = _share(planes.mosaic_valid, shape) >= _MIN_VALID
+    empty = ~with_patch & ~_any_valid(pixels, every)
+    if not planes.sources or empty.all():
+        nothing = np.full(shape, UNKNOWN, np.uint8)
+        return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
+    fine = high_pass(planes.mosaic)
+    fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
+    told = _told(fine, fines, planes, with_patch, empty)
+    if not told.sampled.any():
+        return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels))
+    cells, filters, learned_of = _cells(planes, fine, fines, told.sampled_source, (rows, columns), wavelet, levels)
+    if filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
+        shown = {i: filters.applied(i, one) if i in learned_of else one for i, one in fines.items()}
+        told = _told(fine, shown, planes, with_patch, empty)
+        cells, filters, learned_of = _cells(
+            planes, fine, fines, told.sampled_source, (rows, columns), wavelet, levels
+        )
+    return SquareLook(told.source, told.doubtful, empty, cells, filters, learned_of)
+
+
+@dataclass(frozen=True, eq=False)
+class _Told:
+    """What patches say, each (rows, columns)."""
+
+    source: np.ndarray
+    """uint8: as in ``SquareLook``."""
+    doubtful: np.ndarray
+    """bool"""
+    sampled: np.ndarray
+    """bool: those that follow one source. Not those alone that tell it best: smooth ground comes over otherwise."""
+
+    @property
+    def sampled_source(self) -> np.ndarray:
+        """uint8: of those, else ``UNKNOWN``."""
+        return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
+
+
+def _told(
+    fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, with_patch: np.ndarray, empty: np.ndarray
+) -> _Told:
+    shape = with_patch.shape[0], with_patch.shape[1]
+    winner, sure, doubtful = _followed(fine, fines, planes, shape)
+    winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
+    silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
+    filled, alone = _filled(winner, silent)
+    doubtful |= alone & ~with_patch
+    return _Told(filled, doubtful, with_patch & ~doubtful & (filled != UNKNOWN) & sure.any())
+
+
+def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarray:
+    """Between squares that follow different sources a patch midway: the source that it follows for sure,
+    ``UNKNOWN`` where it follows none for sure or the squares do not differ.
+
+    ``axis`` 1: of each square and the next one to the right, (rows, columns - 1) uint8; 0: downwards.
+    """
+    here, there = (np.s_[:, :-1], np.s_[:, 1:]) if axis else (np.s_[:-1], np.s_[1:])
+    source = look.source
+    found = np.full(source[here].shape, UNKNOWN, np.uint8)
+    held = source < MOST_HELD
+    differ = (source[here] != source[there]) & held[here] & held[there]
+    squares = np.argwhere(differ)
+    starts = squares * SQUARE_PX + PATCH_START_PX
+    starts[:, axis] += SQUARE_PX // 2
+    last = np.array([pixels.window.height, pixels.window.width]) - PATCH_PX
+    squares, starts = (one[(starts <= last).all(axis=1)] for one in (squares, starts))
+    if not len(squares):
+        return found
+    planes = pixels.strip_of_patches(starts[:, 0], starts[:, 1], PATCH_PX)
+    shape = len(squares), 1
+    valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
+    fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
+    if look.filters is not None and look.filters.taps:
+        fines = {i: look.filters.applied(i, one) if i in look.learned_of else one for i, one in fines.items()}
+    winner, sure, _ = _followed(high_pass(planes.mosaic), fines, planes, shape)
+    found[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
+    return found
+
+
+def spread_out(look: SquareLook, shape: tuple[int, int], every: int) -> SquareLook:
+    """A look at ``every`` so many-th square as one at all: each stands for those around it."""
+    source, doubtful, empty = (
+        np.pad(one, [(0, max(0, -(-length // every) - have)) for length, have in zip(shape, one.shape)], mode="edge")
+        .repeat(every, axis=0).repeat(every, axis=1)[: shape[0], : shape[1]]
+        for one in (look.source, look.doubtful, look.empty)
+    )
+    looked = [np.isin(np.arange(length), _every(np.arange(length), every)) for length in shape]
+    return replace(look, source=source, doubtful=doubtful, empty=empty, looked=np.logical_and.outer(*looked))
+
+
+def _starts(length: int) -> np.ndarray:
+    """First row or column of every square's patch; the last square may be smaller, its patch lies within it or ends
+    where the block does."""
+    starts = np.arange(0, length, SQUARE_PX) + PATCH_START_PX
+    last = (length - PATCH_PX - PATCH_START_PX) // CELL_PX * CELL_PX + PATCH_START_PX
+    return np.minimum(starts, last)
+
+
+def _share(valid: np.ndarray | None, shape: tuple[int, int]) -> np.ndarray:
+    if valid is None:
+        return np.ones(shape)
+    return np.asarray(valid.reshape(shape[0], PATCH_PX, shape[1], PATCH_PX).mean(axis=(1, 3)))
+
+
+def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Sums of a x b over the four quarters of every patch, (4, rows, columns)."""
+    parts = [
+        one.reshape(shape[0], PATCH_PX, shape[1], PATCH_PX)[:, _INNER, :, _INNER].reshape(
+            shape[0], 2, CELL_PX, shape[1], 2, CELL_PX
+        )
+        for one in (a, b)
+    ]
+    return np.einsum("apibqj,apibqj->pqab", *parts).reshape(4, *shape)
+
+
+def _followed(
+    fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, shape: tuple[int, int]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """By patch: the source of highest correlation, whether it is that for sure, and whether a dense look is called
+    for."""
+    numbers = np.array(list(fines), np.uint8)
+    least = _LEAST_ENERGY * (CELL_PX**2)
+    own = _quadrants(fine, fine, shape) + least
+    energies = np.stack([_quadrants(one, one, shape) for one in fines.values()]) + least
+    shared = np.stack([_quadrants(fine, one, shape) for one in fines.values()])
+    for k, i in enumerate(fines):
+        if i in planes.valid:
+            shared[k][:, _share(planes.valid[i], shape) < _MIN_VALID] = 0
+    whole_own, whole_energies, whole_shared = own.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
+    correlation = whole_shared / np.sqrt(whole_own * whole_energies)
+    best, lead = _best(correlation)
+    winner = numbers[best]
+    top = np.take_along_axis(correlation, best[np.newaxis], 0)[0]
+    textured = whole_own > 8 * least
+    left, next_left = 1 - np.maximum(top, 0) ** 2, 1 - np.maximum(top - lead, 0) ** 2
+    sure = textured & ((lead >= MIN_WINNER_LEAD) | (next_left >= MIN_LEFT_FACTOR * left)) & (
+        np.maximum(top, 0) ** 2 >= MIN_STRANGER_FIT
+    )
+    quarter, quarter_lead = _best(shared / np.sqrt(own * energies))
+    quarter_top = np.maximum((shared / np.sqrt(own * energies)).max(axis=0), 0) ** 2
+    differs = (
+        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_top >= MIN_QUARTER_FIT) & (own > 8 * least)
+    ).any(axis=0)
+    mixed = _mixed(fines, own, energies, shared, shape).any(axis=0)
+    strange = textured & (np.maximum(top, 0) ** 2 < MIN_STRANGER_FIT) & ~differs & ~mixed
+    doubtful = (textured & ~sure & ~strange) | differs | mixed
+    return np.where(sure | doubtful, winner, np.uint8(UNKNOWN)), sure & ~doubtful, doubtful
+
+
+def _best(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Index of the highest along the first axis and its lead over the next; of one alone the value itself."""
+    best = values.argmax(axis=0)
+    if len(values) == 1:
+        return best, values[0]
+    ordered = np.partition(values, -2, axis=0)
+    return best, ordered[-1] - ordered[-2]
+
+
+def _mixed(
+    fines: dict[int, np.ndarray], own: np.ndarray, energies: np.ndarray, shared: np.ndarray, shape: tuple[int, int]
+) -> np.ndarray:
+    """Quarters in which two sources together explain the mosaic and neither does alone, (4, rows, columns)."""
+    alone = (np.maximum(shared, 0) ** 2 / (own * energies)).max(axis=0)
+    mixed = np.zeros(own.shape, bool)
+    images = list(fines.values())
+    for i, j in combinations(range(len(images)), 2):
+        common = _quadrants(images[i], images[j], shape)
+        determinant = 1.001 * energies[i] * energies[j] - common**2
+        a = (shared[i] * energies[j] - shared[j] * common) / determinant
+        b = (shared[j] * energies[i] - shared[i] * common) / determinant
+        both = (np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)) & (a + b > 0)
+        explained = np.where(both, (a * shared[i] + b * shared[j]) / own, 0)
+        mixed |= (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN)
+    return mixed
+
+
+def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Patches without texture to tell a source by."""
+    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * _LEAST_ENERGY)
+
+
+def _every(starts: np.ndarray, every: int) -> np.ndarray:
+    """Of ``every`` so many the middle one; one at least."""
+    return starts[min(every // 2, len(starts) - 1) :: every]
+
+
+def _any_valid(pixels: BlockPixels, every: int) -> np.ndarray:
+    """Squares that are looked at and have any pixels, (rows, columns) bool."""
+    firsts = [np.arange(0, length, SQUARE_PX) for length in (pixels.window.height, pixels.window.width)]
+    if pixels.valid is None:
+        found = np.ones([len(one) for one in firsts], bool)
+    else:
+        found = np.logical_or.reduceat(np.logical_or.reduceat(pixels.valid, firsts[0], axis=0), firsts[1], axis=1)
+    return found[_every(np.arange(len(firsts[0])), every)][:, _every(np.arange(len(firsts[1])), every)]
+
+
+def _filled(winner: np.ndarray, silent: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Squares that say nothing follow what is nearest to them; and those among them that nothing is near to."""
+    known = winner != UNKNOWN
+    if not silent.any() or not known.any():
+        return winner, silent
+    distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
+    return np.where(silent, winner[row, column], winner), silent & (distance > _FARTHEST_FILLED)
+
+
+def _cells(
+    planes: Planes, fine: np.ndarray, fines: dict[int, np.ndarray], followed: np.ndarray,
+    starts: tuple[np.ndarray, np.ndarray], wavelet: str, levels: int,
+) -> tuple[CellTable, Filters, frozenset[int]]:
+    """The middle cells of patches that follow one source for sure, what came over the mosaic there, and of which
+    sources that is known.
+
+    ``followed``: (rows, columns), ``UNKNOWN`` where none is sure. Of many patches every second along both sides is
+    enough.
+    """
+    step = 2 if followed.size >= _MANY else 1
+    kept = [np.repeat(np.arange(count) % step == step // 2, PATCH_PX) for count in followed.shape]
+    chosen = np.ix_(*kept)
+    followed = followed[step // 2 :: step, step // 2 :: step]
+    shape = followed.shape
+    inside = np.zeros(PATCH_PX, bool)
+    inside[6:-6] = True
+    labels = followed.repeat(PATCH_PX, axis=0).repeat(PATCH_PX, axis=1)
+    within = np.outer(np.tile(inside, shape[0]), np.tile(inside, shape[1]))
+    mosaic = planes.mosaic[chosen]
+    present = np.unique(followed[followed != UNKNOWN]).tolist()
+    expected, filters = mosaic_of(
+        mosaic, {i: planes.sources[i][chosen] for i in present}, fine[chosen], {i: fines[i][chosen] for i in present},
+        labels, within, PATCH_PX,
+    )
+    (details,) = detail_components(np.stack([mosaic, expected]), wavelet, 1)
+    cell = slice(_CELL.start // 2, _CELL.stop // 2)
+    own, other = (
+        details[:, k].reshape(3, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)[:, :, cell, :, cell] for k in (0, 1)
+    )
+    mm, cc, mc = (np.einsum("daibj,daibj->ab", a, b) for a, b in ((own, own), (other, other), (own, other)))
+    rows, columns = ((one[step // 2 :: step] + _CELL.start) // CELL_PX for one in starts)
+    return CellTable.sparse(rows, columns, followed != UNKNOWN, mm, cc, mc, levels), filters, frozenset(present)

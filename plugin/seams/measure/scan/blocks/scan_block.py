@@ -1,0 +1,278 @@
+"""One block of a mosaic: request -> what was measured in it."""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .....imagery.errors import NotCoveredError, RasterError
+from .....imagery.grids import PixelWindow
+from .....imagery.message import Message
+from .....imagery.rasters import Raster
+from .....imagery.remote_files import remote_settings
+from ...following.boxes import widened
+from ...profile.detail_cells import CELL_PX
+from ...seam_cells import UNKNOWN
+from ...source_images import Source
+from ..scan_settings import FULL, ScanSettings
+from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey
+from .block_pixels import BlockPixels, thin_valid
+from .cell_table import CellTable
+from .dense_part import DensePart, measure_part
+from .patches import SquareLook, look_at_squares, middle_sources, spread_out
+from .plain_part import MARGIN_PX, measure_plain
+from .rectangles import rectangles
+
+WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
+MOST_UNEXPLAINED = 0.1  # of a part: beyond it sources that no patch follows are tried, too
+CELLS = BLOCK_PX // CELL_PX
+"""Cells along a side of a block."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockRequest:
+    """All that is needed to scan one block, in plain data that can cross threads and processes."""
+
+    mosaic: Raster
+    sources: tuple[Source, ...]
+    """Those that meet the block."""
+    key: BlockKey
+    window: PixelWindow
+    """Its pixels, on the mosaic's grid."""
+    settings: ScanSettings
+    wanted: np.ndarray | None = None
+    """(UNITS, UNITS) bool, what is to be measured densely; None: what the patches call for."""
+    look_every: int = 1
+    """A patch of every so many-th square along both sides is looked at; 0: none."""
+    grey_factor: float = 1.0
+    """What floating point values are multiplied by."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockScan:
+    """What was measured in one block."""
+
+    key: BlockKey
+    sources: tuple[str, ...]
+    """Paths of the sources that its numbers mean."""
+    squares: np.ndarray
+    """(SQUARES, SQUARES) uint8: number of the source that the patch of each square follows, or ``UNKNOWN``."""
+    dense: np.ndarray
+    """(UNITS, UNITS) bool: what was measured pixel by pixel."""
+    labels: np.ndarray
+    """(LABELS, LABELS) uint8: number of the source that is followed, or ``UNKNOWN``."""
+    mixture: np.ndarray
+    """(CELLS, CELLS) float32: share of the pixels that are a mixture of two sources; NaN where not measured."""
+    clear: np.ndarray
+    """(CELLS, CELLS) float32: share of the pixels that follow one source for sure; NaN where not measured densely."""
+    cells: CellTable
+    outside: np.ndarray
+    """(UNITS, UNITS) bool: where the mosaic has no pixels at all, as far as that was looked for."""
+    notices: tuple[Message, ...] = ()
+    """What could not be read; the block then lacks it."""
+
+    @classmethod
+    def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> BlockScan:
+        """A block of which nothing could be measured."""
+        return _Block(request).result(notices)
+
+
+def scan_block(request: BlockRequest) -> BlockScan:
+    """Look at the patches of a block, then measure what they call for. A block that can't be read tells why in its
+    notices; it never raises for that."""
+    try:
+        with remote_settings({}):
+            return _scanned(request)
+    except NotCoveredError:
+        return BlockScan.nothing(request, ())
+    except RasterError as error:
+        return BlockScan.nothing(request, (error.message.as_warning(),))
+
+
+def _scanned(request: BlockRequest) -> BlockScan:
+    """The same, raising."""
+    wanted, every = request.wanted, request.look_every
+    is_full = request.settings.density == FULL and wanted is None
+    whole = wanted is None or wanted.mean() >= WHOLE_SHARE
+    refs, settings = [one.ref for one in request.sources], request.settings
+    pixels = BlockPixels(request.mosaic, refs, _widened(request.window), whole, MARGIN_PX if is_full else 0,
+                         request.grey_factor)
+    made = _Block(request)
+    look = _look(pixels, request) if every else None
+    if wanted is None:
+        assert look is not None
+        midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
+        wanted = called_for(look.source, UNKNOWN, midway) | _in_units(look.doubtful)
+    units = -(-request.window.height // UNIT_PX), -(-request.window.width // UNIT_PX)
+    wanted = wanted[: units[0], : units[1]]
+    if look is not None:
+        made.take_look(look, wanted)
+        if is_full:
+            made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
+    for window in rectangles(wanted):
+        try:
+            made.take_part(_measured(pixels, look, window, request))
+        except NotCoveredError:
+            continue
+        except RasterError as error:
+            pixels.notices.append(error.message.as_warning())
+    made.leave_out(pixels.valid)
+    if every > 1:
+        made.take_outside(thin_valid(request.mosaic, request.window))
+    return made.result(tuple(dict.fromkeys(pixels.notices)))
+
+
+def _widened(window: PixelWindow) -> PixelWindow:
+    """The pixels of a block at the mosaic's edge may be too few for a patch."""
+    return replace(window, width=max(window.width, SQUARE_PX), height=max(window.height, SQUARE_PX))
+
+
+def _look(pixels: BlockPixels, request: BlockRequest) -> SquareLook:
+    """What its patches say of every square of a block."""
+    settings, every = request.settings, request.look_every
+    shape = -(-pixels.window.height // SQUARE_PX), -(-pixels.window.width // SQUARE_PX)
+    return spread_out(look_at_squares(pixels, settings.wavelet, settings.levels, every), shape, every)
+
+
+def called_for(
+    source: np.ndarray, unknown: int = UNKNOWN, midway: tuple[np.ndarray, np.ndarray] | None = None
+) -> np.ndarray:
+    """Units between squares that follow different sources, bool; ``source``: (rows, columns) of squares.
+
+    Between two patches there is a seam somewhere; ground of a patch's width beside it is enough, the samples tell the
+    rest. ``midway``: what the patches between squares follow, to the right and downwards (``middle_sources``): they
+    tell in which half the seam lies.
+    """
+    per_square = SQUARE_PX // UNIT_PX
+    found = np.zeros([length * per_square for length in source.shape], bool)
+    known = source != unknown
+    across, down = midway or (None, None)
+    for view, labels, there, middles in (
+        (found, source, known, across), (found.T, source.T, known.T, None if down is None else down.T),
+    ):
+        differ = (labels[:, :-1] != labels[:, 1:]) & there[:, :-1] & there[:, 1:]
+        for row, column in np.argwhere(differ).tolist():
+            first, last = 1, 2 * per_square - 1
+            middle = unknown if middles is None else middles[row, column]
+            if middle == labels[row, column]:
+                first = per_square - 1
+            elif middle == labels[row, column + 1]:
+                last = per_square + 1
+            start = column * per_square
+            view[row * per_square : (row + 1) * per_square, start + first : start + last] = True
+    return found
+
+
+def _in_units(squares: np.ndarray) -> np.ndarray:
+    """Squares, and a unit around them."""
+    per_square = SQUARE_PX // UNIT_PX
+    return widened(squares.repeat(per_square, axis=0).repeat(per_square, axis=1), 1)
+
+
+def _measured(
+    pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
+) -> DensePart:
+    """A rectangle by the sources that are followed around it; by all where they leave something over."""
+    placed = PixelWindow(
+        request.window.column + window.column, request.window.row + window.row, window.width, window.height
+    )
+    settings, everyone = request.settings, pixels.numbers
+    if look is not None:
+        reach = request.look_every
+        rows, columns = (
+            slice(max(first // SQUARE_PX - reach, 0), -(-(first + length) // SQUARE_PX) + reach)
+            for first, length in ((window.row, window.height), (window.column, window.width))
+        )
+        around = look.source[rows, columns]
+        likely = tuple(i for i in everyone if (around == i).any())
+        filters = look.filters if look.learned_of.issuperset(likely) else None
+        if likely:
+            found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters)
+            if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
+                return found
+    return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels)
+
+
+class _Block:
+    """What becomes a BlockScan."""
+
+    def __init__(self, request: BlockRequest) -> None:
+        self._request = request
+        self._squares = np.full((SQUARES, SQUARES), UNKNOWN, np.uint8)
+        self._dense = np.zeros((UNITS, UNITS), bool)
+        self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
+        self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._clear = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._outside = np.zeros((UNITS, UNITS), bool)
+        self._tables: list[CellTable] = []
+
+    def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
+        """What the patches say where nothing more is measured."""
+        rows, columns = look.source.shape
+        self._squares[:rows, :columns] = look.source
+        side = SQUARE_PX // LABEL_PX
+        source = np.where(look.looked, look.source, np.uint8(UNKNOWN))
+        self._labels[: rows * side, : columns * side] = source.repeat(side, axis=0).repeat(side, axis=1)
+        cells, window = look.cells, self._request.window
+        sides = UNIT_PX // CELL_PX
+        kept = ~wanted[cells.row // sides, cells.column // sides]
+        placed = cells.chosen(kept)
+        self._mixture[placed.row, placed.column] = 0
+        self._tables.append(placed.moved(window.row // CELL_PX, window.column // CELL_PX))
+
+    def take_plain(self, cells: CellTable) -> None:
+        """All cells between the seams, instead of samples of them."""
+        window = self._request.window
+        self._mixture[cells.row - window.row // CELL_PX, cells.column - window.column // CELL_PX] = 0
+        self._tables = [cells]
+
+    def take_part(self, part: DensePart) -> None:
+        """What was measured in a rectangle; what sticks out of the block is left out."""
+        window = self._request.window
+        top, left = part.window.row - window.row, part.window.column - window.column
+
+        def place(step: int, length: int) -> tuple[slice, slice]:
+            rows, columns = (
+                slice(first // step, min((first + side) // step, length))
+                for first, side in ((top, part.window.height), (left, part.window.width))
+            )
+            return rows, columns
+
+        for target, values, step in (
+            (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
+            (self._clear, part.clear, CELL_PX),
+        ):
+            own = place(step, len(target))
+            target[own] = values[: own[0].stop - own[0].start, : own[1].stop - own[1].start]
+        self._dense[place(UNIT_PX, UNITS)] = True
+        self._tables.append(part.cells)
+
+    def take_outside(self, valid: np.ndarray | None) -> None:
+        """Units, as far as there are some, in which the mosaic has pixels."""
+        if valid is not None:
+            self._outside[: valid.shape[0], : valid.shape[1]] = ~valid
+            times = LABELS // UNITS
+            self._labels[self._outside.repeat(times, axis=0).repeat(times, axis=1)] = UNKNOWN
+
+    def leave_out(self, valid: np.ndarray | None) -> None:
+        """Where the mosaic has no pixels nothing is followed."""
+        window, half = self._request.window, LABEL_PX // 2
+        rows, columns = -(-(window.height - half) // LABEL_PX), -(-(window.width - half) // LABEL_PX)
+        self._labels[rows:], self._labels[:, columns:] = UNKNOWN, UNKNOWN
+        units = -(-window.height // UNIT_PX), -(-window.width // UNIT_PX)
+        self._outside[units[0] :], self._outside[:, units[1] :] = True, True
+        if valid is not None:
+            valid = valid[: window.height, : window.width]
+            self._labels[:rows, :columns][~valid[half::LABEL_PX, half::LABEL_PX]] = UNKNOWN
+            firsts = [np.arange(0, length, UNIT_PX) for length in valid.shape]
+            some = np.logical_or.reduceat(np.logical_or.reduceat(valid, firsts[0], axis=0), firsts[1], axis=1)
+            self._outside[: units[0], : units[1]] = ~some
+
+    def result(self, notices: tuple[Message, ...]) -> BlockScan:
+        """All that was taken."""
+        request = self._request
+        table = CellTable.joined([CellTable.empty(request.settings.levels), *self._tables])
+        return BlockScan(
+            request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
+            self._mixture, self._clear, table, self._outside, notices,
+        )

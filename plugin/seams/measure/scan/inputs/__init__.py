@@ -1,0 +1,1 @@
+"""What of the inputs of a scan can be used."""

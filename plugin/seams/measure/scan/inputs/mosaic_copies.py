@@ -1,0 +1,221 @@
+"""Sources that were made from the mosaic instead of the other way round: they would explain all of it, and hide all."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from enum import Enum
+
+import numpy as np
+
+from .....imagery.clips import read_clip
+from .....imagery.errors import RasterError
+from .....imagery.grids import Extent, Grid, PixelWindow
+from .....imagery.message import Message
+from .....imagery.open_raster import OpenRaster, placed
+from .....imagery.raster_pool import RasterPool
+from .....imagery.rasters import Raster, RasterRef
+from .....imagery.reference_systems import same_coordinates
+from .....imagery.remote_files import vrt_parts
+from ... import messages
+from ...source_images import Source, is_same_file, sources_in
+
+SIDE_PX = 64  # of a patch that is compared
+PLACES = 16  # along each side of the mosaic: what follows another source on 1 % of it is missed once in thirteen times
+EXPLAINED_PLACES = 6  # along each side of the mosaic, where the other sources are tried
+FEWEST = 4  # patches with content, without which nothing is said
+SAME_PLACE = 0.9  # of the mosaic, that a copy of it or of what it was cut from covers
+THINNED = 4  # pixels of an overview that are averaged, as its grid may be off the mosaic's by part of a pixel
+MOST_READ_PX = 1024  # side of what is read of the mosaic at one place
+# Correlations of differences between neighbours, Brighton, smallest and median of all places. Overviews: 0.84 and 0.96
+# or more (two images of one ground, pixels averaged as much: 0.53 and 0.88 or less). Copies by JPEG 75: 0.33 and 0.80
+# (two images: -0.16 and 0.30; a mosaic and one of its sources: -0.37 and 0.36).
+LEAST_COARSER, MEDIAN_COARSER = 0.7, 0.93
+LEAST_LIKE, MEDIAN_LIKE = 0.3, 0.6
+LEAST_BESIDE_EQUAL = 0.8  # where other places are equal, which no compression with loss leaves
+MOST_SIZE_DIFFERENCE = 0.001  # of the pixels of a copy
+LEAST_CONTENT = 2.0  # variance of differences between neighbours, DN squared: below it rounding counts
+
+
+class Likeness(Enum):
+    """What a source that lies where the mosaic lies is to it."""
+
+    OTHER = "other"
+    EQUAL = "equal"
+    """In every pixel that was compared."""
+    LIKE = "like"
+    """Alike everywhere, as after compression with loss, or equal and with more around."""
+    COARSER = "coarser"
+    """Its pixels are larger, and made from the mosaic's or from what those were made of."""
+
+
+def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
+    """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those.
+
+    Only sources that cover the mosaic, all of it or nearly, are opened, and compared in 256 places. One that differs
+    anywhere is none. One that is like it everywhere would explain all of the mosaic and hide every loss, if it was
+    made from it; where the other sources do not explain the mosaic it is what that was cut from, and stays. So does
+    the first one if there is no other source, and the notice says what that means.
+    """
+    kept: list[Source] = []
+    copies: list[Source] = []
+    alike: list[Source] = []
+    notices: list[Message] = []
+    with RasterPool(most=2) as pool:
+        for source in sources:
+            likeness = _likeness(mosaic, source, pool)
+            if likeness is Likeness.OTHER:
+                kept.append(source)
+            elif likeness is Likeness.LIKE:
+                alike.append(source)
+            elif likeness is Likeness.EQUAL:
+                copies.append(source)
+            elif likeness is Likeness.COARSER:
+                notices.append(messages.OVERVIEW_AMONG_SOURCES(name=source.ref.name))
+        if alike and kept and not _explain(kept, mosaic, pool):
+            kept = [one for one in sources if one in kept or one in alike]
+        else:
+            copies += alike
+    if copies and not kept:
+        kept.append(copies.pop(0))
+        notices.append(messages.ONLY_SOURCE_IS_EQUAL(name=kept[0].ref.name))
+    return kept, [*(messages.COPY_AMONG_SOURCES(name=copy.ref.name) for copy in copies), *notices]
+
+
+def _likeness(mosaic: Raster, source: Source, pool: RasterPool) -> Likeness:
+    if _covered(mosaic.extent, source.extent) < SAME_PLACE:
+        return Likeness.OTHER
+    if _is_made_of(source.ref, mosaic.ref):
+        return Likeness.EQUAL
+    try:
+        other = pool.open(source.ref)
+        raster = placed(other.raster)
+        tolerance = 0.01 * mosaic.grid.pixel_width
+        if not raster.is_north_up or not same_coordinates(raster.wkt, mosaic.wkt, mosaic.extent, tolerance):
+            return Likeness.OTHER
+        ratio = raster.grid.pixel_width / mosaic.grid.pixel_width
+        if ratio < 1 - MOST_SIZE_DIFFERENCE:
+            return Likeness.OTHER  # the mosaic may have been made of something finer
+        return _compared(pool.open(mosaic.ref), mosaic, other, ratio > 1 + MOST_SIZE_DIFFERENCE)
+    except RasterError:
+        return Likeness.OTHER  # the scan says so where it needs it
+
+
+def _compared(mosaic: OpenRaster, known: Raster, other: OpenRaster, coarser: bool) -> Likeness:
+    """Raises RasterError when one of them can't be read."""
+    names = [name for name in known.band_names if name in other.raster.band_names]
+    if not names:
+        return Likeness.OTHER
+    mine = [known.band_names.index(name) for name in names]
+    others = [other.raster.band_names.index(name) for name in names]
+    least = LEAST_COARSER if coarser else LEAST_LIKE
+    all_equal, found = not coarser, []
+    for window, under in _places(other.raster.grid, known.grid):
+        size = (max(window.width // THINNED, 1), max(window.height // THINNED, 1)) if coarser else None
+        ours, theirs = mosaic.read(under, size, averaged=coarser), other.read(window, size, averaged=coarser)
+        both = theirs.valid & ours.valid
+        first, second = ours.bands[mine].astype(np.float64), theirs.bands[others].astype(np.float64)
+        equal = bool((ours.valid == theirs.valid).all() and (first == second)[:, both].all())
+        all_equal = all_equal and equal
+        if min(_content(first, both), _content(second, both)) >= LEAST_CONTENT:
+            found.append(1.0 if equal else _correlation(first, second, both))
+            if found[-1] < least:
+                return Likeness.OTHER
+    if len(found) < FEWEST:
+        return Likeness.OTHER
+    if coarser:
+        return Likeness.COARSER if np.median(found) >= MEDIAN_COARSER else Likeness.OTHER
+    if all_equal and _same_place(other.raster.extent, known.extent, known.grid.pixel_width):
+        return Likeness.EQUAL
+    is_like = min(found) >= LEAST_BESIDE_EQUAL if max(found) == 1 else np.median(found) >= MEDIAN_LIKE
+    return Likeness.LIKE if is_like else Likeness.OTHER
+
+
+def _places(grid: Grid, mosaic: Grid) -> Iterator[tuple[PixelWindow, PixelWindow]]:
+    """Windows of a raster with the pixels of the mosaic under them, one in each part of it, in no order."""
+    rng = np.random.default_rng(0)
+    scale_x, scale_y = grid.pixel_width / mosaic.pixel_width, grid.pixel_height / mosaic.pixel_height
+    coarser = scale_x > 1 + MOST_SIZE_DIFFERENCE
+    places = PLACES // 2 if coarser else PLACES
+    side = max(int(min(4 * SIDE_PX, MOST_READ_PX / scale_x)), 8 * THINNED) if coarser else SIDE_PX
+    first = (mosaic.left - grid.left) / grid.pixel_width, (grid.top - mosaic.top) / grid.pixel_height
+    columns, rows = int(mosaic.columns / scale_x), int(mosaic.rows / scale_y)
+    for place in rng.permutation(places * places):
+        row, column = (np.array(divmod(place, places)) + rng.random(2)) / places
+        width, height = min(side, columns, grid.columns), min(side, rows, grid.rows)
+        window = PixelWindow(
+            round(first[0]) + int(column * (columns - width + 1)), round(first[1]) + int(row * (rows - height + 1)),
+            width, height,
+        )
+        if not grid.contains(window):
+            continue
+        left = (grid.left - mosaic.left) / mosaic.pixel_width + window.column * scale_x
+        top = (mosaic.top - grid.top) / mosaic.pixel_height + window.row * scale_y
+        under = PixelWindow(round(left), round(top), round(width * scale_x), round(height * scale_y))
+        if mosaic.contains(under):
+            yield window, under
+
+
+def _correlation(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> float:
+    """Of the differences between neighbours in two stacks (bands, rows, columns)."""
+    a, b = _differences(first, valid), _differences(second, valid)
+    return float(a @ b / np.sqrt((a @ a) * (b @ b)))
+
+
+def _content(bands: np.ndarray, valid: np.ndarray) -> float:
+    differences = _differences(bands, valid)
+    return float(differences @ differences / len(differences)) if len(differences) else 0.0
+
+
+def _differences(bands: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    across = np.diff(bands, axis=2)[:, valid[:, 1:] & valid[:, :-1]]
+    down = np.diff(bands, axis=1)[:, valid[1:] & valid[:-1]]
+    return np.concatenate([across.ravel(), down.ravel()])
+
+
+def _covered(first: Extent, second: Extent) -> float:
+    """What a second rectangle has of the first, as a share of that."""
+    width = min(first[2], second[2]) - max(first[0], second[0])
+    height = min(first[3], second[3]) - max(first[1], second[1])
+    return max(width, 0.0) * max(height, 0.0) / ((first[2] - first[0]) * (first[3] - first[1]))
+
+
+def _same_place(first: Extent, second: Extent, tolerance: float) -> bool:
+    return max(abs(a - b) for a, b in zip(first, second)) < tolerance
+
+
+def _explain(sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> bool:
+    """Whether in most places one of the sources is like the mosaic."""
+    grid, opened, explained, places = mosaic.grid, pool.open(mosaic.ref), 0, 0
+    side = min(SIDE_PX, grid.columns, grid.rows)
+    for row in np.linspace(0, grid.rows - side, EXPLAINED_PLACES).astype(int).tolist():
+        for column in np.linspace(0, grid.columns - side, EXPLAINED_PLACES).astype(int).tolist():
+            window = PixelWindow(column, row, side, side)
+            ours = opened.read(window)
+            first = ours.bands[:1].astype(np.float64)
+            if ours.valid.mean() < 0.5 or _content(first, ours.valid) < LEAST_CONTENT:
+                continue
+            places += 1
+            explained += any(
+                _is_like(first, ours.valid, one, mosaic, window, pool)
+                for one in sources_in(sources, grid.window_extent(window))
+            )
+    return explained >= 0.5 * places
+
+
+def _is_like(
+    first: np.ndarray, valid: np.ndarray, source: Source, mosaic: Raster, window: PixelWindow, pool: RasterPool,
+) -> bool:
+    try:
+        clip = read_clip(pool.open(source.ref), mosaic, window, partly=True)
+    except RasterError:
+        return False
+    both = valid if clip.valid is None else valid & clip.valid
+    second = clip.bands[:1].astype(np.float64)
+    return both.mean() > 0.2 and _content(second, both) > 0 and _correlation(first, second, both) >= MEDIAN_LIKE
+
+
+def _is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:
+    """Whether a raster is a VRT that names the mosaic."""
+    if not ref.path.lower().endswith(".vrt") or not os.path.isfile(ref.path):
+        return False
+    return any(is_same_file(RasterRef(part), mosaic) for part in vrt_parts(ref.path))

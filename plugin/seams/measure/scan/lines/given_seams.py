@@ -1,0 +1,171 @@
+"""Seams as producers deliver them: lines with what lies left and right, or polygons of what each part was made from."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+import numpy as np
+
+from .....imagery import messages as imagery_messages
+from .....imagery.errors import SeamlineError
+from .....imagery.grids import Grid
+from .....imagery.lines import line_networks, seamlines
+from .....imagery.message import Message
+from ... import messages
+from ...seam_cells import Cell
+from .polygon_faults import polygon_faults
+from .seam_features import SeamFeature, gathered, told
+from .seam_fields import seam_fields
+
+
+@dataclass(frozen=True, eq=False)
+class NamedSeam:
+    """A seam with what lies beside it, where the producer says so."""
+
+    vertices: np.ndarray
+    """(n, 2) float64 map units, n >= 2; first and last are equal when it is a ring."""
+    left: str | None
+    """What the mosaic was made from on the left hand: an orthoimage's name, else a date."""
+    right: str | None
+    """The same on the right hand. Producers' left and right are often exchanged; ``sides_of`` sets them right."""
+
+
+@dataclass(frozen=True, eq=False)
+class GivenSeams:
+    """What a layer of seams says."""
+
+    seams: tuple[NamedSeam, ...]
+    """Longest first."""
+    cells: tuple[Cell, ...]
+    """The polygons that name their orthoimage."""
+    notices: tuple[Message, ...]
+    """What is wrong with it or lacks in it, and is left out or assumed."""
+
+
+def given_seams(features: Iterable[SeamFeature], grid: Grid, source_field: str = "") -> GivenSeams:
+    """The seams that a layer's lines and polygons describe inside the mosaic's grid, and what lies beside them.
+
+    ``source_field``: see ``seam_fields``. Borders between polygons of one source are no seams, and what lies between
+    two overlapping or gaping polygons has none. Raises SettingsError when the layer has no such field, SeamlineError
+    when it is empty, lies elsewhere, spans far more than a mosaic can, or holds no seam.
+    """
+    held = list(features)
+    rows = [attributes for attributes, _ in held]
+    fields = seam_fields(rows, source_field)
+    pieces = gathered(held, fields, grid)
+    network = _Network(grid)
+    if pieces.rings:
+        network.add_polygons(pieces.rings, pieces.ring_owners)
+    if pieces.lines:
+        network.add_lines(pieces.lines, pieces.line_sides)
+    named = any(map(told, chain(pieces.ring_owners, *pieces.line_sides)))
+    seams = sorted(
+        network.seams(whoever=not named),
+        key=lambda one: (-round(_length(one.vertices) / grid.pixel_width, 3), one.vertices[0, 0], one.vertices[0, 1]),
+    )
+    if not seams:
+        raise SeamlineError(
+            imagery_messages.SEAMLINES_APART() if pieces.rings else imagery_messages.SEAMLINES_TOO_SHORT()
+        )
+    notices = [
+        *([messages.SEAM_FEATURES_BROKEN(count=pieces.broken)] if pieces.broken else []),
+        *([messages.SEAM_LINES_CROSS(count=pieces.crossing)] if pieces.crossing else []),
+        *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
+        *polygon_faults(pieces.polygons, grid),
+    ]
+    if fields.date and named and pieces.rings:
+        notices.append(messages.SEAMS_NAMED_BY_DATE(field=fields.date))
+    elif not named:
+        notices.append(messages.SEAMS_UNNAMED())
+    return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices))
+
+
+class _Network:
+    """Straight pieces between common nodes, each with what lies on either side of it."""
+
+    def __init__(self, grid: Grid) -> None:
+        xmin, ymin, _, _ = grid.extent
+        self._origin, self._size = complex(xmin, ymin), grid.pixel_width
+        self._parts: list[tuple[np.ndarray, np.ndarray, np.ndarray, list[str]]] = []
+
+    def add_polygons(self, rings: Sequence[np.ndarray], owners: Sequence[str]) -> None:
+        """The borders that have one owner on their left and another on their right."""
+        names, owner = np.unique(owners, return_inverse=True)
+        ends, ring = seamlines.line_pieces(rings)
+        shift, ends = self._in_pixels(ends)
+        nodes, edges, piece = line_networks.network(ends, line_networks.BORDER_SNAP_PX)
+        of_edge = owner[ring[piece]]
+        pairs, pair = line_networks.undirected(edges, len(nodes))
+        forward = edges[:, 0] < edges[:, 1]
+        # Two owners on one side overlap there: the line is inside one of them, and no border.
+        low = np.full((2, len(pairs)), len(names))
+        high = np.full((2, len(pairs)), -1)
+        for side, chosen in enumerate((forward, ~forward)):
+            np.minimum.at(low[side], pair[chosen], of_edge[chosen])
+            np.maximum.at(high[side], pair[chosen], of_edge[chosen])
+        border = (high >= 0).all(axis=0) & (low == high).all(axis=0) & (low[0] != low[1])
+        self._parts.append((nodes + shift, pairs[border], low[:, border].T, [str(name) for name in names]))
+
+    def add_lines(self, lines: Sequence[np.ndarray], sides: Sequence[tuple[str, str]]) -> None:
+        """Lines as they are, each pair of nodes once."""
+        names, side = np.unique(np.array(sides), return_inverse=True)
+        side = side.reshape(-1, 2)
+        ends, line = seamlines.line_pieces(lines)
+        shift, ends = self._in_pixels(ends)
+        nodes, edges, piece = line_networks.network(ends, seamlines.END_SNAP_PX)
+        pairs, pair = line_networks.undirected(edges, len(nodes))
+        first = np.full(len(pairs), len(edges))
+        np.minimum.at(first, pair, np.arange(len(edges)))
+        of_pair = side[line[piece[first]]]
+        backward = edges[first, 0] > edges[first, 1]
+        of_pair[backward] = of_pair[backward, ::-1]
+        self._parts.append((nodes + shift, pairs, of_pair, [str(name) for name in names]))
+
+    def seams(self, whoever: bool) -> Iterator[NamedSeam]:
+        """The longest paths through pieces that part the same two owners; or just the longest paths."""
+        for nodes, pairs, sides, names in self._parts:
+            group = np.zeros(len(pairs), dtype=int)
+            if not whoever:
+                group = sides.min(axis=1) * len(names) + sides.max(axis=1)
+            order = np.argsort(group, kind="stable")
+            for chosen in np.split(order, np.flatnonzero(np.diff(group[order])) + 1):
+                if len(chosen):
+                    yield from self._of_group(nodes, pairs[chosen], sides[chosen], names)
+
+    def _of_group(
+        self, nodes: np.ndarray, pairs: np.ndarray, sides: np.ndarray, names: Sequence[str]
+    ) -> Iterator[NamedSeam]:
+        used, local = np.unique(pairs, return_inverse=True)
+        local = local.reshape(-1, 2)
+        places = nodes[used]  # ascending, as all nodes are
+        key = local.min(axis=1) * len(used) + local.max(axis=1)
+        order = np.argsort(key)
+        key, sides = key[order], np.where((local[:, 0] < local[:, 1])[:, np.newaxis], sides, sides[:, ::-1])[order]
+        for path in line_networks.joined(places, local):
+            seam = seamlines.straightened(seamlines.directed(path))
+            if not abs(np.diff(seam)).any():
+                continue  # a loop of a pixel
+            walk = np.searchsorted(places, seamlines.directed(path))
+            low, high = np.minimum(walk[:-1], walk[1:]), np.maximum(walk[:-1], walk[1:])
+            found = sides[np.searchsorted(key, low * len(used) + high)]
+            found = np.where((walk[:-1] < walk[1:])[:, np.newaxis], found, found[:, ::-1])
+            one, other = int(found[0].min()), int(found[0].max())
+            weight = abs(np.diff(places[walk]))
+            left, right = (one, other) if weight[found[:, 0] == one].sum() * 2 >= weight.sum() else (other, one)
+            yield NamedSeam(
+                seamlines.as_xy(seam * self._size + self._origin), told(names[left]) or None, told(names[right]) or None
+            )
+
+    def _in_pixels(self, ends: np.ndarray) -> tuple[complex, np.ndarray]:
+        """Places in pixels, none of them negative, and what has to be added to have them from the mosaic's corner."""
+        ends = (ends - self._origin) / self._size
+        width, height = np.ptp(ends.real), np.ptp(ends.imag)
+        if max(width, height) > seamlines.MAX_EXTENT_PX:
+            raise SeamlineError(imagery_messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
+        shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
+        return shift, ends - shift
+
+
+def _length(vertices: np.ndarray) -> float:
+    return float(np.hypot(*np.diff(vertices, axis=0).T).sum())

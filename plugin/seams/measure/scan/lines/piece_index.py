@@ -1,0 +1,182 @@
+"""Which piece of a seam lies nearest to a place, for millions of places."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from .....imagery.grids import Grid, PixelWindow
+from .seam_pieces import SeamPiece
+
+STEP_PX = 0.5
+"""Lines are looked up by points at most this far apart; the distance is then taken to the line itself."""
+TILE_PX = 2048
+"""Side of the tiles by which stretches of line are found, and places are looked up together."""
+
+_STRETCH = np.dtype(
+    [("start", complex), ("step", complex), ("number", np.int64), ("station", float), ("metres", float)]
+)
+"""A straight stretch of a piece: where it starts and what it adds (column + 1j row, px), the piece's number, and on the
+ground where it starts along the seam and how long it is (m)."""
+
+
+@dataclass(frozen=True, eq=False)
+class NearestPieces:
+    """Where places lie along and beside the pieces nearest to them; all arrays of one shape."""
+
+    number: np.ndarray
+    """int: of the piece, -1 where none is in reach; the rest is then of no meaning."""
+    distance_px: np.ndarray
+    """float64: to the piece, infinite where none is in reach."""
+    on_left: np.ndarray
+    """bool: on the left hand of who walks along the piece (outside a bend of more than 90 degrees it may err)."""
+    station_m: np.ndarray
+    """float64: metres along the seam where the nearest point of the piece lies."""
+
+
+class PieceIndex:
+    """The pieces of all seams, or those near one block, by place.
+
+    Places are columns and rows of the mosaic as real numbers: 0 is the left (upper) edge of the first pixel, 0.5 its
+    middle. Pieces are numbered as they were given, also in the part of an index that ``near`` returns. Plain arrays:
+    it can be sent to another process, and threads may share it.
+    """
+
+    def __init__(self, pieces: Iterable[SeamPiece], grid: Grid) -> None:
+        held = list(pieces)
+        if not held:
+            self._hold(np.empty(0, dtype=_STRETCH))
+            return
+        places = np.concatenate([piece.vertices for piece in held])
+        number = np.repeat(np.arange(len(held)), [len(piece.vertices) for piece in held])
+        within = number[1:] == number[:-1]
+        x, y = places.T
+        line = (x - grid.left) / grid.pixel_width + 1j * ((grid.top - y) / grid.pixel_height)
+        metres = np.where(within, np.hypot(np.diff(x) * grid.metres_x, np.diff(y) * grid.metres_y), 0)
+        # Metres since the first vertex of all, less those up to the piece's own first vertex.
+        passed = np.append(0, np.cumsum(metres))
+        first = np.searchsorted(number, np.arange(len(held)))
+        station = np.array([piece.station_m for piece in held])[number] + passed - passed[first[number]]
+        stretches = np.empty(len(line) - 1, dtype=_STRETCH)
+        stretches["start"], stretches["step"], stretches["number"] = line[:-1], np.diff(line), number[:-1]
+        stretches["station"], stretches["metres"] = station[:-1], metres
+        self._hold(stretches[within])
+
+    def __len__(self) -> int:
+        """How many straight stretches it holds."""
+        return len(self._stretches)
+
+    @property
+    def numbers(self) -> np.ndarray:
+        """The pieces that it holds, ascending."""
+        return np.unique(self._stretches["number"])
+
+    def near(self, window: PixelWindow, reach_px: float) -> PieceIndex:
+        """The part of the index with all that lies within ``reach_px`` of a window; pieces keep their numbers."""
+        left, top = window.column - reach_px, window.row - reach_px
+        right, bottom = window.column + window.width + reach_px, window.row + window.height + reach_px
+        found = self._stretches[self._in_tiles(left, top, right, bottom)]
+        start, stop = found["start"], found["start"] + found["step"]
+        met = (np.minimum(start.real, stop.real) <= right) & (np.maximum(start.real, stop.real) >= left)
+        met &= (np.minimum(start.imag, stop.imag) <= bottom) & (np.maximum(start.imag, stop.imag) >= top)
+        part = PieceIndex.__new__(PieceIndex)
+        part._hold(found[met])
+        return part
+
+    def nearest(self, columns: np.ndarray, rows: np.ndarray, reach_px: float) -> tuple[np.ndarray, np.ndarray]:
+        """The nearest piece of each place (number, -1 where none is within ``reach_px``) and its distance in pixels.
+
+        ``columns``, ``rows``: real numbers, of one shape, which both results have. The distance is infinite where
+        there is no piece; it is true to 0.1 px.
+        """
+        found = self.beside(columns, rows, reach_px)
+        return found.number, found.distance_px
+
+    def beside(self, columns: np.ndarray, rows: np.ndarray, reach_px: float) -> NearestPieces:
+        """The same with the side of the piece that each place is on, and where along the seam."""
+        columns, rows = np.broadcast_arrays(np.asarray(columns, dtype=float), np.asarray(rows, dtype=float))
+        places = columns.ravel() + 1j * rows.ravel()
+        number, distance = np.full(len(places), -1), np.full(len(places), np.inf)
+        on_left, station = np.zeros(len(places), dtype=bool), np.zeros(len(places))
+        if len(self) and len(places):
+            tile = _tile(places.real, places.imag)
+            order = np.argsort(tile, kind="stable")
+            for group in np.split(order, np.flatnonzero(np.diff(tile[order])) + 1):
+                hit, stretch = self._nearest_of(places[group], reach_px)
+                hit = group[hit]
+                step, away = stretch["step"], places[hit] - stretch["start"]
+                along = (away * step.conj()).real / np.maximum(abs(step) ** 2, np.finfo(float).tiny)
+                along = along.clip(0, 1)
+                away = away - along * step
+                kept = abs(away) <= reach_px
+                hit, stretch, away, along = hit[kept], stretch[kept], away[kept], along[kept]
+                number[hit], distance[hit] = stretch["number"], abs(away)
+                on_left[hit] = (away * stretch["step"].conj()).imag < 0  # rows run down
+                station[hit] = stretch["station"] + along * stretch["metres"]
+        shape = columns.shape
+        return NearestPieces(
+            number.reshape(shape), distance.reshape(shape), on_left.reshape(shape), station.reshape(shape)
+        )
+
+    def _nearest_of(self, places: np.ndarray, reach_px: float) -> tuple[np.ndarray, np.ndarray]:
+        """Of places that lie together: which ones have a stretch about in reach, and those stretches."""
+        column, row = int(np.floor(places.real.min())), int(np.floor(places.imag.min()))
+        width, height = int(np.ceil(places.real.max())) - column, int(np.ceil(places.imag.max())) - row
+        stretches = self.near(PixelWindow(column, row, width, height), reach_px)._stretches
+        counts = np.maximum(np.ceil(abs(stretches["step"]) / STEP_PX), 1).astype(int)
+        of_point = np.repeat(np.arange(len(stretches)), counts)
+        share = (np.arange(len(of_point)) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[of_point]
+        points = stretches["start"][of_point] + share * stretches["step"][of_point]
+        # What is out of reach isn't looked up: a long stretch may run far beyond.
+        reached = (abs(points.real - column - width / 2) <= width / 2 + reach_px + STEP_PX) & (
+            abs(points.imag - row - height / 2) <= height / 2 + reach_px + STEP_PX
+        )
+        points, of_point = points[reached], of_point[reached]
+        if not len(points):
+            return np.empty(0, dtype=int), stretches[:0]
+        tree = cKDTree(_xy(points), balanced_tree=False, compact_nodes=False)
+        _, found = tree.query(_xy(places), distance_upper_bound=reach_px + STEP_PX)
+        hit = np.flatnonzero(found < len(points))
+        return hit, stretches[of_point[found[hit]]]
+
+    def _hold(self, stretches: np.ndarray) -> None:
+        """Take straight stretches, (n,) of ``_STRETCH``."""
+        self._stretches = stretches
+        # A stretch is listed in every tile that its bounding box meets.
+        start, stop = stretches["start"], stretches["start"] + stretches["step"]
+        column, row = np.floor(start.real / TILE_PX).astype(int), np.floor(start.imag / TILE_PX).astype(int)
+        columns = np.floor(stop.real / TILE_PX).astype(int) - column
+        rows = np.floor(stop.imag / TILE_PX).astype(int) - row
+        counts = (abs(columns) + 1) * (abs(rows) + 1)
+        stretch = np.repeat(np.arange(len(start)), counts)
+        place = np.arange(len(stretch)) - np.repeat(np.cumsum(counts) - counts, counts)
+        down, across = np.divmod(place, abs(columns[stretch]) + 1)
+        tile = _key(column[stretch] + np.sign(columns[stretch]) * across, row[stretch] + np.sign(rows[stretch]) * down)
+        order = np.argsort(tile, kind="stable")
+        self._tile, self._of_tile = tile[order], stretch[order]
+
+    def _in_tiles(self, left: float, top: float, right: float, bottom: float) -> np.ndarray:
+        """Stretches in the tiles that meet a rectangle, ascending."""
+        first_column, last_column = int(np.floor(left / TILE_PX)), int(np.floor(right / TILE_PX))
+        rows = np.arange(int(np.floor(top / TILE_PX)), int(np.floor(bottom / TILE_PX)) + 1)
+        # Tiles of one row follow each other in the sorted list.
+        first = np.searchsorted(self._tile, _key(np.full(len(rows), first_column), rows))
+        last = np.searchsorted(self._tile, _key(np.full(len(rows), last_column), rows), side="right")
+        found = [self._of_tile[one:other] for one, other in zip(first, last)]
+        return np.unique(np.concatenate(found)) if found else np.empty(0, dtype=int)
+
+
+def _tile(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    return _key(np.floor(columns / TILE_PX).astype(int), np.floor(rows / TILE_PX).astype(int))
+
+
+def _key(column: np.ndarray, row: np.ndarray) -> np.ndarray:
+    """One number per tile, row by row."""
+    return np.asarray(row) * 2**32 + column
+
+
+def _xy(points: np.ndarray) -> np.ndarray:
+    """(n, 2) float64 of (n,) complex."""
+    return np.column_stack([points.real, points.imag])

@@ -1,0 +1,135 @@
+"""The features of a layer of seams: lines and polygons with what is written beside them."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from osgeo import ogr
+
+from .....imagery import messages as imagery_messages
+from .....imagery.errors import SeamlineError
+from .....imagery.gdal_calls import gdal_silenced
+from .....imagery.grids import Extent, Grid, extents_meet
+from .....imagery.lines import seamlines
+from ... import messages
+from ...seam_cells import Cell
+from .seam_fields import Attributes, SeamFields, said
+
+SeamFeature = tuple[Attributes, "bytes | None"]
+"""Attributes by field, and WKB in the mosaic's reference system."""
+_UNNAMED = "\x1f"
+
+
+@dataclass
+class GatheredLines:
+    """What the features of a layer hold on the mosaic."""
+
+    lines: list[np.ndarray] = field(default_factory=list)
+    """(n,) complex each, map units."""
+    line_sides: list[tuple[str, str]] = field(default_factory=list)
+    """What lies left and right of each, empty where nothing is said."""
+    rings: list[np.ndarray] = field(default_factory=list)
+    """(n,) complex each, map units, the interior on their left."""
+    ring_owners: list[str] = field(default_factory=list)
+    """The source that each belongs to, else the feature; ``told`` says what it is called."""
+    cells: list[Cell] = field(default_factory=list)
+    """Polygons that name their source."""
+    polygons: list[tuple[str, ogr.Geometry]] = field(default_factory=list)
+    """All of them, repaired, with what they are called."""
+    repaired: int = 0
+    """Polygons that crossed themselves."""
+    crossing: int = 0
+    """Lines that cross themselves."""
+    broken: int = 0
+    """Features that can't be read."""
+    elsewhere: int = 0
+    """Features that don't lie on the mosaic."""
+
+
+def gathered(features: Sequence[SeamFeature], fields: SeamFields, grid: Grid) -> GatheredLines:
+    """The lines and polygons of a layer that lie on the mosaic.
+
+    Raises SeamlineError when there is none.
+    """
+    found = GatheredLines()
+    empty = True
+    for number, (attributes, wkb) in enumerate(features, start=1):
+        if wkb:
+            try:
+                empty &= not _gather(found, wkb, number, attributes, fields, grid)
+            except SeamlineError:
+                empty = False
+                found.broken += 1
+    if empty:
+        raise SeamlineError(imagery_messages.SEAMLINES_EMPTY())
+    if found.lines or found.rings:
+        return found
+    if found.elsewhere:
+        raise SeamlineError(messages.SEAMS_ELSEWHERE(count=found.elsewhere))
+    if found.broken:
+        raise SeamlineError(messages.SEAM_FEATURES_ALL_BROKEN())
+    raise SeamlineError(imagery_messages.SEAMLINES_NO_LINES())
+
+
+def _gather(
+    found: GatheredLines, wkb: bytes, number: int, attributes: Attributes, fields: SeamFields, grid: Grid
+) -> bool:
+    """One feature; whether it has a geometry. Raises SeamlineError when it can't be read or repaired."""
+    with gdal_silenced():
+        geometry = seamlines.read_geometry(wkb, number)
+    if geometry.IsEmpty():
+        return False
+    if not extents_meet(_extent(geometry), _widened(grid)):
+        found.elsewhere += 1
+        return True
+    source = said(attributes.get(fields.source)) if fields.source else ""
+    # Without a name each is a part of its own: two images of one day meet in a seam too.
+    date = said(attributes.get(fields.date)) if fields.date else ""
+    owner = source or f"{_UNNAMED}{number}{_UNNAMED}{date or _UNNAMED}"
+    sides = said(attributes.get(fields.left)), said(attributes.get(fields.right))
+    for part in seamlines.simple_parts(geometry):
+        if seamlines.is_polygon(part):
+            _gather_polygon(found, part, number, owner)
+            if source:
+                valid = found.polygons[-1][1]
+                found.cells.append(Cell(source, bytes(valid.ExportToWkb(ogr.wkbNDR)), _extent(valid)))
+        elif part.GetPointCount() > 1:
+            found.lines.append(_finite(seamlines.line_points(part)))
+            found.line_sides.append(sides)
+            with gdal_silenced():
+                found.crossing += not part.IsSimple()
+    return True
+
+
+def _gather_polygon(found: GatheredLines, polygon: ogr.Geometry, number: int, owner: str) -> None:
+    with gdal_silenced():
+        is_valid = polygon.IsValid()
+    rings = [_finite(ring) for ring in seamlines.polygon_rings(polygon, number)]
+    found.repaired += not is_valid
+    found.rings += rings
+    found.ring_owners += [owner] * len(rings)
+    with gdal_silenced():
+        found.polygons.append((told(owner), polygon.Clone() if is_valid else polygon.MakeValid()))
+
+
+def _finite(points: np.ndarray) -> np.ndarray:
+    if not np.isfinite(points).all():
+        raise SeamlineError(imagery_messages.SEAMLINES_NOT_FINITE())
+    return points
+
+
+def told(owner: str) -> str:
+    """The name of an owner: a source, else a date, else nothing."""
+    return owner.split(_UNNAMED)[2] if owner.startswith(_UNNAMED) else owner
+
+
+def _extent(geometry: ogr.Geometry) -> Extent:
+    xmin, xmax, ymin, ymax = geometry.GetEnvelope()
+    return xmin, ymin, xmax, ymax
+
+
+def _widened(grid: Grid) -> Extent:
+    """The mosaic with a pixel around it: a line along its edge has no width."""
+    xmin, ymin, xmax, ymax = grid.extent
+    return xmin - grid.pixel_width, ymin - grid.pixel_height, xmax + grid.pixel_width, ymax + grid.pixel_height

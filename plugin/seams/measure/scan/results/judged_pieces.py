@@ -1,0 +1,78 @@
+"""Pieces of seam with what they kept, and the verdict on each."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from .....imagery.message import Message
+from ... import messages
+from ...following.likely_source import MIN_FIT
+from ...limits import MAX_SIGNIFICANT_KEPT
+from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX
+from ...verdicts import MAX_INTERVAL_FACTOR, Verdict, judge_by_seam
+from ..lines.seam_pieces import SeamPiece
+from .piece_sums import PieceProfile
+
+LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
+
+
+@dataclass(frozen=True, eq=False)
+class JudgedPiece:
+    """One feature of SEAMS."""
+
+    piece: SeamPiece
+    """Where it runs."""
+    left: str | None
+    """Name of the source on the left hand; None where nothing says."""
+    right: str | None
+    """Name of the source on the right hand."""
+    kept: tuple[float | None, ...] | None
+    """In the strip beside the seam, levels 1..R; None where nothing could be measured."""
+    low: float | None
+    """Lower end of the 95 % interval of kept_1."""
+    high: float | None
+    """Upper end."""
+    band_width_m: float | None
+    """Full width of the band in which less than 0.9 is kept."""
+    verdict: Verdict
+    reason: Message | None = None
+    """Why there is no verdict."""
+
+    @property
+    def least_kept(self) -> float | None:
+        """kept_1."""
+        return self.kept[0] if self.kept else None
+
+
+def judge_piece(
+    piece: SeamPiece, sides: tuple[str | None, str | None], found: PieceProfile, ground_sample_distance: float
+) -> JudgedPiece:
+    """The verdict on one piece by its profile."""
+    if found.profile is None:
+        needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
+        short = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if piece.length_m < needed else None
+        reason = short or messages.PIECE_NOT_MEASURED()
+        return JudgedPiece(piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, reason)
+    profile = found.profile
+    if found.fit < MIN_FIT:
+        return JudgedPiece(
+            piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_NOT_EXPLAINED()
+        )
+    verdict, why = judge_by_seam(profile, True, 1.0, MAX_SIGNIFICANT_KEPT)
+    if profile.high > MAX_INTERVAL_FACTOR * profile.low:
+        why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
+    width = profile.band_width_px * ground_sample_distance
+    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why)
+
+
+def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:
+    """How much of the seams could not be judged, where that is worth telling."""
+    lacking, total = metres(pieces, Verdict.NOT_COMPARABLE), metres(pieces)
+    if lacking < LEAST_WITHOUT_VERDICT * total or not lacking:
+        return ()
+    return (messages.SEAMS_WITHOUT_VERDICT(metres=lacking, all=total),)
+
+
+def metres(pieces: Sequence[JudgedPiece], *verdicts: Verdict) -> float:
+    """Length of all pieces, or of those with one of some verdicts."""
+    return sum((one.piece.length_m for one in pieces if not verdicts or one.verdict in verdicts), 0.0)

@@ -1,0 +1,124 @@
+"""The picture of where detail was lost: a GeoTIFF of cells, written block row by block row."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+import numpy as np
+from osgeo import gdal
+
+from .....imagery import messages as imagery_messages
+from .....imagery.gdal_calls import gdal_call, gdal_writing
+from .....imagery.raster_writer import whole_raster
+from .....imagery.rasters import Raster
+from ...profile.detail_cells import CELL_PX
+from ..blocks.block_grid import BLOCK_PX, LABEL_PX
+from ..blocks.scan_block import BlockScan
+from .block_ground import LevelGround, whole_cells
+
+BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
+NODATA = -1.0
+SOURCE_BAND = BANDS.index("source") + 1
+_OVERVIEWS_FROM_PX = 256
+
+
+def loss_cells(
+    scan: BlockScan, labels: np.ndarray, ground: Sequence[LevelGround | None], cell_px: int
+) -> np.ndarray:
+    """One block's pixels, (5, rows, columns) float32 of whole blocks, ``NODATA`` where nothing was measured.
+
+    ``labels``: (rows, columns) int of the block, numbers of sources in the band's names, 0 where none is followed.
+    """
+    side, step = BLOCK_PX // cell_px, cell_px // CELL_PX
+    made = empty_cells(side)
+    cells = whole_cells(scan.cells)
+    per_block = BLOCK_PX // CELL_PX
+    place = (cells.row % per_block) // step * side + (cells.column % per_block) // step
+    mm, cc, mc = (np.bincount(place, values[0], side * side) for values in (cells.mm, cells.cc, cells.mc))
+    if (finest := ground[0] if ground else None) is not None:
+        expected = np.bincount(place, cells.cc[0] * finest.response.amplitude(cells.energy(0)), side * side)
+        _put(made[0], mm, expected)
+    _put(made[1], mm, cc)
+    np.sqrt(made[1], out=made[1], where=made[1] >= 0)
+    _put(made[2], mc**2, mm * cc)
+    np.subtract(1, np.minimum(made[2], 1), out=made[2], where=made[2] >= 0)
+    per_cell = cell_px // LABEL_PX
+    source = labels[per_cell // 2 :: per_cell, per_cell // 2 :: per_cell]
+    anywhere = labels.reshape(side, per_cell, side, per_cell).max(axis=(1, 3))  # the mosaic may end before the middle
+    made[3] = np.where(source > 0, source, np.where(anywhere > 0, anywhere, NODATA))
+    parts = scan.mixture.reshape(side, step, side, step)
+    known = ~np.isnan(parts)
+    counts = known.sum(axis=(1, 3))
+    made[4] = np.where(counts > 0, np.where(known, parts, 0).sum(axis=(1, 3)) / np.maximum(counts, 1), NODATA)
+    return made
+
+
+def empty_cells(side: int) -> np.ndarray:
+    """A block of which nothing was measured, (5, side, side) float32."""
+    return np.full((len(BANDS), side, side), NODATA, np.float32)
+
+
+def _put(target: np.ndarray, above: np.ndarray, below: np.ndarray) -> None:
+    known = below > 0
+    target[known.reshape(target.shape)] = (above[known] / below[known]).astype(np.float32)
+
+
+class LossRaster:
+    """Writes the cells of blocks where they belong."""
+
+    def __init__(self, dataset: gdal.Dataset, path: str, cell_px: int) -> None:
+        self._dataset, self._failure = dataset, imagery_messages.RASTER_NOT_WRITTEN(path=path)
+        self._side = BLOCK_PX // cell_px
+        self._measured = np.zeros(len(BANDS), bool)
+
+    def write(self, row: int, column: int, cells: np.ndarray) -> None:
+        """The cells of one block by its row and column. Raises RasterError when the disk is full."""
+        left, top = column * self._side, row * self._side
+        width, height = self._dataset.RasterXSize - left, self._dataset.RasterYSize - top
+        self._measured |= (cells[:, :height, :width] != NODATA).any(axis=(1, 2))
+        with gdal_writing(self._failure):
+            self._dataset.WriteArray(np.ascontiguousarray(cells[:, :height, :width]), left, top)
+
+    def close(self, names: Sequence[str]) -> None:
+        """Overviews, statistics and the names of the sources, which their numbers from 1 on mean."""
+        with gdal_writing(self._failure):
+            dataset = self._dataset
+            dataset.GetRasterBand(SOURCE_BAND).SetCategoryNames(["", *names])
+            dataset.FlushCache()
+            longest, factors = max(dataset.RasterXSize, dataset.RasterYSize), [2]
+            while longest / factors[-1] > _OVERVIEWS_FROM_PX:
+                factors.append(2 * factors[-1])
+            if longest > _OVERVIEWS_FROM_PX:
+                dataset.BuildOverviews("AVERAGE", factors)
+                source = dataset.GetRasterBand(SOURCE_BAND)
+                for number in range(source.GetOverviewCount()):
+                    gdal.RegenerateOverview(source, source.GetOverview(number), "MODE")
+            for number in np.flatnonzero(self._measured).tolist():
+                dataset.GetRasterBand(number + 1).ComputeStatistics(False)
+            dataset.FlushCache()
+            self._dataset = None
+
+
+@contextmanager
+def loss_raster(path: str, mosaic: Raster, cell_px: int) -> Iterator[LossRaster]:
+    """A GeoTIFF that is there when the block ends, or not at all. Raises RasterError where none can be written."""
+    failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
+    with whole_raster(path) as unfinished:
+        columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
+        options = ["TILED=YES", "COMPRESS=DEFLATE", "PREDICTOR=3", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
+        dataset = gdal_call(
+            lambda: gdal.GetDriverByName("GTiff").Create(
+                unfinished, columns, rows, len(BANDS), gdal.GDT_Float32, options
+            ), failure,
+        )
+        left, across, skew, top, down, height = mosaic.placement
+        dataset.SetGeoTransform((left, across * cell_px, skew * cell_px, top, down * cell_px, height * cell_px))
+        dataset.SetProjection(mosaic.wkt)
+        for number, name in enumerate(BANDS, 1):
+            band = dataset.GetRasterBand(number)
+            band.SetDescription(name)
+            band.SetNoDataValue(NODATA)
+            band.Fill(NODATA)
+        raster = LossRaster(dataset, path, cell_px)
+        del dataset, band
+        yield raster

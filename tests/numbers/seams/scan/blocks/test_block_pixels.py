@@ -1,0 +1,178 @@
+"""The pixels of a block are the same however they come to be read."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.imagery.errors import NotCoveredError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, BlockGrid
+from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import MOST_HELD, BlockPixels, Planes, thin_valid
+
+from tests.numbers.seams.scan.blocks.scenes import NODATA, Scene, as_bytes, images, scene
+from tests.numbers.synthetic import luminance, orthoimage
+
+SHAPE = (300, 420)
+MOSAIC_NUMBER = 5
+
+
+@pytest.fixture(scope="module")
+def crowd(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    """More sources than are held; of one half lacks, of another all, and of the mosaic a corner."""
+    given = [one.copy() for one in images(SHAPE, MOST_HELD + 3)]
+    mosaic = given[MOSAIC_NUMBER].copy()
+    mosaic[:90, :90] = NODATA
+    given[1][:, 200:] = NODATA
+    given[2][:] = NODATA
+    given[MOST_HELD][150:] = NODATA
+    return scene(tmp_path_factory.mktemp("crowd"), mosaic, given)
+
+
+def arrays_of(crowd: Scene) -> list[np.ndarray]:
+    """Of the sources as they were written."""
+    given = [one.copy() for one in images(SHAPE, len(crowd.sources))]
+    given[1][:, 200:] = NODATA
+    given[MOST_HELD][150:] = NODATA
+    return given
+
+
+def assert_same(one: Planes, other: Planes) -> None:
+    """What lacks may hold anything."""
+
+    def known(valid: np.ndarray | None, shape: tuple[int, ...]) -> np.ndarray:
+        return np.ones(shape, bool) if valid is None else valid
+
+    there = [known(planes.mosaic_valid, one.mosaic.shape) for planes in (one, other)]
+    np.testing.assert_array_equal(*there)
+    np.testing.assert_array_equal(one.mosaic[there[0]], other.mosaic[there[0]])
+    for number in set(one.sources) | set(other.sources):
+        shown = [planes.sources.get(number) for planes in (one, other)]
+        has = [np.zeros(one.mosaic.shape, bool) if plane is None else known(planes.valid.get(number), plane.shape)
+               for plane, planes in zip(shown, (one, other))]
+        np.testing.assert_array_equal(*has, err_msg=str(number))
+        if has[0].any():
+            np.testing.assert_array_equal(shown[0][has[0]], shown[1][has[1]], err_msg=str(number))
+
+
+@pytest.mark.parametrize("window", [
+    PixelWindow(0, 0, 64, 64), PixelWindow(100, 40, 200, 130), PixelWindow(380, 260, 40, 40),
+    PixelWindow(-16, -16, 160, 160), PixelWindow(350, 250, 100, 80),
+])
+@pytest.mark.parametrize("numbers", [(5,), (0, 1), (0, 3, 7), (1, MOST_HELD, MOST_HELD + 2)])
+@pytest.mark.parametrize("margin_px", [0, 32])
+def test_a_part_is_the_same_held_or_read_anew(
+    crowd: Scene, window: PixelWindow, numbers: tuple[int, ...], margin_px: int
+) -> None:
+    held, anew = (crowd.pixels(whole, margin_px) for whole in (True, False))
+    try:
+        expected = anew.part(window, numbers)
+    except NotCoveredError:
+        if max(numbers) < MOST_HELD:
+            valid = held.part(window, numbers).mosaic_valid
+            assert valid is not None
+            assert not valid.any()
+        return
+    assert_same(held.part(window, numbers), expected)
+
+
+@pytest.mark.parametrize("margin_px", [0, 32])
+def test_patches_are_the_same_held_or_read_one_by_one(crowd: Scene, margin_px: int) -> None:
+    rows, columns = np.array([0, 36, 164, 260]), np.array([36, 164, 292, 380])
+    held, single = (crowd.pixels(whole, margin_px).patches(rows, columns, 40) for whole in (True, False))
+    assert held.mosaic.shape == single.mosaic.shape == (160, 160)
+    valid = single.mosaic_valid
+    assert valid is not None
+    for plane in (*single.sources.values(), single.mosaic):
+        plane[~valid] = 0
+    for number in held.sources:  # where the mosaic lacks sources need not be read
+        held.valid[number] = held.valid.get(number, np.ones(valid.shape, bool)) & valid
+    assert_same(held, single)
+
+
+def test_patches_are_the_pixels_of_the_files(crowd: Scene) -> None:
+    rows, columns = np.array([100, 200]), np.array([10, 250, 379])
+    given = arrays_of(crowd)
+    found = crowd.pixels().patches(rows, columns, 41)
+    assert 2 not in found.sources  # it has no pixels at all
+    assert set(found.sources) == set(range(len(given))) - {2}
+    for number, plane in found.sources.items():
+        expected = np.block([[given[number][row : row + 41, column : column + 41] for column in columns]
+                             for row in rows])
+        there = expected != NODATA
+        np.testing.assert_array_equal(plane[there], expected[there])
+        assert number not in found.valid or (found.valid[number] == there).all()
+        assert number in found.valid or there.all()
+
+
+def test_a_strip_of_patches_is_those_patches(crowd: Scene) -> None:
+    pixels = crowd.pixels()
+    rows, columns = np.array([100, 7, 230]), np.array([310, 120, 55])
+    strip = pixels.strip_of_patches(rows, columns, 40)
+    assert strip.mosaic.shape == (120, 40)
+    for place, (row, column) in enumerate(zip(rows, columns)):
+        alone = pixels.patches(np.array([row]), np.array([column]), 40)
+        own = np.s_[40 * place : 40 * (place + 1)]
+        np.testing.assert_array_equal(strip.mosaic[own], alone.mosaic)
+        for number, plane in strip.sources.items():
+            np.testing.assert_array_equal(plane[own], alone.sources[number])
+
+
+def test_of_many_sources_only_some_are_held(crowd: Scene) -> None:
+    strip = crowd.pixels().strip_of_patches(np.array([100]), np.array([100]), 40)
+    assert set(strip.sources) == set(range(MOST_HELD)) - {2}
+
+
+def test_sources_without_any_pixels_are_no_longer_asked_for(crowd: Scene) -> None:
+    assert crowd.pixels().numbers == tuple(i for i in range(len(crowd.sources)) if i != 2)
+    assert not crowd.pixels().notices
+
+
+def test_where_the_mosaic_lacks_is_told(crowd: Scene) -> None:
+    for margin_px in (0, 32):
+        valid = crowd.pixels(margin_px=margin_px).valid
+        assert valid is not None
+        assert valid.shape == SHAPE
+        assert not valid[:90, :90].any()
+        assert valid[90:].all()
+        assert valid[:, 90:].all()
+
+
+def test_a_thin_look_tells_by_units_where_the_mosaic_lacks(crowd: Scene) -> None:
+    thin = thin_valid(crowd.mosaic, PixelWindow(0, 0, SHAPE[1], SHAPE[0]))
+    assert thin is not None
+    assert thin.shape == (-(-SHAPE[0] // UNIT_PX), -(-SHAPE[1] // UNIT_PX))
+    assert not thin[:2, :2].any()
+    assert thin[3:].all()
+    assert thin[:, 3:].all()
+
+
+def test_a_mosaic_that_says_nothing_of_missing_pixels_needs_no_thin_look(tmp_path: Path) -> None:
+    given = images((128, 128))
+    one = scene(tmp_path, given[0], given, nodata=None)
+    assert thin_valid(one.mosaic, PixelWindow(0, 0, 128, 128)) is None
+    assert one.pixels().valid is None
+
+
+def test_three_bands_are_judged_by_their_luminance(tmp_path: Path) -> None:
+    mosaic, source = orthoimage((128, 160), seed=1), orthoimage((128, 160), seed=2)
+    one = scene(tmp_path, mosaic, [source], nodata=None)
+    found = one.pixels().part(PixelWindow(16, 32, 64, 48), (0,))
+    own = np.s_[:, 32:80, 16:80]
+    np.testing.assert_allclose(found.mosaic, luminance(mosaic[own]), rtol=1e-5)
+    np.testing.assert_allclose(found.sources[0], luminance(source[own]), rtol=1e-5)
+    patch = one.pixels().patches(np.array([32]), np.array([16]), 40)
+    np.testing.assert_array_equal(patch.mosaic, found.mosaic[:40, :40])
+
+
+def test_sixteen_bits_are_as_they_are(tmp_path: Path) -> None:
+    mosaic = orthoimage((128, 128), bands=1, dtype=np.uint16)[0]
+    one = scene(tmp_path, mosaic, [mosaic], nodata=None)
+    np.testing.assert_array_equal(one.pixels().part(PixelWindow(0, 0, 128, 128), (0,)).mosaic, mosaic)
+
+
+def test_a_window_without_pixels_of_the_mosaic_is_refused(tmp_path: Path) -> None:
+    one = scene(tmp_path, np.full((128, 128), NODATA, np.uint8), [as_bytes(np.full((128, 128), 9))])
+    window = BlockGrid(one.mosaic.grid).window((0, 0))
+    with pytest.raises(NotCoveredError):
+        BlockPixels(one.mosaic, [source.ref for source in one.sources], window)

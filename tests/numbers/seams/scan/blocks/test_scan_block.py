@@ -1,0 +1,348 @@
+"""One block: what is measured of it, in whatever state its files are."""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, EDGES_PX
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
+    BLOCK_PX,
+    LABEL_PX,
+    LABELS,
+    SQUARE_PX,
+    SQUARES,
+    UNIT_PX,
+    UNITS,
+    BlockGrid,
+)
+from seam_inspector.plugin.seams.measure.scan.blocks.block_records import record_of, scan_of
+from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import FARTHEST, CellTable
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan, called_for, scan_block
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+from seam_inspector.plugin.seams.measure.source_images import Source
+
+from tests.numbers.seams.scan.blocks.scenes import NODATA, SHAPE, SIDE, Scene, beside, blended, images, scene
+from tests.numbers.synthetic import wavedec
+
+SEAM = 400
+"""Column."""
+
+
+@pytest.fixture(scope="module")
+def hard(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    """A hard cut of two images along a column."""
+    given = images()
+    return scene(tmp_path_factory.mktemp("hard"), blended(*given, beside(SEAM)), given)
+
+
+def assert_same(one: BlockScan, other: BlockScan) -> None:
+    """But for the notices."""
+    assert one.key == other.key
+    assert one.sources == other.sources
+    for name in ("squares", "dense", "labels", "mixture", "clear", "outside"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+    for name in ("row", "column", "bin", "area", "mm", "cc", "mc"):
+        np.testing.assert_array_equal(getattr(one.cells, name), getattr(other.cells, name), err_msg=name)
+        assert getattr(one.cells, name).dtype == getattr(other.cells, name).dtype
+
+
+def true_labels() -> np.ndarray:
+    """One in ``LABEL_PX`` pixels."""
+    middles = np.arange(0, SIDE, LABEL_PX) + LABEL_PX / 2 + 0.5
+    return np.broadcast_to((middles > SEAM).astype(np.uint8), (SIDE // LABEL_PX, SIDE // LABEL_PX))
+
+
+# --- what it holds ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+@pytest.mark.parametrize("width", [0, 33])
+def test_labels_are_true_and_measured_densely_along_the_seam(tmp_path: Path, width: int, density: str) -> None:
+    given = images()
+    found = scan_block(scene(tmp_path, blended(*given, beside(SEAM, width)), given).request(density=density))
+    count = SIDE // LABEL_PX
+    assert (found.labels[:count, :count] == true_labels()).mean() > 0.999
+    assert (found.labels[count:] == UNKNOWN).all()
+    assert (found.labels[:, count:] == UNKNOWN).all()
+    units = SIDE // UNIT_PX
+    along = SEAM // UNIT_PX
+    assert found.dense[:units, along - 1 : along + 1].all()
+    assert found.dense.mean() < 0.2
+    assert not found.outside[:units, :units].any()
+    assert found.outside[units:].all()
+    assert not found.notices
+
+
+def by_cell(cells: CellTable, name: str) -> np.ndarray:
+    """Sums of level 1 over all bins, (rows, columns) of the mosaic's cells."""
+    found = np.zeros((SIDE // CELL_PX, SIDE // CELL_PX))
+    np.add.at(found, (cells.row, cells.column), getattr(cells, name)[0])
+    return found
+
+
+INSIDE = np.s_[1:-1, 1:-1]
+"""Cells but for those at the mosaic's edge, where PyWavelets goes on at the opposite one."""
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scene, density: str) -> None:
+    cells = scan_block(hard.request(density=density)).cells
+    area, mm = by_cell(cells, "area"), by_cell(cells, "mm")
+    assert area.max() == CELL_PX**2
+    assert set(np.unique(area[INSIDE])) <= {0, CELL_PX**2}
+    if density == "full":
+        assert (area[INSIDE] > 0).all()
+    energy = np.square(wavedec(blended(*images(), beside(SEAM)), "coif3", 1)[1]).sum(axis=0)
+    expected = energy.reshape(SIDE // CELL_PX, CELL_PX // 2, -1, CELL_PX // 2).sum(axis=(1, 3))
+    measured = area[INSIDE] > 0
+    assert mm[INSIDE][measured] == pytest.approx(expected[INSIDE][measured], rel=2e-3)
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+def test_a_hard_cut_is_its_own_composite(hard: Scene, density: str) -> None:
+    cells = scan_block(hard.request(density=density)).cells
+    for level in range(3):
+        assert cells.mm[level].sum() == pytest.approx(cells.cc[level].sum(), rel=0.01)
+        assert cells.mc[level].sum() == pytest.approx(cells.cc[level].sum(), rel=0.01)
+
+
+def test_a_feather_shows_in_the_bins_beside_the_seam_and_nowhere_else(tmp_path: Path) -> None:
+    given = images()
+    cells = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 33)), given).request()).cells
+    near = cells.bin < EDGES_PX.index(8)
+    far = cells.bin >= EDGES_PX.index(32)
+    energies = {name: np.square(wavedec(one, "coif3", 1)[1]).sum(axis=0)
+                for name, one in (("made", blended(*given, beside(SEAM, 33))), ("hard", blended(*given, beside(SEAM))))}
+    strip = np.s_[8:-8, (SEAM - 8) // 2 : (SEAM + 8) // 2]
+    expected = energies["made"][strip].sum() / energies["hard"][strip].sum()
+    assert expected < 0.75
+    assert cells.mm[0, near].sum() / cells.cc[0, near].sum() == pytest.approx(expected, abs=0.05)
+    assert cells.mm[0, far].sum() / cells.cc[0, far].sum() == pytest.approx(1, abs=0.01)
+
+
+def test_mixture_and_clear_tell_where_two_sources_are_seen(tmp_path: Path) -> None:
+    given = images()
+    found = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 66)), given).request(density="full"))
+    mixture = found.mixture[: SIDE // CELL_PX, : SIDE // CELL_PX]
+    seam = SEAM // CELL_PX
+    assert np.nanmean(mixture[:, seam - 1 : seam + 1]) > 0.5
+    assert np.nanmean(mixture[:, : seam - 6]) < 0.02
+    assert np.isnan(found.clear).any()
+    assert np.nanmean(found.clear) > 0.7
+
+
+# --- records ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+def test_a_record_gives_back_the_same_block(hard: Scene, density: str) -> None:
+    found = scan_block(hard.request(density=density))
+    assert len(found.cells)
+    assert_same(scan_of(record_of(found)), found)
+    assert record_of(scan_of(record_of(found))) == record_of(found)
+
+
+def test_a_record_of_nothing_is_nothing(hard: Scene) -> None:
+    nothing = BlockScan.nothing(replace(hard.request(), sources=()), ())
+    again = scan_of(record_of(nothing))
+    assert_same(again, nothing)
+    assert again.sources == ()
+    assert not len(again.cells)
+
+
+def test_names_of_sources_may_be_in_any_script(hard: Scene) -> None:
+    paths = "/żółć/b ö.tif", "/x/ソース.tif"
+    odd = tuple(Source(RasterRef(path), one.extent) for path, one in zip(paths, hard.sources))
+    nothing = BlockScan.nothing(replace(hard.request(), sources=odd), ())
+    assert scan_of(record_of(nothing)).sources == paths
+
+
+def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
+    assert record_of(scan_block(hard.request())) == record_of(scan_block(hard.request()))
+
+
+# --- blocks and their borders -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("columns", "rows"), [(2049, 150), (150, 2049), (2052, 130), (2048 + 127, 128), (65, 65)])
+def test_narrow_blocks_at_the_edge_are_scanned_too(tmp_path: Path, columns: int, rows: int) -> None:
+    given = images((rows, columns))
+    one = scene(tmp_path, given[0], given)
+    for key in BlockGrid(one.mosaic.grid):
+        window = BlockGrid(one.mosaic.grid).window(key)
+        found = scan_block(one.request(key))
+        assert not found.notices, (key, [str(notice) for notice in found.notices])
+        inside = [max(0, -(-(length - LABEL_PX // 2) // LABEL_PX)) for length in (window.height, window.width)]
+        labels = found.labels[: inside[0], : inside[1]]
+        assert (labels == 0).all(), key
+        assert (found.labels == 0).sum() == labels.size
+        assert found.cells.row.max(initial=-1) < -(-rows // CELL_PX)
+        assert found.cells.column.max(initial=-1) < -(-columns // CELL_PX)
+
+
+def test_blocks_side_by_side_measure_as_one(tmp_path: Path) -> None:
+    """A part in full density is the same wherever blocks begin."""
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM, 33)), given)
+    whole = scan_block(one.request(density="full")).cells
+    request = one.request(density="full")
+    parts = [scan_block(replace(request, window=PixelWindow(column, row, 512, 512))).cells
+             for row in (0, 512) for column in (0, 512)]
+    joined = CellTable.joined(parts)
+    assert (by_cell(joined, "area") == by_cell(whole, "area")).all()
+    assert by_cell(joined, "mm")[INSIDE] == pytest.approx(by_cell(whole, "mm")[INSIDE], rel=2e-3)
+    near = [float(cells.mm[0, cells.bin < 4].sum() / cells.cc[0, cells.bin < 4].sum())
+            for cells in (whole, parts[0], parts[2])]
+    assert near[1:] == pytest.approx([near[0]] * 2, abs=0.04)
+
+
+# --- pixels that lack -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+@pytest.mark.parametrize("side", [16, 24, 100])
+def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str) -> None:
+    """However small a share of the block it is: 16 px of 1,000 are 0.03 %."""
+    given = images()
+    made = blended(*given, beside(SEAM))
+    hole = np.s_[640 : 640 + side, 384 : 384 + side]
+    made[hole] = NODATA
+    request = scene(tmp_path, made, given).request(density=density)
+    found = scan_block(replace(request, window=PixelWindow(128, 128, 768, 768)))
+    cells = found.cells
+    assert len(cells)
+    level = 0
+    textured = cells.cc[level] > 0.05 * cells.cc[level].max()
+    assert (cells.mm[level] / np.maximum(cells.cc[level], 1e-6))[textured].min() > 0.7
+    first = (640 - 128) // LABEL_PX, (384 - 128) // LABEL_PX
+    count = side // LABEL_PX
+    assert (found.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()
+
+
+def test_where_the_mosaic_has_no_pixels_nothing_is_told(tmp_path: Path) -> None:
+    given = images()
+    made = blended(*given, beside(SEAM))
+    made[: SIDE // 2] = NODATA
+    found = scan_block(scene(tmp_path, made, given).request())
+    units, labels = SIDE // 2 // UNIT_PX, SIDE // 2 // LABEL_PX
+    assert found.outside[:units].all()
+    assert not found.outside[units : 2 * units, : 2 * units].any()
+    assert (found.labels[:labels] == UNKNOWN).all()
+    assert (found.labels[labels : 2 * labels, : 2 * labels] == true_labels()[labels:]).mean() > 0.998
+    assert (found.cells.row >= SIDE // 2 // CELL_PX).all()
+
+
+def test_a_mosaic_of_nothing_is_a_block_of_nothing(tmp_path: Path) -> None:
+    found = scan_block(scene(tmp_path, np.full(SHAPE, NODATA, np.uint8), images()).request())
+    assert not found.notices
+    assert not len(found.cells)
+    assert (found.labels == UNKNOWN).all()
+
+
+# --- files that can't be read -----------------------------------------------------------------------------------
+
+
+def test_a_source_that_is_gone_costs_no_more_than_itself(tmp_path: Path) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    Path(one.sources[1].ref.path).unlink()
+    found = scan_block(one.request())
+    assert [one.sources[1].ref.name in str(notice) for notice in found.notices] == [True]
+    left = SEAM // LABEL_PX
+    assert (found.labels[: SIDE // LABEL_PX, :left - 4] == 0).all()
+    assert (found.labels[: SIDE // LABEL_PX, left + 40 :] == UNKNOWN).mean() > 0.9
+
+
+def test_a_source_without_the_judged_band_is_told(tmp_path: Path) -> None:
+    given = images((256, 256))
+    one = scene(tmp_path, given[0], [given[0], np.stack(given * 2)[:3]])
+    found = scan_block(one.request())
+    assert len(found.notices) <= 1
+    assert (found.labels[:64, :64] == 0).all()
+
+
+@pytest.mark.parametrize("broken", ["gone", "cut off"])
+def test_a_mosaic_that_cannot_be_read_is_told_and_nothing_is_raised(tmp_path: Path, broken: str) -> None:
+    given = images((256, 256))
+    one = scene(tmp_path, given[0], given)
+    path = Path(one.mosaic.ref.path)
+    if broken == "gone":
+        path.unlink()
+    else:
+        path.write_bytes(path.read_bytes()[:3000])
+    found = scan_block(one.request())
+    assert len(found.notices) == 1
+    assert one.mosaic.ref.name in str(found.notices[0])
+    assert (found.labels == UNKNOWN).all()
+
+
+def test_without_sources_nothing_is_followed(hard: Scene) -> None:
+    found = scan_block(replace(hard.request(), sources=()))
+    assert (found.labels == UNKNOWN).all()
+    assert not len(found.cells)
+    assert not found.notices
+
+
+# --- what is called for -----------------------------------------------------------------------------------------
+
+
+def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
+    wanted = np.zeros((UNITS, UNITS), bool)
+    wanted[:8, 10:14] = True
+    found = scan_block(hard.request(wanted=wanted, look_every=0))
+    assert (found.dense == wanted).all()
+    cells = found.cells
+    assert (cells.row < 16).all()
+    assert ((cells.column >= 20) & (cells.column < 28)).all()
+    rows = 8 * UNIT_PX // LABEL_PX
+    assert (found.labels[:rows, 80:112] == true_labels()[:rows, 80:112]).mean() > 0.998
+    assert (np.delete(found.labels[:rows], np.s_[80:112], axis=1) == UNKNOWN).all()
+
+
+def test_given_seams_leave_samples_of_the_ground_between(hard: Scene) -> None:
+    wanted = np.zeros((UNITS, UNITS), bool)
+    wanted[: SIDE // UNIT_PX, 10:14] = True
+    found = scan_block(hard.request(wanted=wanted, look_every=4))
+    far = found.cells.bin == FARTHEST
+    assert (found.dense == wanted).all()
+    assert far.sum() == 4
+    assert (found.squares[: SIDE // SQUARE_PX, : SIDE // SQUARE_PX] != UNKNOWN).all()
+
+
+def squares(*rows: str) -> np.ndarray:
+    """Of digits; a dot is unknown."""
+    return np.array([[UNKNOWN if one == "." else int(one) for one in row] for row in rows], np.uint8)
+
+
+def test_units_are_called_for_between_squares_that_differ() -> None:
+    per_square = SQUARE_PX // UNIT_PX
+    found = called_for(squares("0011"))
+    assert found.shape == (per_square, 4 * per_square)
+    assert found.all(axis=0).tolist() == [5 <= unit < 11 for unit in range(16)]
+    assert called_for(squares("0", "0", "1", "1")).all(axis=1).tolist() == [5 <= unit < 11 for unit in range(16)]
+
+
+@pytest.mark.parametrize("rows", [["0000", "0000"], ["0..1", "0..1"], ["....", "...."], ["0"]])
+def test_nothing_is_called_for_where_none_differ(rows: list[str]) -> None:
+    assert not called_for(squares(*rows)).any()
+
+
+@pytest.mark.parametrize(("middle", "expected"), [(0, range(7, 11)), (1, range(5, 9)), (UNKNOWN, range(5, 11))])
+def test_a_patch_midway_halves_what_is_called_for(middle: int, expected: range) -> None:
+    middles = np.full((1, 3), UNKNOWN, np.uint8)
+    middles[0, 1] = middle
+    found = called_for(squares("0011"), UNKNOWN, (middles, np.zeros((0, 4), np.uint8)))
+    assert np.flatnonzero(found.all(axis=0)).tolist() == list(expected)
+
+
+def test_the_arrays_of_all_blocks_are_of_one_size(hard: Scene) -> None:
+    found = scan_block(hard.request())
+    assert found.squares.shape == (SQUARES, SQUARES)
+    assert found.labels.shape == (LABELS, LABELS)
+    assert found.mixture.shape == found.clear.shape == (CELLS, CELLS)
+    assert found.outside.shape == found.dense.shape == (UNITS, UNITS)
+    assert CELLS * CELL_PX == BLOCK_PX

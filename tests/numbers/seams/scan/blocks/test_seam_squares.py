@@ -1,0 +1,93 @@
+"""Which parts of a mosaic its seamlines call for."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from seam_inspector.plugin.imagery.grids import Grid
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
+from seam_inspector.plugin.seams.measure.scan.blocks.seam_squares import BESIDE_PX, SeamSquares
+from seam_inspector.plugin.seams.measure.scan.lines.given_seams import NamedSeam
+
+COLUMNS, ROWS = 5000, 2500
+GRID = Grid(1000.0, 9000.0, 0.25, 0.5, COLUMNS, ROWS)
+BLOCKS = BlockGrid(GRID)
+STEP_PX = 0.5
+SPARE_PX = 13  # lines are looked at 24 px apart
+
+
+def seam(*places: tuple[float, float]) -> NamedSeam:
+    """Through columns and rows of the mosaic."""
+    columns, rows = np.array(places, float).T
+    vertices = np.column_stack([GRID.left + columns * GRID.pixel_width, GRID.top - rows * GRID.pixel_height])
+    return NamedSeam(vertices, None, None)
+
+
+def points_along(places: list[tuple[float, float]]) -> np.ndarray:
+    """(n, 2), close to each other."""
+    parts = [np.linspace(one, other, max(2, int(np.hypot(*np.subtract(other, one)) / STEP_PX)))
+             for one, other in zip(places, places[1:])]
+    return np.concatenate(parts)
+
+
+def near(places: list[tuple[float, float]], reach_px: float) -> np.ndarray:
+    """Units of the mosaic that reach within a distance, along an axis, of a line; (rows, columns) bool."""
+    found = np.zeros((BLOCKS.rows * UNITS, BLOCKS.columns * UNITS), bool)
+    for column, row in points_along(places):
+        first, last = (np.floor((np.array([row, column]) + by) / UNIT_PX).astype(int) for by in (-reach_px, reach_px))
+        first = np.maximum(first, 0)
+        if (last >= 0).all():
+            found[first[0] : last[0] + 1, first[1] : last[1] + 1] = True
+    found[-(-ROWS // UNIT_PX) :] = False
+    found[:, -(-COLUMNS // UNIT_PX) :] = False
+    return found
+
+
+place = st.tuples(st.integers(-300, COLUMNS + 300), st.integers(-300, ROWS + 300))
+
+
+@given(st.lists(place, min_size=2, max_size=4))
+@settings(deadline=None, max_examples=25)
+def test_units_beside_a_seam_are_measured_and_no_others(places: list[tuple[float, float]]) -> None:
+    dense = SeamSquares([seam(*places)], BLOCKS).dense
+    assert dense[near(places, BESIDE_PX - SPARE_PX)].all()
+    assert not dense[~near(places, BESIDE_PX + 1)].any()
+
+
+def test_blocks_hold_their_own_part() -> None:
+    squares = SeamSquares([seam((100, 2040), (4900, 2040))], BLOCKS)
+    rows = [np.concatenate([squares.dense_in((row, column)) for column in range(BLOCKS.columns)], axis=1)
+            for row in range(BLOCKS.rows)]
+    np.testing.assert_array_equal(np.concatenate(rows), squares.dense)
+    assert squares.dense_in((0, 0))[-1, 8:].all()
+    assert squares.dense_in((1, 0))[0, 8:].all()
+
+
+def test_without_a_corridor_all_blocks_are_read() -> None:
+    squares = SeamSquares([seam((100, 100), (200, 100))], BLOCKS)
+    assert all(map(squares.is_read, BLOCKS))
+
+
+def test_a_corridor_leaves_out_blocks_that_no_seam_is_near_to() -> None:
+    squares = SeamSquares([seam((100, 100), (100, 1900))], BLOCKS, corridor_px=200.0)
+    assert [key for key in BLOCKS if squares.is_read(key)] == [(0, 0), (1, 0)]
+    assert not SeamSquares([seam((100, 100), (100, 1200))], BLOCKS, 200.0).is_read((1, 0))
+
+
+def test_seams_beyond_the_mosaic_call_for_nothing() -> None:
+    away = [seam((-900, -900), (-200, -800)), seam((COLUMNS + 900, 0), (COLUMNS + 900, ROWS))]
+    for corridor_px in (0.0, 300.0):
+        assert not SeamSquares(away, BLOCKS, corridor_px).dense.any()
+    assert not any(SeamSquares(away, BLOCKS, 300.0).is_read(key) for key in BLOCKS)
+
+
+@pytest.mark.parametrize("places", [[(500, 500), (500, 500)], [(500, 500), (500.1, 500)]])
+def test_a_seam_of_no_length_is_a_place(places: list[tuple[float, float]]) -> None:
+    dense = SeamSquares([seam(*places)], BLOCKS).dense
+    assert dense[500 // UNIT_PX, 500 // UNIT_PX]
+    assert 4 <= dense.sum() <= 25
+
+
+def test_no_seams_call_for_nothing() -> None:
+    assert not SeamSquares([], BLOCKS).dense.any()

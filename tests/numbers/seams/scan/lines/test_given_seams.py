@@ -1,0 +1,322 @@
+"""Seams as producers deliver them: which line parts what, and what is wrong with a layer, told and not fatal."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr
+from seam_inspector.plugin.imagery.errors import SeamlineError, SettingsError
+from seam_inspector.plugin.imagery.grids import Grid
+from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, NamedSeam, given_seams
+from seam_inspector.plugin.seams.measure.scan.lines.seam_features import SeamFeature
+from seam_inspector.plugin.seams.measure.scan.lines.seam_fields import SeamFields, seam_fields
+
+GRID = Grid(0.0, 200.0, 0.1, 0.1, 4000, 2000)
+"""400 x 200 m."""
+
+Places = Sequence[tuple[float, float]]
+
+
+def line(*places: tuple[float, float], **fields: object) -> SeamFeature:
+    return fields, wkb(f"LINESTRING ({', '.join(f'{x} {y}' for x, y in places)})")
+
+
+def polygon(*places: tuple[float, float], **fields: object) -> SeamFeature:
+    return fields, wkb(f"POLYGON (({', '.join(f'{x} {y}' for x, y in [*places, places[0]])}))")
+
+
+def box(left: float, bottom: float, right: float, top: float, **fields: object) -> SeamFeature:
+    return polygon((left, bottom), (right, bottom), (right, top), (left, top), **fields)
+
+
+def wkb(text: str) -> bytes:
+    return bytes(ogr.CreateGeometryFromWkt(text).ExportToIsoWkb())
+
+
+def length(seam: NamedSeam) -> float:
+    return float(np.hypot(*np.diff(seam.vertices, axis=0).T).sum())
+
+
+def northward(seam: NamedSeam) -> tuple[str | None, str | None]:
+    """What lies west and east of a seam that runs from south to north or back."""
+    return (seam.left, seam.right) if seam.vertices[-1, 1] > seam.vertices[0, 1] else (seam.right, seam.left)
+
+
+def told(given: GivenSeams) -> str:
+    return " ".join(map(str, given.notices))
+
+
+# --- polygons --------------------------------------------------------------------------------------------------
+
+
+def test_borders_of_polygons_part_the_sources_they_name() -> None:
+    given = given_seams([box(0, 0, 100, 200, source="a.tif"), box(100, 0, 400, 200, source="b.tif")], GRID)
+    (seam,) = given.seams
+    assert length(seam) == pytest.approx(200)
+    assert northward(seam) == ("a.tif", "b.tif")
+    assert [cell.source for cell in given.cells] == ["a.tif", "b.tif"]
+    assert given.cells[1].extent == (100, 0, 400, 200)
+    assert given.notices == ()
+
+
+def test_polygons_of_one_source_have_no_seam_between_them() -> None:
+    given = given_seams(
+        [box(0, 0, 100, 200, image="a"), box(100, 0, 200, 200, image="a"), box(200, 0, 400, 200, image="b")], GRID
+    )
+    (seam,) = given.seams
+    assert seam.vertices[:, 0].tolist() == [200, 200]
+
+
+def test_each_seam_parts_two_sources_only() -> None:
+    given = given_seams(
+        [box(0, 0, 100, 200, source="a"), box(100, 0, 400, 90, source="b"), box(100, 90, 400, 200, source="c")], GRID
+    )
+    pairs = {frozenset((seam.left, seam.right)): length(seam) for seam in given.seams}
+    assert pairs == pytest.approx({frozenset("ab"): 90, frozenset("ac"): 110, frozenset("bc"): 300})
+
+
+def test_an_island_has_a_ring_with_its_source_inside() -> None:
+    hole = wkb("POLYGON ((0 0, 400 0, 400 200, 0 200, 0 0), (50 50, 50 90, 90 90, 90 50, 50 50))")
+    given = given_seams([({"source": "sea"}, hole), box(50, 50, 90, 90, source="island")], GRID)
+    (ring,) = given.seams
+    assert (ring.vertices[0] == ring.vertices[-1]).all()
+    assert (ring.left, ring.right) == ("island", "sea")  # counter-clockwise
+    assert given.notices == ()
+
+
+def test_overlaps_are_told_and_have_no_seam() -> None:
+    given = given_seams(
+        [box(0, 0, 110, 200, source="a"), box(100, 0, 250, 200, source="b"), box(250, 0, 400, 200, source="c")], GRID
+    )
+    assert "overlap in 1 places of 2000.0 m2 in all (a / b first of all)" in told(given)
+    assert [northward(seam) for seam in given.seams] == [("b", "c")]
+
+
+def test_gaps_are_told_and_narrow_slits_are_bridged() -> None:
+    given = given_seams(
+        [
+            box(0, 0, 100, 200, source="a"),
+            box(100.04, 0, 400, 90, source="b"),  # less than half a pixel off
+            polygon((100, 90), (400, 90), (400, 200), (100, 200), (100, 180), (120, 180), (120, 160), (100, 160),
+                    source="c"),
+        ],
+        GRID,
+    )  # fmt: skip
+    (gaps,) = given.notices
+    assert gaps.values["count"] == 1
+    assert gaps.values["area"] == pytest.approx(400, rel=0.02)
+    pairs = {("".join(sorted((str(seam.left), str(seam.right)))), round(length(seam))) for seam in given.seams}
+    assert pairs == {("ab", 90), ("bc", 300), ("ac", 70), ("ac", 20)}
+
+
+def test_polygons_that_cross_themselves_are_repaired() -> None:
+    bow = polygon((0, 0), (100, 0), (100, 200), (0, 200), (0, 60), (20, 60), (20, 40), (-5, 40), source="a")
+    given = given_seams([bow, box(100, 0, 400, 200, source="b")], GRID)
+    eight = polygon((0, 0), (100, 200), (100, 0), (0, 200), source="a")
+    crossed = given_seams([eight, box(100, 0, 400, 200, source="b")], GRID)
+    assert length(given.seams[0]) == pytest.approx(200)
+    assert sum(map(length, crossed.seams)) == pytest.approx(200)
+    assert "outline crosses itself, repaired: 1" in told(crossed)
+
+
+def test_polygons_without_names_have_seams_without() -> None:
+    given = given_seams([box(0, 0, 100, 200), box(100, 0, 400, 90), box(100, 90, 400, 200)], GRID)
+    assert {(seam.left, seam.right) for seam in given.seams} == {(None, None)}
+    assert [round(length(seam)) for seam in given.seams] == [300, 200]
+    assert given.cells == ()
+    assert "names no orthoimages" in told(given)
+
+
+def test_polygons_with_dates_alone_are_called_by_them() -> None:
+    """As seam polygons of NAIP: parts of one day are different exposures."""
+    given = given_seams(
+        [
+            box(0, 0, 100, 200, SDATE="2016-07-04"),
+            box(100, 0, 200, 200, SDATE="2016-07-04"),
+            box(200, 0, 400, 200, SDATE="2016-08-11"),
+        ],
+        GRID,
+    )
+    assert [northward(seam) for seam in given.seams] == [("2016-07-04", "2016-07-04"), ("2016-07-04", "2016-08-11")]
+    assert given.cells == ()
+    assert "'SDATE'" in told(given)
+
+
+def test_polygons_that_share_no_border_are_no_seams() -> None:
+    with pytest.raises(SeamlineError, match="share a border"):
+        given_seams([box(0, 0, 90, 200, source="a"), box(100, 0, 400, 200, source="b")], GRID)
+
+
+# --- lines -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("names", [("left_src", "right_src"), ("Left", "Right"), ("ImgLeft", "imgRight"), ("L", "R")])
+def test_lines_tell_left_and_right(names: tuple[str, str]) -> None:
+    given = given_seams([line((100, 0), (100, 200), **dict(zip(names, ("a", "b"))))], GRID)
+    assert northward(given.seams[0]) == ("a", "b")
+    turned = given_seams([line((100, 200), (100, 0), **dict(zip(names, ("b", "a"))))], GRID)
+    assert northward(turned.seams[0]) == ("a", "b")
+
+
+def test_pieces_are_joined_as_far_as_they_part_the_same_sources() -> None:
+    steps = [(100 + 10 * i, 100) for i in range(21)]
+    pieces = [
+        line(*(steps[i : i + 2] if i % 3 else steps[i : i + 2][::-1]),
+             left=("a" if i % 3 else "b"), right=("b" if i % 3 else "a"))
+        for i in range(12)
+    ] + [line(*steps[i : i + 2], left="a", right="c") for i in range(12, 20)]  # fmt: skip
+    given = given_seams(pieces, GRID)
+    assert [(seam.left, seam.right) for seam in given.seams] == [("a", "b"), ("a", "c")]
+    assert [length(seam) for seam in given.seams] == pytest.approx([120, 80])
+
+
+def test_lines_without_sides_go_on_through_branches() -> None:
+    given = given_seams([line((0, 100), (200, 100)), line((200, 100), (400, 100)), line((200, 100), (200, 0))], GRID)
+    assert [(seam.left, seam.right, length(seam)) for seam in given.seams] == [(None, None, 400), (None, None, 100)]
+
+
+def test_lines_that_cross_themselves_are_told() -> None:
+    given = given_seams([line((10, 10), (100, 100), (100, 10), (10, 100)), line((200, 0), (200, 200))], GRID)
+    assert "cross themselves: 1" in told(given)
+    assert len(given.seams) == 2
+
+
+def test_a_name_of_a_line_is_not_taken_for_a_source() -> None:
+    given = given_seams([line((10, 10), (100, 100), name="seam 1")], GRID)
+    assert (given.seams[0].left, given.cells) == (None, ())
+    assert "names no orthoimages" in told(given)
+
+
+# --- what is no use --------------------------------------------------------------------------------------------
+
+
+def test_one_broken_feature_costs_itself_alone() -> None:
+    broken = ({"source": "c"}, b"\x01\x03\x00\x00\x00\xff")
+    ring = ogr.Geometry(ogr.wkbLineString)
+    for x in (0.0, float("nan"), 5.0):
+        ring.AddPoint_2D(x, x)
+    nowhere = ({"source": "c"}, bytes(ring.ExportToWkb()))
+    given = given_seams(
+        [broken, nowhere, box(0, 0, 100, 200, source="a"), ({}, None), box(100, 0, 400, 200, source="b")], GRID
+    )
+    assert len(given.seams) == 1
+    assert "can't be read, left out: 2" in told(given)
+
+
+def test_what_lies_elsewhere_takes_no_part() -> None:
+    far = [box(1000 + 10 * i, 0, 1010 + 10 * i, 10, source=str(i)) for i in range(5)]
+    given = given_seams([*far, box(0, 0, 100, 200, source="a"), box(100, 0, 900, 200, source="b")], GRID)
+    assert [cell.source for cell in given.cells] == ["a", "b"]
+    with pytest.raises(SeamlineError, match=r"None of the 5 features .* check the reference systems"):
+        given_seams(far, GRID)
+
+
+@pytest.mark.parametrize(
+    ("features", "match"),
+    [
+        ([], "is empty"),
+        ([({}, None)], "is empty"),
+        ([({}, wkb("POINT (1 1)"))], "no line and no polygon"),
+        ([line((1, 1), (1, 1))], "shorter than a pixel"),
+        ([line((1, 1), (1e9, 1))], "check the reference systems"),
+    ],
+)
+def test_layers_without_seams_are_refused(features: list[SeamFeature], match: str) -> None:
+    with pytest.raises(SeamlineError, match=match):
+        given_seams(features, GRID)
+
+
+# --- fields ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("row", "expected"),
+    [
+        ({"label": 3, "source": "a.tif"}, SeamFields(source="source")),
+        ({"CLICHE": "19FD", "DATE": "2019/07/04"}, SeamFields(source="CLICHE")),
+        ({"gml_id": "x", "name": "part 1", "imageSourceReference": "u"}, SeamFields(source="imageSourceReference")),
+        ({"Image_ID": 12, "SDATE": "20160704"}, SeamFields(source="Image_ID")),
+        ({"image": None, "FileName": "b.tif"}, SeamFields(source="FileName")),
+        ({"phenomenonTime|beginPosition": "2016"}, SeamFields(date="phenomenonTime|beginPosition")),
+        ({"left_src": "a", "right_src": "b"}, SeamFields(left="left_src", right="right_src")),
+        ({"left_src": "a", "right_src": ""}, SeamFields()),
+        ({"OBJECTID": 7, "Shape_Area": 3.0}, SeamFields()),
+    ],
+)
+def test_fields_of_producers_are_known(row: dict[str, object], expected: SeamFields) -> None:
+    assert seam_fields([row]) == expected
+
+
+def test_a_field_can_be_chosen() -> None:
+    rows = [{"source": "x", "BLOCK": "b1", "von": "1", "bis": "2"}]
+    assert seam_fields(rows, "BLOCK") == SeamFields(source="BLOCK")
+    assert seam_fields(rows, "von, bis") == SeamFields(left="von", right="bis")
+    with pytest.raises(SettingsError, match=r"no field 'block'.*: source, BLOCK, von, bis"):
+        seam_fields(rows, "block")
+
+
+# --- files of producers ----------------------------------------------------------------------------------------
+
+
+def features_of(path: Path, layer: str = "") -> list[SeamFeature]:
+    dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR)
+    found = dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
+    return [(dict(row.items()), bytes(row.GetGeometryRef().ExportToIsoWkb())) for row in found]
+
+
+@pytest.mark.parametrize("layer", ["seamlines", "source_polygons"])
+def test_brighton(data_folder: Path, layer: str) -> None:
+    """Thousands of pieces of 3 cm, or polygons along the same stairs: the same seams."""
+    grid = Grid(576665.77, 5188204.05, 0.03, 0.03, 3423, 2987)
+    given = given_seams(features_of(data_folder / "seams" / "brighton" / "seamlines.gpkg", layer), grid)
+    assert sum(map(length, given.seams)) == pytest.approx(265.02, abs=0.05)
+    assert len(given.seams) == 21
+    assert {given.seams[0].left, given.seams[0].right} == {"DJI_0025_ortho.tif", "DJI_0034_ortho.tif"}
+    assert len(given.cells) == (20 if layer == "source_polygons" else 0)
+    assert ("6 gaps" in told(given)) == (layer == "source_polygons")  # where the mosaic is empty
+
+
+def test_packo(data_folder: Path) -> None:
+    grid = Grid(230745.6, 6759654.4, 0.05, 0.05, 256, 256)
+    given = given_seams(features_of(data_folder / "seams" / "packo" / "regress_graphe.gpkg"), grid)
+    assert [{seam.left[-5:], seam.right[-5:]} for seam in given.seams if seam.left and seam.right] == [
+        {"16371", "16372"}, {"16372", "16373"}
+    ]  # fmt: skip
+    assert len(given.cells) == 3
+
+
+MOSAIC_ELEMENTS = """<?xml version="1.0" encoding="UTF-8"?>
+<gml:FeatureCollection xmlns:gml="http://www.opengis.net/gml/3.2" xmlns:oi="http://inspire.ec.europa.eu/schemas/oi/3.0">
+{}</gml:FeatureCollection>"""
+MOSAIC_ELEMENT = """<gml:featureMember><oi:SingleMosaicElement gml:id="m{number}">
+<oi:inspireId><Identifier><localId>part-{number}</localId><namespace>PL</namespace></Identifier></oi:inspireId>
+<oi:phenomenonTime><gml:TimePeriod gml:id="t{number}"><gml:beginPosition>2016-07-0{number}</gml:beginPosition>
+<gml:endPosition>2016-07-0{number}</gml:endPosition></gml:TimePeriod></oi:phenomenonTime>
+<oi:geometry><gml:MultiSurface srsName="urn:ogc:def:crs:EPSG::2180" gml:id="g{number}"><gml:surfaceMember>
+<gml:Polygon gml:id="p{number}"><gml:exterior><gml:LinearRing><gml:posList>{places}</gml:posList></gml:LinearRing>
+</gml:exterior></gml:Polygon></gml:surfaceMember></gml:MultiSurface></oi:geometry>
+<oi:imageSourceReference>{reference}</oi:imageSourceReference></oi:SingleMosaicElement></gml:featureMember>
+"""
+
+
+def mosaic_elements(folder: Path, references: Sequence[str]) -> Path:
+    """Two halves of a mosaic of 400 x 200 m at (500000, 600000) of EPSG:2180, northing first as its authority says."""
+    elements = []
+    for number, reference in enumerate(references, start=1):
+        x = 500000 + 200 * (number - 1)
+        ring = [(x, 600000), (x + 200, 600000), (x + 200, 600200), (x, 600200), (x, 600000)]
+        places = " ".join(f"{north} {east}" for east, north in ring)
+        elements.append(MOSAIC_ELEMENT.format(number=number, places=places, reference=reference))
+    path = folder / "mosaic_elements.gml"
+    path.write_text(MOSAIC_ELEMENTS.format("".join(elements)), encoding="utf-8")
+    return path
+
+
+def test_mosaic_elements_of_inspire(tmp_path: Path) -> None:
+    path = mosaic_elements(tmp_path, ["http://land.data.gov.uk/id/imagery/2011-5864726", "2011-5864727"])
+    given = given_seams(features_of(path), Grid(500000, 600200, 0.1, 0.1, 4000, 2000))
+    (seam,) = given.seams
+    assert northward(seam) == ("http://land.data.gov.uk/id/imagery/2011-5864726", "2011-5864727")
+    assert length(seam) == pytest.approx(200)

@@ -1,0 +1,80 @@
+"""What lies beside a piece of seam: by the labels, and by the names that producers write."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.imagery.grids import Grid
+from seam_inspector.plugin.seams.measure.scan.lines.piece_sides import sides_of
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, Side, cut_in_pieces
+from seam_inspector.plugin.seams.measure.scan.lines.source_names import source_numbers
+
+from tests.numbers.seams.scan.lines.labelled import estimated, strips_of
+
+GRID = Grid(1000.0, 2000.0, 0.5, 0.5, 800, 800)
+
+
+def labels() -> np.ndarray:
+    """5 in the west, 3 in the east, 7 in the south east, none in the north, every hundredth wrong."""
+    out = np.full((200, 200), 5, np.int16)
+    out[:, 100:] = 3
+    out[120:, 100:] = 7
+    out[:40] = -1
+    return estimated(out, 1)
+
+
+def seam(*places: tuple[float, float], left: Side = None, right: Side = None) -> SeamPiece:
+    """By columns and rows of pixels."""
+    x, y = np.array(places, dtype=float).T
+    return SeamPiece(1, 0, 0, np.column_stack([1000 + x / 2, 2000 - y / 2]), left, right)
+
+
+def sides(piece: SeamPiece, numbers: dict[str, int] | None = None, height: int = 64) -> tuple[Side, Side]:
+    (found,) = sides_of([piece], strips_of(labels(), height), GRID, 4, numbers)
+    return found.left, found.right
+
+
+@pytest.mark.parametrize("height", [1, 64, 200])
+def test_the_labels_beside_a_piece_are_its_sides(height: int) -> None:
+    assert sides(seam((400, 200), (400, 460)), height=height) == (3, 5)  # southward: east is left
+    assert sides(seam((400, 460), (400, 200)), height=height) == (5, 3)
+    assert sides(seam((400, 480), (700, 480)), height=height) == (3, 7)
+    assert sides(seam((100, 480), (300, 480)), height=height) == (5, 5)
+
+
+def test_no_side_is_told_where_none_is_followed() -> None:
+    assert sides(seam((100, 160), (300, 160))) == (None, 5)
+    assert sides(seam((100, 50), (300, 50))) == (None, None)
+    assert sides(seam((-900, 50), (-300, 50))) == (None, None)
+
+
+def test_names_that_are_exchanged_are_set_right_and_others_stay() -> None:
+    numbers = {"west": 5, "east": 3}
+    line = (400, 200), (400, 460)
+    assert sides(seam(*line, left="west", right="east"), numbers) == ("east", "west")
+    assert sides(seam(*line, left="east", right="west"), numbers) == ("east", "west")
+    assert sides(seam(*line, left="west", right="other"), numbers) == ("other", "west")
+    assert sides(seam(*line, left="x", right="y"), numbers) == ("x", "y")
+
+
+def test_every_piece_of_a_long_seam_has_its_own_sides() -> None:
+    pieces = cut_in_pieces([seam((400, 200), (400, 480), (400, 780))], 10, GRID)
+    found = sides_of(pieces, strips_of(labels()), GRID)
+    assert {(piece.left, piece.right) for piece in found} == {(3, 5), (7, 5)}
+    assert [piece.station_m for piece in found] == [piece.station_m for piece in pieces]
+    assert sides_of([], strips_of(labels()), GRID) == []
+
+
+def test_names_are_found_among_files() -> None:
+    files = ["/data/19FD5606Ax00020_16371.tif", "/data/19FD5606Ax00020_16372.TIF", "DJI_0025_ortho.tif"]
+    names = ["19FD5606Ax00020_16371", "16372", r"C:\flight\dji_0025_ORTHO.jp2", "0025", "http://x.pl/id/16372", "ortho"]
+    found, missing = source_numbers(names, files)
+    assert found == dict(zip(names, (0, 1, 2, 2, 1, 2)))
+    assert missing is None
+
+
+def test_names_that_mean_no_file_or_several_are_told() -> None:
+    found, missing = source_numbers(["19FD", "A", "b", "a_2"], ["19FD_1.tif", "19FD_2.tif", "b.tif"])
+    assert found == {"b": 2}
+    assert missing is not None
+    assert missing.values == {"count": 3, "names": "19FD, A, a_2"}
+    assert source_numbers(["a"], [])[1] is None

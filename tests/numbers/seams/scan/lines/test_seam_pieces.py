@@ -1,0 +1,194 @@
+"""Seams in pieces of equal length on the ground, and which piece is nearest."""
+from __future__ import annotations
+
+import pickle
+import time
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, cut_in_pieces, cut_off
+
+GRID = Grid(576000.0, 5188000.0, 0.25, 0.25, 8000, 6000)
+"""2000 x 1500 m."""
+
+
+def seam(*places: tuple[float, float], left: int | str | None = 0, right: int | str | None = 1) -> SeamPiece:
+    """A seam by metres from the upper left corner of the mosaic, x to the right and y down."""
+    x, y = np.array(places, dtype=float).T
+    return SeamPiece(0, 0.0, 0.0, np.column_stack([GRID.left + x, GRID.top - y]), left, right)
+
+
+def crooked(seed: int, count: int, step_m: float = 3.0) -> SeamPiece:
+    """A random walk inside the mosaic."""
+    rng = np.random.default_rng(seed)
+    heading = np.cumsum(rng.normal(0, 0.3, count)) + rng.uniform(0, 6)
+    x = 1000 + np.cumsum(step_m * np.cos(heading))
+    y = 750 + np.cumsum(step_m * np.sin(heading))
+    return seam(*zip(x.clip(5, 1995), y.clip(5, 1495)))
+
+
+def metres(line: np.ndarray) -> float:
+    return float(np.hypot(*np.diff(line, axis=0).T).sum())
+
+
+def brute_force(pieces: list[SeamPiece], columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Distance in pixels of each place to each piece, (pieces, places)."""
+    out = np.full((len(pieces), len(columns)), np.inf)
+    place = columns + 1j * rows
+    for number, piece in enumerate(pieces):
+        x, y = piece.vertices.T
+        line = (x - GRID.left) / GRID.pixel_width + 1j * (GRID.top - y) / GRID.pixel_height
+        for start, stop in zip(line[:-1], line[1:]):
+            share = ((place - start) * (stop - start).conjugate()).real / max(abs(stop - start) ** 2, 1e-30)
+            out[number] = np.minimum(out[number], abs(place - start - share.clip(0, 1) * (stop - start)))
+    return out
+
+
+def test_a_seam_is_cut_evenly_and_the_rest_is_spread() -> None:
+    pieces = cut_in_pieces([seam((10, 10), (80, 10), (80, 50))], 25, GRID)
+    assert [piece.length_m for piece in pieces] == pytest.approx([27.5] * 4)
+    assert [piece.station_m for piece in pieces] == pytest.approx([0, 27.5, 55, 82.5])
+    assert {(piece.seam_id, piece.left, piece.right) for piece in pieces} == {(1, 0, 1)}
+    np.testing.assert_allclose(pieces[2].vertices, seam((65, 10), (80, 10), (80, 22.5)).vertices)
+
+
+def test_a_cut_at_a_vertex_leaves_no_point_twice() -> None:
+    first, second = cut_in_pieces([seam((10, 10), (35, 10), (35, 35))], 25, GRID)
+    assert len(first.vertices) == len(second.vertices) == 2
+
+
+def test_a_seam_shorter_than_half_a_piece_is_one_piece() -> None:
+    assert [piece.length_m for piece in cut_in_pieces([seam((10, 10), (12, 10))], 25, GRID)] == pytest.approx([2.0])
+
+
+@given(st.integers(0, 10_000), st.integers(2, 60), st.floats(1, 300))
+def test_pieces_together_are_the_seam(seed: int, count: int, piece_m: float) -> None:
+    whole = crooked(seed, count)
+    pieces = cut_in_pieces([whole], piece_m, GRID)
+    lengths = np.array([piece.length_m for piece in pieces])
+    assert lengths.sum() == pytest.approx(metres(whole.vertices))
+    assert np.ptp(lengths) < 1e-6
+    assert len(pieces) == 1 or piece_m * 2 / 3 <= lengths[0] <= piece_m * 1.5
+    for piece in pieces:
+        assert metres(piece.vertices) == pytest.approx(piece.length_m, abs=1e-6)
+    for one, other in zip(pieces, pieces[1:]):
+        np.testing.assert_array_equal(one.vertices[-1], other.vertices[0])
+
+
+def test_lengths_are_metres_on_the_ground_where_the_map_has_degrees() -> None:
+    grid = Grid(20.0, 52.0, 1e-5, 1e-5, 4000, 4000, 68_500.0, 111_250.0)
+    line = SeamPiece(0, 0, 0, np.array([[20.001, 51.999], [20.003, 51.999], [20.003, 51.998]]), "a", "b")
+    pieces = cut_in_pieces([line], 62.0625, grid)
+    assert [piece.length_m for piece in pieces] == pytest.approx([62.0625] * 4)
+    np.testing.assert_allclose(pieces[-1].vertices[-1], [20.003, 51.998], rtol=0, atol=1e-12)
+
+
+def test_what_leaves_the_mosaic_is_cut_off_and_told() -> None:
+    # From outside into the mosaic, out over the upper edge, in again and to its lower right corner.
+    line = seam((-50, 20), (100, 20), (100, -30), (200, -30), (200, 20), (2000, 1500), (2100, 1500))
+    pieces = cut_in_pieces([line], 10_000, GRID)
+    assert [piece.station_m for piece in pieces] == pytest.approx([50, 330])
+    assert pieces[0].length_m == pytest.approx(120)
+    assert pieces[1].length_m == pytest.approx(20 + np.hypot(1800, 1480))
+    for piece in pieces:
+        x, y = piece.vertices.T
+        assert GRID.left <= x.min() < x.max() <= GRID.left + 2000
+        assert GRID.top - 1500 <= y.min() < y.max() <= GRID.top
+    told = cut_off([line], pieces, GRID)
+    assert str(told) == "310 m of the 2780 m of seamlines lie outside the mosaic and are left out."
+
+
+def test_seams_inside_the_mosaic_or_on_its_edge_are_kept_whole() -> None:
+    lines = [seam((0, 0), (2000, 0), (2000, 1500)), crooked(1, 40)]
+    pieces = cut_in_pieces(lines, 25, GRID)
+    assert sum(piece.length_m for piece in pieces) == pytest.approx(3500 + metres(lines[1].vertices))
+    assert cut_off(lines, pieces, GRID) is None
+
+
+def test_a_seam_beside_the_mosaic_has_no_pieces() -> None:
+    lines = [seam((-10, -10), (-10, 2000)), seam((-10, 5), (5, -10)), seam((3000, 10), (3000, 20))]
+    assert cut_in_pieces(lines, 25, GRID) == []
+    assert cut_off(lines, [], GRID) is not None
+
+
+@pytest.mark.parametrize("piece_m", [0, -1, float("nan"), float("inf")])
+def test_pieces_of_no_length_are_refused(piece_m: float) -> None:
+    with pytest.raises(SettingsError, match="or more"):
+        cut_in_pieces([seam((0, 0), (10, 10))], piece_m, GRID)
+
+
+@pytest.mark.parametrize("reach_px", [1.0, 20.0, 400.0])
+def test_the_nearest_piece_is_that_of_a_search_through_all(reach_px: float) -> None:
+    pieces = cut_in_pieces([crooked(seed, 150) for seed in range(4)], 25, GRID)
+    rng = np.random.default_rng(5)
+    # A third anywhere, the others about the seams.
+    about = np.concatenate([piece.vertices for piece in pieces])
+    about = about[rng.integers(0, len(about), 2000)] + rng.normal(0, 3, (2000, 2))
+    columns = np.concatenate([rng.uniform(-50, 8050, 1000), (about[:, 0] - GRID.left) / GRID.pixel_width])
+    rows = np.concatenate([rng.uniform(-50, 6050, 1000), (GRID.top - about[:, 1]) / GRID.pixel_height])
+    number, distance = PieceIndex(pieces, GRID).nearest(columns, rows, reach_px)
+    true = brute_force(pieces, columns, rows)
+    nearest = true.min(axis=0)
+    sure = abs(nearest - reach_px) > 0.1
+    np.testing.assert_array_equal((number >= 0)[sure], (nearest <= reach_px)[sure])
+    hit = number >= 0
+    np.testing.assert_allclose(distance[hit], nearest[hit], atol=0.1)
+    # The piece named is the nearest one, or as near as makes no difference.
+    np.testing.assert_allclose(true[number[hit], np.flatnonzero(hit)], nearest[hit], atol=0.1)
+    assert np.isinf(distance[~hit]).all()
+
+
+def test_a_part_of_the_index_answers_for_its_block_as_the_whole_does() -> None:
+    pieces = cut_in_pieces([crooked(seed, 300) for seed in range(6)], 25, GRID)
+    whole = PieceIndex(pieces, GRID)
+    block = PixelWindow(4096, 2048, 2048, 2048)
+    part = pickle.loads(pickle.dumps(whole.near(block, 300)))
+    assert 0 < len(part) < len(whole)
+    row, column = np.mgrid[block.row : block.row + 2048 : 16, block.column : block.column + 2048 : 16] + 8.0
+    of_part, of_whole = part.nearest(column, row, 300), whole.nearest(column, row, 300)
+    np.testing.assert_array_equal(of_part[0], of_whole[0])
+    np.testing.assert_allclose(of_part[1], of_whole[1], atol=1e-9)
+    assert set(np.unique(of_part[0])) - {-1} <= set(part.numbers.tolist())
+
+
+def test_the_side_and_the_station_of_places_are_told() -> None:
+    pieces = cut_in_pieces([seam((100, 100), (200, 100), (200, 180))], 45, GRID)
+    columns = np.array([150, 150, 190, 210, 205, 205]) / GRID.pixel_width
+    rows = np.array([98, 103, 150, 150, 95, 240]) / GRID.pixel_height
+    found = PieceIndex(pieces, GRID).beside(columns, rows, 100)
+    assert found.number.tolist() == [1, 1, 3, 3, 2, -1]
+    assert found.on_left[:5].tolist() == [True, False, False, True, True]
+    np.testing.assert_allclose(found.station_m[:5], [50, 50, 150, 150, 100], atol=0.1)
+    np.testing.assert_allclose(found.distance_px[:4], np.array([2, 3, 10, 10]) / 0.25, atol=0.1)
+
+
+def test_stretches_much_longer_than_a_block_are_found() -> None:
+    pieces = cut_in_pieces([seam((0, 0), (2000, 1500))], 10_000, GRID)
+    number, distance = PieceIndex(pieces, GRID).nearest(np.array([3000.0, 3000]), np.array([2250.0, 2350]), 500)
+    assert number.tolist() == [0, 0]
+    np.testing.assert_allclose(distance, [0, 80], atol=0.1)
+
+
+def test_an_index_without_pieces_finds_none() -> None:
+    number, distance = PieceIndex([], GRID).nearest(np.zeros((2, 3)), np.zeros((2, 3)), 100)
+    assert number.tolist() == [[-1] * 3] * 2
+    assert np.isinf(distance).all()
+    assert len(PieceIndex([], GRID).near(PixelWindow(0, 0, 2048, 2048), 100)) == 0
+
+
+def test_a_hundred_thousand_pieces_cost_a_block_next_to_nothing() -> None:
+    grid = Grid(0.0, 200_000.0, 0.25, 0.25, 800_000, 800_000)
+    rng = np.random.default_rng(2)
+    start = rng.uniform(0, 200_000, (100_000, 1, 2))
+    pieces = [SeamPiece(1, 0, 25, line, 0, 1) for line in start + np.array([[0, 0], [12, 3], [20, 15]])]
+    index = PieceIndex(pieces, grid)
+    blocks = [PixelWindow(column * 2048, row * 2048, 2048, 2048) for row in range(10) for column in range(20)]
+    begin = time.perf_counter()
+    parts = [index.near(block, 300) for block in blocks]
+    assert time.perf_counter() - begin < 0.002 * len(blocks)
+    assert sum(map(len, parts)) > 0

@@ -1,0 +1,266 @@
+"""Seams traced from labels: where they are, smooth, joined, and the same in whatever strips the labels come."""
+from __future__ import annotations
+
+import tracemalloc
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from seam_inspector.plugin.imagery.grids import Grid
+from seam_inspector.plugin.seams.measure.scan.lines.label_borders import LabelBorder, label_borders
+from seam_inspector.plugin.seams.measure.scan.lines.label_cleaning import cleaned
+from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import TracedSeam, trace_seams
+
+from tests.numbers.seams.scan.lines.labelled import (
+    LABEL_PX,
+    distances,
+    estimated,
+    points_along,
+    points_between,
+    strips_of,
+)
+from tests.numbers.synthetic import read_pixels
+
+SIDE = 200
+"""Samples of a small mosaic."""
+
+
+def grid_of(labels: np.ndarray) -> Grid:
+    rows, columns = labels.shape
+    return Grid(576000.0, 5188000.0, 0.5, 0.5, columns * LABEL_PX, rows * LABEL_PX)
+
+
+def traced(labels: np.ndarray, height: int = 512) -> list[TracedSeam]:
+    return trace_seams(strips_of(labels.astype(np.int16), height), grid_of(labels), LABEL_PX)
+
+
+def pixels(seam: TracedSeam, labels: np.ndarray) -> np.ndarray:
+    """Vertices as columns and rows of the mosaic."""
+    grid = grid_of(labels)
+    return (seam.vertices - (grid.left, grid.top)) / (grid.pixel_width, -grid.pixel_height)
+
+
+def half_plane(angle_deg: float, offset: float = 0.0) -> np.ndarray:
+    """Labels 0 and 1 on either side of a line through the middle."""
+    row, column = np.mgrid[:SIDE, :SIDE] - (SIDE - 1) / 2
+    angle = np.radians(angle_deg)
+    return (column * np.sin(angle) - row * np.cos(angle) > offset).astype(np.int16)
+
+
+def off_the_line(places: np.ndarray, angle_deg: float) -> np.ndarray:
+    angle = np.radians(angle_deg)
+    column, row = (places - SIDE * LABEL_PX / 2).T
+    return abs(column * np.sin(angle) - row * np.cos(angle))
+
+
+@pytest.mark.parametrize("angle_deg", [0, 3, 10, 30, 45, 63, 90, 120, 178])
+def test_a_straight_seam_has_no_stairs(angle_deg: float) -> None:
+    labels = half_plane(angle_deg)
+    (seam,) = traced(labels)
+    places = points_along([seam.vertices], grid_of(labels))
+    off = off_the_line(places, angle_deg)
+    assert off[40:-40].max() < 3
+    assert off.max() < 6  # its ends are corners of samples
+    path = pixels(seam, labels)
+    length = np.hypot(*np.diff(path, axis=0).T).sum()
+    assert length < 1.005 * np.hypot(*(path[-1] - path[0]))
+
+
+@pytest.mark.parametrize("angle_deg", [0, 40, 90, 135])
+def test_left_and_right_are_seen_when_walking_along(angle_deg: float) -> None:
+    for labels in (half_plane(angle_deg), 1 - half_plane(angle_deg)):
+        (seam,) = traced(labels)
+        path = pixels(seam, labels)
+        middle, ahead = path.mean(axis=0), path[-1] - path[0]
+        ahead /= np.hypot(*ahead)
+        left_hand = np.array([ahead[1], -ahead[0]])  # rows run down
+        for side, hand in ((seam.left, left_hand), (seam.right, -left_hand)):
+            column, row = (middle + 60 * hand) // LABEL_PX
+            assert labels[int(row), int(column)] == side
+
+
+@pytest.mark.parametrize("angle_deg", [0, 27, 45])
+def test_a_corner_is_hardly_cut(angle_deg: float) -> None:
+    labels = half_plane(angle_deg) & half_plane(angle_deg + 90)
+    (seam,) = traced(labels)
+    assert distances(np.array([[400.0, 400.0]]), points_along([seam.vertices], grid_of(labels)))[0] < 7
+
+
+def test_seams_meet_where_three_sources_do() -> None:
+    labels = np.zeros((SIDE, SIDE), np.int16)
+    labels[100:] = 1
+    labels[100:, 90:] = 2
+    seams = traced(labels)
+    assert {(seam.left, seam.right) for seam in seams} == {(0, 1), (0, 2), (1, 2)}
+    ends = Counter(tuple(end) for seam in seams for end in seam.vertices[[0, -1]].tolist())
+    assert sorted(ends.values()) == [1, 1, 1, 3]
+    assert sorted(pixels(seams[0], labels).tolist()) == [[360, 400], [800, 400]]
+
+
+def test_what_none_is_followed_in_has_no_seam_and_a_narrow_gap_does_not_hide_one() -> None:
+    labels = half_plane(90)
+    labels[:60] = -1
+    labels[:, 97:102] = -1
+    labels[150:, 70:130] = -1
+    (seam,) = traced(labels)
+    path = pixels(seam, labels)
+    np.testing.assert_allclose(path[:, 0], 400, atol=6)
+    np.testing.assert_allclose(sorted(path[[0, -1], 1]), [240, 600], atol=12)
+
+
+def test_islands_below_600_px_are_gone_and_larger_ones_have_a_ring() -> None:
+    labels = half_plane(90)
+    labels[20:26, 30:36] = 2  # 576 px squared
+    labels[120:160, 30:60] = 2
+    labels[60:66, 97:103] = 2  # on the seam
+    labels[80:84, 150:154] = -1
+    ring, seam = sorted(traced(labels), key=lambda one: one.right, reverse=True)
+    assert (ring.left, ring.right) == (0, 2)
+    np.testing.assert_array_equal(ring.vertices[0], ring.vertices[-1])
+    np.testing.assert_allclose(pixels(ring, labels).min(axis=0), [120, 480], atol=4)
+    assert (seam.left, seam.right) == (0, 1)
+    assert abs(pixels(seam, labels)[:, 0] - 400).max() < 4
+
+
+def test_an_island_without_labels_around_it_goes_too() -> None:
+    labels = np.full((SIDE, SIDE), -1)
+    labels[50:53, 50:53], labels[50:53, 53:56] = 0, 1
+    assert traced(labels) == []
+
+
+def test_seams_come_longest_first_and_stay_inside_the_mosaic() -> None:
+    labels = np.repeat(np.repeat(np.arange(16).reshape(4, 4), 50, 0), 50, 1)
+    grid = Grid(0.0, 0.0, 0.5, 0.5, SIDE * LABEL_PX - 3, SIDE * LABEL_PX - 1)  # the last samples stick out
+    seams = trace_seams([labels.astype(np.int16)], grid, LABEL_PX)
+    lengths = [np.hypot(*np.diff(seam.vertices, axis=0).T).sum() for seam in seams]
+    assert len(seams) == 24
+    assert lengths == sorted(lengths, reverse=True)
+    places = np.concatenate([seam.vertices for seam in seams])
+    assert places[:, 0].max() == (SIDE * LABEL_PX - 3) / 2
+    assert places[:, 1].min() == -(SIDE * LABEL_PX - 1) / 2
+
+
+def test_labels_of_one_source_and_none_at_all_have_no_seams() -> None:
+    assert traced(np.zeros((50, 50))) == []
+    assert traced(np.full((50, 50), -1)) == []
+    assert trace_seams([], Grid(0, 0, 1, 1, 10, 10)) == []
+
+
+def quilt(rows: int, columns: int, seed: int) -> np.ndarray:
+    """Areas of seven sources with crooked borders, and a hole."""
+    rng = np.random.default_rng(seed)
+    row, column = np.mgrid[:rows, :columns]
+    places = rng.uniform(0, (rows, columns), (12, 2))
+    labels = np.argmin([(row - y) ** 2 + (column - x) ** 2 for y, x in places], axis=0) % 7
+    labels[(row - rows / 3) ** 2 + (column - columns / 2) ** 2 < 900] = -1
+    return labels.astype(np.int16)
+
+
+@pytest.mark.parametrize("height", [1, 37, 512])
+def test_the_strips_that_labels_come_in_do_not_show(height: int) -> None:
+    labels = estimated(quilt(1500, 1100, 1), 2)
+    whole = traced(labels, len(labels))
+    in_strips = traced(labels, height)
+    assert len(in_strips) == len(whole) > 10
+    for one, other in zip(whole, in_strips):
+        np.testing.assert_array_equal(one.vertices, other.vertices)
+        assert (one.left, one.right) == (other.left, other.right)
+
+
+SOME_LABELS = arrays(np.int16, st.tuples(st.integers(1, 9), st.integers(1, 9)), elements=st.integers(-1, 3))
+
+
+@given(SOME_LABELS, st.integers(1, 9))
+def test_every_sample_side_between_labels_is_on_one_border(labels: np.ndarray, height: int) -> None:
+    padded = np.pad(labels, 1, constant_values=-1)
+    sides: Counter[tuple[int, int, int, int]] = Counter()
+    for border in label_borders(strips_of(labels, height)):
+        walk = border.nodes
+        assert border.left < border.right
+        for (row, column), (next_row, next_column) in zip(walk[:-1].tolist(), walk[1:].tolist()):
+            down, across = next_row - row, next_column - column
+            assert abs(down) + abs(across) == 1
+            middle = np.array([row + next_row, column + next_column]) / 2 + 0.5
+            left = padded[tuple((middle + np.array([-across, down]) / 2).astype(int))]
+            right = padded[tuple((middle + np.array([across, -down]) / 2).astype(int))]
+            assert (left, right) == (border.left, border.right)
+            sides[(min(row, next_row), min(column, next_column), abs(down), abs(across))] += 1
+    assert set(sides.values()) <= {1}
+    between = (padded[1:] != padded[:-1]).sum() + (padded[:, 1:] != padded[:, :-1]).sum()
+    assert len(sides) == between
+
+
+@given(SOME_LABELS)
+def test_borders_end_only_where_three_labels_meet(labels: np.ndarray) -> None:
+    padded = np.pad(labels, 1, constant_values=-1)
+
+    def labels_at(node: np.ndarray) -> int:
+        row, column = node.tolist()
+        return len(np.unique(padded[row : row + 2, column : column + 2]))
+
+    borders: list[LabelBorder] = list(label_borders([labels]))
+    for border in borders:
+        if (border.nodes[0] != border.nodes[-1]).any():
+            assert labels_at(border.nodes[0]) >= 3
+            assert labels_at(border.nodes[-1]) >= 3
+
+
+def test_memory_does_not_grow_with_the_mosaic() -> None:
+    def strips(count: int) -> Iterator[np.ndarray]:
+        strip = np.zeros((512, 600), np.int16)
+        strip[:, 250:] = 1
+        strip[200:300, 400:500] = 2  # a ring in each strip
+        return (strip.copy() for _ in range(count))
+
+    def peak(count: int) -> int:
+        tracemalloc.start()
+        seams = trace_seams(strips(count), Grid(0, 0, 1, 1, 2400, 512 * 4 * count))
+        assert len(seams) == count + 1
+        _, most = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        return most
+
+    few, many = peak(8), peak(40)
+    # The one seam from top to bottom is open all the while: some 100 bytes a sample of its length.
+    assert many - few < 32 * 512 * 150
+
+
+def test_cleaned_labels_have_the_size_and_the_outline_they_came_with() -> None:
+    labels = estimated(quilt(700, 500, 3), 4)
+    out = np.concatenate(list(cleaned(strips_of(labels, 100), LABEL_PX)))
+    assert out.shape == labels.shape
+    wide = np.s_[150:300, 200:300]  # the hole
+    np.testing.assert_array_equal(out[wide] == -1, labels[wide] == -1)
+
+
+# --- Brighton --------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def brighton(data_folder: Path) -> np.ndarray:
+    """Which source each pixel is from, -1 outside."""
+    path = data_folder / "seams" / "brighton" / "source_label.tif"
+    return read_pixels(str(path), 0, 0, 3423, 2987)[0].astype(np.int16) - 1
+
+
+@pytest.mark.parametrize(("seed", "right_near", "right_far"), [(None, 1, 1), (1, 0.94, 0.995), (2, 0.9, 0.99)])
+def test_seams_of_brighton_lie_where_the_true_ones_do(
+    brighton: np.ndarray, seed: int | None, right_near: float, right_far: float
+) -> None:
+    labels = brighton[2::4, 2::4]
+    if seed is not None:
+        labels = estimated(labels, seed, right_near, right_far)
+    grid = Grid(576665.77, 5188204.05, 0.03, 0.03, 3423, 2987)
+    seams = trace_seams(strips_of(labels), grid, LABEL_PX)
+    true, found = points_between(brighton), points_along([seam.vertices for seam in seams], grid)
+    for apart in (distances(found, true), distances(true, found)):
+        assert (apart * 0.03 <= 0.3).mean() >= 0.95
+        assert (apart * 0.03 <= 0.6).mean() >= 0.99
+    length = len(found) * 0.5 * 0.03
+    assert 255 < length < 280  # 372 m along the stairs
+    assert len(seams) < 26

@@ -1,0 +1,101 @@
+"""Polygons of what each part of a mosaic follows: no gaps, no overlaps, borders that are the seams."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from scipy import ndimage
+from seam_inspector.plugin.imagery.grids import Grid
+from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import seams_of, trace_borders, trace_seams
+from seam_inspector.plugin.seams.measure.scan.lines.source_polygons import polygons_of, source_polygons
+
+from tests.numbers.seams.scan.lines.labelled import LABEL_PX, estimated, strips_of
+
+SIDE = 200
+
+
+def grid_of(labels: np.ndarray) -> Grid:
+    rows, columns = labels.shape
+    return Grid(576000.0, 5188000.0, 0.5, 0.5, columns * LABEL_PX, rows * LABEL_PX)
+
+
+def polygons(labels: np.ndarray, height: int = 64) -> dict[int, ogr.Geometry]:
+    found = source_polygons(strips_of(labels.astype(np.int16), height), grid_of(labels), LABEL_PX)
+    return {one.source: ogr.CreateGeometryFromWkb(one.wkb) for one in found}
+
+
+def points(geometry: ogr.Geometry) -> list[tuple[float, ...]]:
+    """All vertices, however deep."""
+    deeper = [point for i in range(geometry.GetGeometryCount()) for point in points(geometry.GetGeometryRef(i))]
+    return deeper or [point[:2] for point in geometry.GetPoints()]
+
+
+def quarters() -> np.ndarray:
+    """Four sources, an island of a fifth that holds one of the first, and a hole."""
+    labels = np.repeat(np.repeat(np.array([[0, 1], [2, 3]]), 100, 0), 100, 1)
+    row, column = np.mgrid[:SIDE, :SIDE]
+    away = np.hypot(row - 50, column - 50)
+    labels[away < 30] = 4
+    labels[away < 15] = 1
+    labels[130:160, 130:170] = -1
+    return labels.astype(np.int16)
+
+
+def patches(seed: int) -> np.ndarray:
+    """Squares of 24 px of six sources or none, at random: junctions everywhere."""
+    squares = np.random.default_rng(seed).integers(-1, 6, (30, 30))
+    return np.asarray(ndimage.zoom(squares, 6, order=0), dtype=np.int16)
+
+
+@pytest.mark.parametrize("labels", [quarters(), estimated(quarters(), 1), patches(1), patches(2)])
+def test_polygons_part_the_mosaic_without_gaps_and_overlaps(labels: np.ndarray) -> None:
+    found = polygons(labels)
+    together = ogr.Geometry(ogr.wkbMultiPolygon)
+    for geometry in found.values():
+        assert geometry.IsValid()
+        for i in range(geometry.GetGeometryCount()):
+            together.AddGeometry(geometry.GetGeometryRef(i))
+    whole = together.UnionCascaded()
+    total = sum(geometry.GetArea() for geometry in found.values())
+    assert whole.GetArea() == pytest.approx(total, rel=1e-9)  # no overlap
+    parts = [whole.GetGeometryRef(i) for i in range(whole.GetGeometryCount())]
+    parts = parts if whole.GetGeometryType() == ogr.wkbMultiPolygon else [whole]
+    empty = [part.GetGeometryRef(i).Area() for part in parts for i in range(1, part.GetGeometryCount())]
+    # A gap between neighbours would be a hole more: what has no labels is larger than the islands that are filled.
+    assert all(area >= 600 * 0.5**2 * 0.5 for area in empty)
+    assert len(empty) <= ndimage.label(np.pad(labels < 0, 1, constant_values=True))[1] - 1
+
+
+def test_areas_islands_and_holes_are_those_of_the_labels() -> None:
+    labels = quarters()
+    found = polygons(labels)
+    assert sorted(found) == [0, 1, 2, 3, 4]
+    for source, geometry in found.items():
+        assert geometry.GetArea() == pytest.approx((labels == source).sum() * 4, rel=0.03)
+        assert geometry.GetGeometryName() == "MULTIPOLYGON"
+    assert found[1].GetGeometryCount() == 2  # its quarter and what it has inside the island
+    assert [found[4].GetGeometryRef(0).GetGeometryCount(), found[0].GetGeometryRef(0).GetGeometryCount()] == [2, 2]
+    assert found[3].GetGeometryRef(0).GetGeometryCount() == 2
+
+
+def test_corners_of_the_mosaic_stay() -> None:
+    outline = polygons(np.zeros((50, 80)))[0]
+    assert outline.GetEnvelope() == (576000, 576160, 5187900, 5188000)
+    assert outline.GetArea() == 160 * 100
+    assert outline.GetGeometryRef(0).GetGeometryRef(0).GetPointCount() == 5
+
+
+def test_borders_are_the_seams() -> None:
+    labels = estimated(quarters(), 3)
+    borders = list(trace_borders(strips_of(labels), grid_of(labels), LABEL_PX))
+    seams = trace_seams(strips_of(labels), grid_of(labels), LABEL_PX)
+    assert [seam.vertices.tolist() for seam in seams_of(borders)] == [seam.vertices.tolist() for seam in seams]
+    corners = {one.source: set(points(ogr.CreateGeometryFromWkb(one.wkb))) for one in polygons_of(borders)}
+    for seam in seams:
+        for side in (seam.left, seam.right):
+            assert {tuple(vertex) for vertex in seam.vertices.tolist()} <= corners[side]
+
+
+def test_nothing_followed_gives_no_polygons() -> None:
+    assert polygons(np.full((20, 20), -1)) == {}
+    assert source_polygons([], Grid(0, 0, 1, 1, 10, 10)) == []

@@ -1,0 +1,60 @@
+"""One window with known seams as the scan holds it: a table, the seam's pieces, the ground."""
+from __future__ import annotations
+
+import numpy as np
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, DetailCells
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, LABELS, SQUARES, UNITS
+from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import CellTable
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan
+from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
+from seam_inspector.plugin.seams.measure.scan.results.block_ground import grounds
+from seam_inspector.plugin.seams.measure.scan.results.piece_sums import PieceProfile, PieceSums
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+
+from tests.numbers.seams.profile.blends import LEVELS, SIDE, Blend
+
+GRID = Grid(1000.0, 2000.0, 0.1, 0.1, SIDE, SIDE)
+WINDOW = PixelWindow(0, 0, SIDE, SIDE)
+
+
+def table_of(cells: DetailCells) -> CellTable:
+    """All of it."""
+    rows, columns = cells.source.shape
+    return CellTable.of(cells, (slice(0, rows), slice(0, columns)), (0, 0))
+
+
+def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]:
+    """Of the seam that runs from top to bottom, of equal numbers of rows."""
+    rows = np.arange(SIDE)
+    columns = made.labels.argmax(axis=1).astype(float)
+    vertices = np.column_stack([grid.left + columns * grid.pixel_width, grid.top - (rows + 0.5) * grid.pixel_height])
+    cuts = np.linspace(0, SIDE - 1, count + 1).astype(int)
+    found = []
+    for first, last in zip(cuts, cuts[1:]):
+        own = vertices[first : last + 1]
+        length = float(np.hypot(*np.diff(own, axis=0).T).sum())
+        found.append(SeamPiece(1, sum(one.length_m for one in found), length, own, 0, 1))
+    return found
+
+
+def profiles_of(table: CellTable, pieces: list[SeamPiece]) -> list[PieceProfile]:
+    """By the window's own ground."""
+    sums = PieceSums(len(pieces), LEVELS)
+    sums.add(table, grounds(table, table), PieceIndex(pieces, GRID), WINDOW)
+    return sums.profiles()
+
+
+def scan_of_window(cells: DetailCells, labels: np.ndarray) -> BlockScan:
+    """The first block of a mosaic that is no more than the window."""
+    full = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
+    coarse = labels[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
+    full[: coarse.shape[0], : coarse.shape[1]] = coarse
+    mixture = np.full((CELLS, CELLS), np.nan, np.float32)
+    count = SIDE // CELL_PX
+    mixture[:count, :count] = np.linspace(0, 1, count**2).reshape(count, count)
+    return BlockScan(
+        (0, 0), ("a", "b"), np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool), full,
+        mixture, mixture.copy(), table_of(cells), np.zeros((UNITS, UNITS), bool),
+    )

@@ -1,0 +1,309 @@
+"""From blocks to what a scan tells."""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Callable
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX
+from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, global_numbers
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
+from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import CellTable
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
+from seam_inspector.plugin.seams.measure.scan.inputs.scan_request import ScanRequest, scan_request
+from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, NamedSeam
+from seam_inspector.plugin.seams.measure.scan.results.gathering import (
+    FARTHEST_FILLED_PX,
+    ScanResult,
+    both_looks,
+    filled,
+)
+from seam_inspector.plugin.seams.measure.scan.results.loss_raster import NODATA as NO_LOSS
+from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
+
+from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, as_bytes, beside, blended, images, scene
+from tests.numbers.seams.scan.whole_scan_lives import scanned
+
+SEAM = 400
+FEATHER_PX = 33
+PIECE_M = 25.0
+GSD = 0.1
+
+
+def request_of(one: Scene, seams: tuple[NamedSeam, ...] = (), **settings: object) -> ScanRequest:
+    given = GivenSeams(seams, (), ()) if seams else None
+    return scan_request(one.mosaic, one.sources, ScanSettings(**settings), given)[0]  # type: ignore[arg-type]
+
+
+def result_of(folder: Path, one: Scene, seams: tuple[NamedSeam, ...] = (), **settings: object) -> ScanResult:
+    return scanned(request_of(one, seams, **settings), folder / "loss.tif")[1]
+
+
+def picture(folder: Path) -> np.ndarray:
+    """Of losses, (bands, rows, columns)."""
+    dataset = gdal.Open(str(folder / "loss.tif"))
+    return np.asarray(dataset.ReadAsArray())
+
+
+def distance_px(result: ScanResult, one: Scene, column: float) -> float:
+    """The largest of any vertex from a seam along a column."""
+    grid = one.mosaic.grid
+    columns = [(piece.piece.vertices[:, 0] - grid.left) / grid.pixel_width for piece in result.pieces]
+    return float(np.abs(np.concatenate(columns) - column).max())
+
+
+# --- whole mosaics ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+def test_a_hard_cut_has_no_failed_metre(tmp_path: Path, density: str) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    result = result_of(tmp_path, one, density=density)
+    assert result.seam_metres == pytest.approx(SIDE * GSD, rel=0.02)
+    assert result.failed_metres == 0
+    assert {piece.verdict for piece in result.pieces} == {Verdict.PRESERVED}
+    assert result.worst_kept == pytest.approx(1, abs=0.06)
+    assert all(piece.low < 1 < piece.high for piece in result.pieces)
+    assert all(piece.band_width_m == 0 for piece in result.pieces)
+    assert distance_px(result, one, SEAM) < 2
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+def test_a_feathered_mosaic_fails_along_its_seam(tmp_path: Path, density: str) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM, FEATHER_PX)), given)
+    result = result_of(tmp_path, one, density=density)
+    assert result.seam_metres == pytest.approx(SIDE * GSD, rel=0.02)
+    assert all(piece.high < 1 for piece in result.pieces)
+    assert {piece.verdict for piece in result.pieces} <= {Verdict.SIGNIFICANT, Verdict.REDUCED}
+    assert distance_px(result, one, SEAM) < 3
+    widths = [piece.band_width_m for piece in result.pieces]
+    assert np.median(widths) == pytest.approx(0.6 * FEATHER_PX * GSD, rel=0.4)
+    loss = picture(tmp_path)[0]
+    low = np.unique(np.argwhere((loss < 0.85) & (loss != NO_LOSS))[:, 1])
+    assert set(low) <= {(SEAM - FEATHER_PX) // 32, SEAM // 32, (SEAM + FEATHER_PX) // 32}
+
+
+def unsharp(strength: float, sigma: float) -> Callable[[np.ndarray], np.ndarray]:
+    return lambda plane: plane + strength * (plane - ndimage.gaussian_filter(plane, sigma))
+
+
+AFTERWARDS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "sharpened": unsharp(0.7, 1.0),
+    "sharpened much": unsharp(1.5, 1.0),
+    "sharpened beyond any filter that is looked for": unsharp(1.0, 2.0),
+    "gain": lambda plane: 60 + 0.6 * plane,
+    "noise": lambda plane: plane + 4 * np.random.default_rng(0).standard_normal(plane.shape),
+    "blurred": lambda plane: ndimage.gaussian_filter(plane, 0.5),
+}
+
+
+@pytest.mark.parametrize("density", ["seams", "full"])
+@pytest.mark.parametrize("change", AFTERWARDS)
+def test_what_was_done_to_the_whole_mosaic_is_no_loss_and_hides_none(
+    tmp_path: Path, change: str, density: str
+) -> None:
+    """Samples of the ground and what is measured pixel by pixel expect the same of it."""
+    given = images()
+    means = []
+    for width in (0, FEATHER_PX):
+        folder = tmp_path / str(width)
+        folder.mkdir()
+        made = AFTERWARDS[change](blended(*given, beside(SEAM, width)).astype(float))
+        pieces = result_of(folder, scene(folder, as_bytes(made), given), density=density).pieces
+        means.append(float(np.mean([piece.least_kept for piece in pieces])))
+    assert means[0] == pytest.approx(1, abs=0.03)
+    assert means[1] < 0.8
+
+
+def test_pieces_name_both_sources_and_polygons_cover_the_mosaic(tmp_path: Path) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    result = result_of(tmp_path, one)
+    names = [source.ref.name for source in one.sources]
+    grid = one.mosaic.grid
+    for piece in result.pieces:
+        (x, y), (_, last) = piece.piece.vertices[[0, -1]]
+        left, right = (piece.left, piece.right) if last > y else (piece.right, piece.left)
+        assert [left, right] == names, (x, y)
+    shapes = {polygon.source: ogr.CreateGeometryFromWkb(polygon.wkb) for polygon in result.polygons}
+    areas = {source: shape.GetArea() for source, shape in shapes.items()}
+    whole = grid.columns * grid.rows * grid.pixel_width * grid.pixel_height
+    assert areas == pytest.approx({0: whole * SEAM / SIDE, 1: whole * (1 - SEAM / SIDE)}, rel=0.01)
+
+
+def test_a_seam_along_the_border_of_two_blocks_is_found_by_looking_again(tmp_path: Path) -> None:
+    """The patches of either block alone are of one source."""
+    shape = (384, 2560)
+    given = images(shape)
+    one = scene(tmp_path, blended(*given, beside(BLOCK_PX + 1, FEATHER_PX, shape)), given)
+    result = result_of(tmp_path, one)
+    assert result.seam_metres == pytest.approx(shape[0] * GSD, rel=0.03)
+    assert distance_px(result, one, BLOCK_PX + 1) < 3
+    assert all(piece.high < 1 for piece in result.pieces)
+    loss = picture(tmp_path)[0]
+    beside_border = loss[:, [BLOCK_PX // 32 - 1, BLOCK_PX // 32]]
+    assert ((beside_border > 0) & (beside_border < 0.97)).mean() > 0.8
+
+
+def test_a_seam_across_two_blocks_is_one(tmp_path: Path) -> None:
+    shape = (384, 2560)
+    given = images(shape)
+    weight = beside(190, FEATHER_PX, shape[::-1]).T
+    result = result_of(tmp_path, scene(tmp_path, blended(*given, weight), given))
+    assert {piece.piece.seam_id for piece in result.pieces} == {1}
+    assert result.seam_metres == pytest.approx(shape[1] * GSD, rel=0.02)
+    kept = [piece.least_kept for piece in result.pieces]
+    assert None not in kept
+    assert max(kept) < 0.9
+
+
+def test_a_mosaic_of_one_source_has_no_seam(tmp_path: Path) -> None:
+    given = images()
+    result = result_of(tmp_path, scene(tmp_path, given[0] // 2 + 60, given))
+    assert result.pieces == ()
+    assert result.seam_metres == result.failed_metres == 0
+    assert result.worst_kept is None
+    assert not result.worst
+    assert [polygon.source for polygon in result.polygons] == [0]
+
+
+def test_a_seam_beside_missing_pixels_is_no_worse_for_it(tmp_path: Path) -> None:
+    given = images()
+    made = blended(*given, beside(SEAM))
+    made[:, SEAM + 110 :] = NODATA
+    result = result_of(tmp_path, scene(tmp_path, made, given))
+    assert {piece.verdict for piece in result.pieces} == {Verdict.PRESERVED}
+    assert result.worst_kept == pytest.approx(1, abs=0.06)
+
+
+def test_bad_places_come_first_among_the_worst(tmp_path: Path) -> None:
+    given = images()
+    wide, hard = blended(*given, beside(SEAM, 60)), blended(*given, beside(SEAM))
+    made = np.where(np.arange(SIDE)[:, np.newaxis] < SIDE / 2, hard, wide)
+    result = result_of(tmp_path, scene(tmp_path, made, given), piece_m=12.0)
+    first = result.worst[0].window
+    assert first.row + first.height / 2 > SIDE / 2
+    assert [one.window_id for one in result.worst] == list(range(1, len(result.worst) + 1))
+
+
+# --- given seams ------------------------------------------------------------------------------------------------
+
+
+def given_seam(one: Scene, column: float, left: str | None = None, right: str | None = None) -> NamedSeam:
+    """From top to bottom."""
+    grid = one.mosaic.grid
+    xs = [grid.left + column * grid.pixel_width] * 2
+    return NamedSeam(np.column_stack([xs, [grid.top, grid.top - grid.rows * grid.pixel_height]]), left, right)
+
+
+@pytest.mark.parametrize("width", [0, FEATHER_PX])
+def test_given_seams_are_judged_as_those_that_are_found(tmp_path: Path, width: int) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM, width)), given)
+    found = result_of(tmp_path, one)
+    told = result_of(tmp_path, one, (given_seam(one, SEAM),))
+    assert told.seam_metres == pytest.approx(SIDE * GSD)
+    assert np.mean([piece.least_kept for piece in told.pieces]) == pytest.approx(
+        np.mean([piece.least_kept for piece in found.pieces]), abs=0.04
+    )
+    assert {piece.verdict for piece in told.pieces} <= (
+        {Verdict.PRESERVED} if not width else {Verdict.SIGNIFICANT, Verdict.REDUCED}
+    )
+    names = [source.ref.name for source in one.sources]
+    assert {(piece.right, piece.left) for piece in told.pieces} == {tuple(names)}  # walked downwards
+
+
+def test_the_picture_of_given_seams_names_sources_everywhere(tmp_path: Path) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    result_of(tmp_path, one, (given_seam(one, SEAM),))
+    source = picture(tmp_path)[3]
+    assert (source[:, : SEAM // 32] == 1).all()
+    assert (source[:, SEAM // 32 + 1 :] == 2).all()
+
+
+# --- labels and looks -------------------------------------------------------------------------------------------
+
+
+def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
+    """Of nothing but what is given."""
+    nothing = BlockScan(
+        (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool),
+        np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,
+        np.full((128, 128), np.nan, np.float32), np.full((128, 128), np.nan, np.float32), CellTable.empty(3),
+        np.zeros((UNITS, UNITS), bool),
+    )
+    return replace(nothing, **arrays)
+
+
+def test_between_samples_labels_are_those_of_the_nearest() -> None:
+    step = LABELS // UNITS
+    labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
+    labels[32:64, 32:64], labels[32:64, -64:-32] = 0, 1
+    found = filled(block(labels))
+    assert (found[labels != UNKNOWN] == labels[labels != UNKNOWN]).all()
+    reach = FARTHEST_FILLED_PX // LABEL_PX
+    assert (found[: 64 + reach // 2, :150] == 0).all()
+    assert (found[: 64 + reach // 2, -150:] == 1).all()
+    assert (found[64 + reach + 2 * step :] == UNKNOWN).all()
+
+
+def test_what_was_looked_at_and_what_lies_outside_is_not_filled() -> None:
+    labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
+    labels[:64, :64] = 1
+    dense, outside = (np.zeros((UNITS, UNITS), bool) for _ in range(2))
+    dense[0, 10], outside[0, 12] = True, True
+    found = filled(block(labels, dense=dense, outside=outside))
+    times = UNIT_PX // LABEL_PX
+    assert (found[:times, 10 * times : 11 * times] == UNKNOWN).all()
+    assert (found[:times, 12 * times : 13 * times] == UNKNOWN).all()
+    assert (found[:times, 11 * times : 12 * times] == 1).all()
+
+
+def test_nothing_known_is_nothing_filled() -> None:
+    assert (filled(block()) == UNKNOWN).all()
+
+
+def test_a_second_look_replaces_what_it_looked_at_and_nothing_else(tmp_path: Path) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    first = scan_block(one.request())
+    wanted = np.zeros((UNITS, UNITS), bool)
+    wanted[2:10, 10:16] = True  # partly measured before
+    second = scan_block(one.request(wanted=wanted, look_every=0))
+    both = both_looks(first, second)
+    assert (both.dense == (first.dense | wanted)).all()
+    times = UNIT_PX // CELL_PX
+    again = wanted[both.cells.row // times, both.cells.column // times]
+    before = wanted[first.cells.row // times, first.cells.column // times]
+    assert again.sum() == len(second.cells)
+    assert both.cells.mm[:, ~again].sum() == pytest.approx(first.cells.mm[:, ~before].sum())
+    area = np.zeros((SIDE // CELL_PX, SIDE // CELL_PX))
+    np.add.at(area, (both.cells.row, both.cells.column), both.cells.area[0])
+    assert area.max() == CELL_PX**2
+    looked = wanted.repeat(UNIT_PX // LABEL_PX, axis=0).repeat(UNIT_PX // LABEL_PX, axis=1)
+    assert (both.labels[looked] == second.labels[looked]).all()
+    assert (both.labels[~looked] == first.labels[~looked]).all()
+
+
+def test_cells_of_any_block_are_replaced_by_their_place_in_it() -> None:
+    row, column = np.array([128, 130]), np.array([256, 300])
+    values = np.ones((3, 2), np.float32)
+    table = CellTable(row, column, np.zeros(2, np.uint8), values, values, values, values)
+    dense = np.zeros((UNITS, UNITS), bool)
+    dense[0, 0] = True  # of block (1, 2): cells 128, 129 by 256, 257
+    found = both_looks(block(cells=table), block(dense=dense))
+    assert found.cells.column.tolist() == [300]
+
+
+def test_numbers_of_a_block_become_those_of_the_scan() -> None:
+    numbers = global_numbers(block(), {"z": 0, "b": 7, "a": 70000})
+    assert numbers[[0, 1, 2, UNKNOWN]].tolist() == [70000, 7, NOTHING, NOTHING]

@@ -1,0 +1,177 @@
+"""The picture of losses: what its pixels say, and the file."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX
+from seam_inspector.plugin.seams.measure.profile.seam_profile import local_kept
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABELS
+from seam_inspector.plugin.seams.measure.scan.results.block_ground import grounds
+from seam_inspector.plugin.seams.measure.scan.results.loss_raster import BANDS, NODATA, loss_cells, loss_raster
+from seam_inspector.plugin.seams.measure.scan.scan_settings import CELLS_PX
+
+from tests.numbers.seams.profile.blends import SIDE, blend
+from tests.numbers.seams.scan.results.one_window import scan_of_window
+from tests.numbers.synthetic import GeoTransform, write_raster
+
+COUNT = SIDE // CELL_PX
+KEPT, CONTRAST, ADDED, SOURCE, MIXTURE = range(len(BANDS))
+
+# --- what the pixels say ----------------------------------------------------------------------------------------
+
+
+def pixels_of(width: int, cell_px: int) -> np.ndarray:
+    made = blend(width)
+    scan = scan_of_window(made.cells(), made.labels)
+    labels = np.where(scan.labels < 2, scan.labels.astype(int) + 1, 0)
+    return loss_cells(scan, labels, grounds(scan.cells, scan.cells), cell_px)
+
+
+@pytest.mark.parametrize("width", [0, 33, 100])
+def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> None:
+    expected = local_kept(blend(width).cells())
+    assert expected is not None
+    found = pixels_of(width, CELL_PX)[KEPT]
+    assert found.shape == (BLOCK_PX // CELL_PX, BLOCK_PX // CELL_PX)
+    assert found[:COUNT, :COUNT] == pytest.approx(expected, rel=0.01, abs=0.003)
+    assert (found[COUNT:] == NODATA).all()
+    assert (found[:, COUNT:] == NODATA).all()
+
+
+@pytest.mark.parametrize("cell_px", CELLS_PX)
+def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
+    made = blend(33)
+    cells = made.cells()
+    side = SIDE // cell_px
+
+    def summed(name: str) -> np.ndarray:
+        each = getattr(cells, name)[0].sum(axis=0)
+        return each.reshape(side, cell_px // CELL_PX, side, -1).sum(axis=(1, 3))
+
+    found = pixels_of(33, cell_px)[:, :side, :side]
+    mm, cc, mc = map(summed, ("mm", "cc", "mc"))
+    assert found[CONTRAST] == pytest.approx(np.sqrt(mm / cc), rel=1e-4)
+    assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
+    mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
+    assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)
+
+
+def test_a_feather_is_a_line_and_all_else_is_even() -> None:
+    made = blend(33)
+    kept = pixels_of(33, 32)[KEPT][: SIDE // 32, : SIDE // 32]
+    distance = made.distance.reshape(SIDE // 32, 32, -1, 32).min(axis=(1, 3))
+    assert np.median(kept[distance < 4]) < 0.9
+    assert np.median(kept[distance > 40]) == pytest.approx(1, abs=0.02)
+
+
+def test_pixels_name_the_source_in_their_middle() -> None:
+    made = blend(0)
+    found = pixels_of(0, 32)[SOURCE]
+    middles = made.labels[18::32, 18::32]
+    assert (found[: SIDE // 32, : SIDE // 32] == middles + 1).all()
+    assert (found[SIDE // 32 :] == NODATA).all()
+
+
+def test_without_ground_there_is_contrast_and_no_kept() -> None:
+    made = blend(33)
+    scan = scan_of_window(made.cells(), made.labels)
+    found = loss_cells(scan, np.zeros((LABELS, LABELS), int), [None] * 3, 32)
+    assert (found[KEPT] == NODATA).all()
+    assert (found[CONTRAST][: SIDE // 32, : SIDE // 32] > 0).all()
+    assert (found[SOURCE] == NODATA).all()
+
+
+# --- the file ---------------------------------------------------------------------------------------------------
+
+GEOTRANSFORM: GeoTransform = (400000.0, 0.25, 0.0, 5500000.0, 0.0, -0.25)
+
+
+@pytest.fixture(scope="module")
+def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
+    """Three blocks by two, of which the last ones are small."""
+    path = tmp_path_factory.mktemp("mosaic") / "mosaic.tif"
+    pixels = np.zeros((2 * BLOCK_PX - 1000, 2 * BLOCK_PX + 96), np.uint8)
+    options = ["TILED=YES", "COMPRESS=DEFLATE", "SPARSE_OK=TRUE"]
+    return describe_mosaic(RasterRef(write_raster(path, pixels, geotransform=GEOTRANSFORM, options=options)))
+
+
+def written(path: Path, mosaic: Raster, cell_px: int = 32) -> np.ndarray:
+    """What went in."""
+    side = BLOCK_PX // cell_px
+    rows, columns = -(-mosaic.rows // cell_px), -(-mosaic.columns // cell_px)
+    everything = np.random.default_rng(1).random((len(BANDS), 2 * side, 3 * side), np.float32)
+    everything[SOURCE] = np.ceil(3 * everything[SOURCE])
+    everything[:, 5:20, 3:30] = NODATA
+    with loss_raster(str(path), mosaic, cell_px) as raster:
+        for row in range(2):
+            for column in range(3):
+                own = np.s_[:, row * side : (row + 1) * side, column * side : (column + 1) * side]
+                raster.write(row, column, everything[own])
+        raster.close(["one.tif", "zwei ö.tif", "three.tif"])
+    return everything[:, :rows, :columns]
+
+
+def test_every_block_is_where_it_belongs(tmp_path: Path, mosaic: Raster) -> None:
+    expected = written(tmp_path / "loss.tif", mosaic)
+    dataset = gdal.Open(str(tmp_path / "loss.tif"))
+    np.testing.assert_array_equal(dataset.ReadAsArray(), expected)
+    assert dataset.GetGeoTransform() == (400000.0, 8.0, 0.0, 5500000.0, 0.0, -8.0)
+    of_mosaic = gdal.Open(mosaic.ref.path)
+    assert dataset.GetSpatialRef().IsSame(of_mosaic.GetSpatialRef())
+
+
+def test_bands_have_names_nodata_statistics_and_sources_their_names(tmp_path: Path, mosaic: Raster) -> None:
+    expected = written(tmp_path / "loss.tif", mosaic)
+    dataset = gdal.Open(str(tmp_path / "loss.tif"))
+    names = [dataset.GetRasterBand(number + 1).GetDescription() for number in range(dataset.RasterCount)]
+    assert names == ["kept_1", "contrast_1", "added_1", "source", "mixture"]
+    for number, values in enumerate(expected, 1):
+        band = dataset.GetRasterBand(number)
+        assert band.GetNoDataValue() == NODATA
+        low, high, mean, _ = band.GetStatistics(False, False)
+        known = values[values != NODATA]
+        assert (low, high, mean) == pytest.approx((known.min(), known.max(), known.mean()), rel=1e-4)
+    assert dataset.GetRasterBand(SOURCE + 1).GetCategoryNames() == ["", "one.tif", "zwei ö.tif", "three.tif"]
+
+
+def test_overviews_are_means_but_for_the_numbers_of_sources(tmp_path: Path, mosaic: Raster) -> None:
+    expected = written(tmp_path / "loss.tif", mosaic, 16)
+    dataset = gdal.Open(str(tmp_path / "loss.tif"))
+    assert max(dataset.RasterXSize, dataset.RasterYSize) > 256
+    kept, source = (dataset.GetRasterBand(number + 1) for number in (KEPT, SOURCE))
+    assert kept.GetOverviewCount() == source.GetOverviewCount() == 1
+    found = kept.GetOverview(0).ReadAsArray()
+    even = np.s_[40:80, 40:80]  # where nothing lacks
+    wanted = expected[KEPT].astype(float)[80:160, 80:160].reshape(40, 2, 40, 2).mean(axis=(1, 3))
+    assert found[even] == pytest.approx(wanted, abs=1e-5)
+    assert set(np.unique(source.GetOverview(0).ReadAsArray())) <= {NODATA, 1, 2, 3}
+
+
+def test_a_small_picture_needs_no_overviews(tmp_path: Path, mosaic: Raster) -> None:
+    written(tmp_path / "loss.tif", mosaic, 64)
+    dataset = gdal.Open(str(tmp_path / "loss.tif"))
+    assert not dataset.GetRasterBand(1).GetOverviewCount()
+
+
+def test_a_band_of_which_nothing_is_known_has_no_statistics(tmp_path: Path, mosaic: Raster) -> None:
+    with loss_raster(str(tmp_path / "loss.tif"), mosaic, 128) as raster:
+        raster.close([])
+    dataset = gdal.Open(str(tmp_path / "loss.tif"))
+    assert (dataset.ReadAsArray() == NODATA).all()
+
+
+def test_a_picture_that_was_not_finished_is_not_there(tmp_path: Path, mosaic: Raster) -> None:
+    with pytest.raises(KeyboardInterrupt), loss_raster(str(tmp_path / "loss.tif"), mosaic, 32):
+        raise KeyboardInterrupt
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_that_is_not_there_is_told(tmp_path: Path, mosaic: Raster) -> None:
+    with pytest.raises(RasterError, match=r"loss\.tif"), loss_raster(str(tmp_path / "no" / "loss.tif"), mosaic, 32):
+        pass

@@ -1,0 +1,152 @@
+"""The verdict on a piece of seam, and the windows of the worst ones."""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Callable
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
+from seam_inspector.plugin.seams.measure.scan.results.judged_pieces import JudgedPiece, judge_piece, metres
+from seam_inspector.plugin.seams.measure.scan.results.piece_sums import PieceProfile
+from seam_inspector.plugin.seams.measure.scan.results.worst_windows import window_side_px, worst_windows
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
+
+from tests.numbers.synthetic import write_raster
+
+GSD = 0.25
+ROWS, COLUMNS = 2400, 3000
+
+
+def piece(column: float = 500, row: float = 500, length_m: float = 25.0, seam_id: int = 1) -> SeamPiece:
+    """That runs to the right, its middle at a pixel."""
+    half = length_m / GSD / 2
+    xs = 500000 + (column + np.array([-half, half])) * GSD
+    return SeamPiece(seam_id, 100.0, length_m, np.column_stack([xs, [5000000 - row * GSD] * 2]), 0, 1)
+
+
+def profile(kept: float, low: float, high: float, width_px: float = 0.0) -> PieceProfile:
+    one = ProfileBin(1, 0, 2, kept, np.nan, np.nan, np.nan, 500.0)
+    return PieceProfile(SeamProfile((kept, kept, kept), low, high, width_px, 0.0, (one,)), 4000.0, 0.9)
+
+
+def judged(kept: float | None, *place: float, **of_piece: float) -> JudgedPiece:
+    found = PieceProfile(None, 0.0, None) if kept is None else profile(kept, 0.9 * kept, 1.1 * kept)
+    return judge_piece(piece(*place, **of_piece), ("a.tif", "b.tif"), found, GSD)  # type: ignore[arg-type]
+
+
+@pytest.fixture(scope="module")
+def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
+    pixels = np.full((ROWS, COLUMNS), 100, np.uint8)
+    return describe_mosaic(RasterRef(write_raster(tmp_path_factory.mktemp("m") / "mosaic.tif", pixels, gsd=GSD)))
+
+
+# --- verdicts ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("kept", "low", "high", "verdict"), [
+    (1.0, 0.9, 1.1, Verdict.PRESERVED), (0.95, 0.85, 1.02, Verdict.PRESERVED), (0.9, 0.83, 0.97, Verdict.REDUCED),
+    (0.5, 0.42, 0.6, Verdict.SIGNIFICANT), (0.9, 0.4, 1.9, Verdict.NOT_COMPARABLE),
+])
+def test_a_verdict_follows_kept_and_its_interval(kept: float, low: float, high: float, verdict: Verdict) -> None:
+    found = judge_piece(piece(), ("a.tif", None), profile(kept, low, high, 8.0), GSD)
+    assert found.verdict == verdict
+    assert (found.least_kept, found.low, found.high) == (kept, low, high)
+    assert found.band_width_m == pytest.approx(8.0 * GSD)
+    assert (found.reason is not None) == (verdict == Verdict.NOT_COMPARABLE)
+    assert (found.left, found.right) == ("a.tif", None)
+
+
+def test_a_piece_that_was_not_measured_says_why() -> None:
+    long, short = judged(None), judged(None, length_m=2.0)
+    for found in (long, short):
+        assert found.verdict == Verdict.NOT_COMPARABLE
+        assert found.kept is found.low is found.high is found.band_width_m is found.least_kept is None
+    assert str(long.reason) != str(short.reason)
+    assert "2" in str(short.reason)
+
+
+def test_metres_are_counted_by_verdict() -> None:
+    pieces = [judged(0.4), judged(1.0, length_m=10.0), judged(None, length_m=7.5)]
+    assert metres(pieces) == 42.5
+    assert metres(pieces, Verdict.SIGNIFICANT) == 25.0
+    assert metres(pieces, Verdict.PRESERVED, Verdict.NOT_COMPARABLE) == 17.5
+    assert metres([], Verdict.SIGNIFICANT) == 0
+
+
+# --- windows ----------------------------------------------------------------------------------------------------
+
+
+def everywhere(window: PixelWindow) -> bool:
+    return True
+
+
+def windows(mosaic: Raster, *pieces: JudgedPiece, count: int = 50,
+            is_valid: Callable[[PixelWindow], bool] | None = everywhere) -> list[PixelWindow]:
+    return [one.window for one in worst_windows(pieces, mosaic, count, 3, is_valid)]
+
+
+def test_the_least_kept_come_first_each_around_its_piece(mosaic: Raster) -> None:
+    places = {0.9: (400, 400), 0.5: (2500, 500), 0.7: (1500, 1900)}
+    pieces = [judged(kept, *place) for kept, place in places.items()]
+    found = worst_windows(pieces, mosaic, 50, 3, everywhere)
+    assert [one.window_id for one in found] == [1, 2, 3]
+    for one, kept in zip(found, (0.5, 0.7, 0.9)):
+        assert one.window.column + one.window.width / 2 == pytest.approx(places[kept][0], abs=1)
+        assert one.window.row + one.window.height / 2 == pytest.approx(places[kept][1], abs=1)
+        assert one.station_m == pytest.approx(112.5)
+        assert one.window.width == one.window.height == 512  # the power of two beyond 100 m
+
+
+def test_no_more_than_are_asked_for_and_none_that_was_not_measured(mosaic: Raster) -> None:
+    pieces = [judged(0.5 + number / 100, 300 + 600 * number, 600) for number in range(4)]
+    assert len(windows(mosaic, *pieces, count=2)) == 2
+    assert windows(mosaic, *pieces, count=0) == []
+    assert windows(mosaic, judged(None)) == []
+    assert windows(mosaic) == []
+
+
+def test_of_windows_that_share_more_than_half_only_the_worse_stays(mosaic: Raster) -> None:
+    found = windows(mosaic, judged(0.6, 1000, 1000), judged(0.5, 1100, 1000), judged(0.7, 1600, 1000))
+    assert [one.column + one.width // 2 for one in found] == [1100, 1600]
+
+
+def test_at_the_edge_windows_lie_inside(mosaic: Raster) -> None:
+    corners = [(0, 0), (COLUMNS, 0), (0, ROWS), (COLUMNS, ROWS)]
+    found = windows(mosaic, *(judged(0.5, *corner) for corner in corners))
+    assert len(found) == 4
+    assert all(mosaic.grid.contains(one) for one in found)
+
+
+def test_beside_missing_pixels_a_window_is_moved_or_made_smaller(mosaic: Raster) -> None:
+    def right_of(edge: int) -> Callable[[PixelWindow], bool]:
+        return lambda window: window.column >= edge
+
+    (moved,) = windows(mosaic, judged(0.5, 1000, 1000), is_valid=right_of(900))
+    assert moved.column >= 900
+    assert moved.width == 512
+    assert moved.column <= 1000 < moved.column + moved.width
+    (smaller,) = windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: window.width <= 200)
+    assert smaller.width == 128
+    assert windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: False) == []
+
+
+def test_the_mosaic_itself_says_where_it_has_pixels(tmp_path: Path) -> None:
+    pixels = np.full((1200, 1200), 100, np.uint8)
+    pixels[:, :560] = 0
+    one = describe_mosaic(RasterRef(write_raster(tmp_path / "mosaic.tif", pixels, gsd=GSD, nodata=0)))
+    (found,) = windows(one, judged(0.5, 600, 600), is_valid=None)
+    assert found.column >= 560
+
+
+@pytest.mark.parametrize(("columns", "rows", "levels", "side"), [
+    (3000, 2400, 3, 512), (1000, 900, 3, 256), (9000, 300, 3, 256), (200, 5000, 3, 200), (203, 203, 4, 192),
+])
+def test_windows_of_small_mosaics_are_smaller(mosaic: Raster, columns: int, rows: int, levels: int, side: int) -> None:
+    grid = replace(mosaic.grid, columns=columns, rows=rows)
+    assert window_side_px(grid, levels) == side

@@ -1,0 +1,48 @@
+"""Arrays as bytes and back."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import array_shapes, arrays
+from seam_inspector.plugin.seams.measure.scan.journal.array_records import packed, unpacked
+
+kinds = st.sampled_from(["?", "u1", "<i4", "<i8", "<f4", "<f8"])
+shapes = array_shapes(min_dims=0, max_dims=4, min_side=0, max_side=6)
+any_array = kinds.flatmap(lambda kind: arrays(np.dtype(kind), shapes))
+
+
+@given(st.dictionaries(st.text(min_size=1, max_size=8), any_array, max_size=6), st.integers(1, 3))
+@settings(deadline=None, max_examples=100)
+def test_what_was_packed_comes_back_bit_for_bit(given_arrays: dict[str, np.ndarray], every: int) -> None:
+    compressed = list(given_arrays)[::every]
+    found = unpacked(packed(given_arrays, compressed))
+    assert list(found) == list(given_arrays)
+    for name, array in given_arrays.items():
+        assert found[name].dtype == array.dtype
+        assert found[name].shape == array.shape
+        assert found[name].tobytes() == np.ascontiguousarray(array).tobytes()
+
+
+def test_parts_of_arrays_and_other_orders_are_what_they_show() -> None:
+    values = np.arange(24.0).reshape(4, 6)
+    shown = {"turned": values.T, "part": values[1:3, ::2], "fortran": np.asfortranarray(values)}
+    found = unpacked(packed(shown, ["part"]))
+    for name, array in shown.items():
+        assert (found[name] == array).all()
+
+
+def test_runs_are_stored_small_where_that_is_asked_for() -> None:
+    even = {"labels": np.zeros((512, 512), np.uint8)}
+    assert len(packed(even, ["labels"])) < 4096 < len(packed(even))
+
+
+def test_the_same_arrays_give_the_same_bytes() -> None:
+    arrays_by_name = {"a": np.arange(5), "b": np.linspace(0, 1, 7)}
+    assert packed(arrays_by_name, ["b"]) == packed({name: one.copy() for name, one in arrays_by_name.items()}, ["b"])
+
+
+def test_what_was_read_is_not_written_to() -> None:
+    with pytest.raises(ValueError, match="read-only"):
+        unpacked(packed({"a": np.zeros(3)}))["a"][0] = 1

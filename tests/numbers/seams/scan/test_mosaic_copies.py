@@ -1,0 +1,158 @@
+"""Sources that were made from the mosaic are found, and true ones never taken for such."""
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery import raster_pool
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.scan.inputs.mosaic_copies import leave_out_copies
+from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources
+
+from tests.numbers.conftest import MakeRaster
+from tests.numbers.synthetic import orthoimage
+
+SIDE = 1024
+
+
+def told(mosaic: str, paths: Sequence[str]) -> tuple[list[str], dict[str, str]]:
+    """Names of the sources that stay, and the notices' templates by the names in them."""
+    raster = describe_mosaic(RasterRef(mosaic))
+    sources, _ = gather_sources(map(RasterRef, paths), (), raster.wkt, raster.ref)
+    kept, notices = leave_out_copies(raster, sources)
+    return [source.ref.name for source in kept], {str(one.values["name"]): one.template for one in notices}
+
+
+@pytest.fixture
+def images() -> list[np.ndarray]:
+    """Two images and the mosaic of them, whose second one has 4 % of it."""
+    first, second = (orthoimage((SIDE, SIDE), seed=seed) for seed in (1, 2))
+    mosaic = first.copy()
+    mosaic[:, 800:1000, 700:900] = second[:, 800:1000, 700:900]
+    return [first, second, mosaic]
+
+
+@pytest.fixture
+def paths(make_raster: MakeRaster, images: list[np.ndarray]) -> list[str]:
+    return [make_raster(f"{name}.tif", image) for name, image in zip(("a", "b", "mosaic"), images)]
+
+
+def test_true_sources_on_the_very_pixels_of_the_mosaic_stay(paths: list[str]) -> None:
+    assert told(paths[2], paths) == (["a.tif", "b.tif"], {})
+
+
+def test_copies_overviews_and_vrts_are_left_out_with_their_reason(paths: list[str], tmp_path: Path) -> None:
+    mosaic = gdal.Open(paths[2])
+    made = {name: str(tmp_path / name) for name in ("copy.tif", "grown.tif", "half.tif", "eighth.tif", "of.vrt")}
+    gdal.Translate(made["copy.tif"], mosaic, creationOptions=["COMPRESS=LZW", "TILED=NO"])
+    gdal.Warp(made["grown.tif"], mosaic, outputBounds=(499999.0, 4999897.0, 500103.0, 5000001.0), dstNodata=0)
+    gdal.Translate(made["half.tif"], mosaic, widthPct=50, heightPct=50, resampleAlg="nearest")
+    gdal.Translate(made["eighth.tif"], mosaic, widthPct=12.5, heightPct=12.5, resampleAlg="cubic")
+    gdal.BuildVRT(made["of.vrt"], [paths[2]]).FlushCache()
+    del mosaic
+    kept, notices = told(paths[2], [*made.values(), *paths[:2]])
+    assert kept == ["a.tif", "b.tif"]
+    assert notices == {
+        "copy.tif": messages.COPY_AMONG_SOURCES.template,
+        "of.vrt": messages.COPY_AMONG_SOURCES.template,
+        "half.tif": messages.OVERVIEW_AMONG_SOURCES.template,
+        "eighth.tif": messages.OVERVIEW_AMONG_SOURCES.template,
+        "grown.tif": messages.COPY_AMONG_SOURCES.template,
+    }
+
+
+def test_a_copy_with_loss_is_left_out(paths: list[str], tmp_path: Path) -> None:
+    path = str(tmp_path / "lossy.tif")
+    gdal.Translate(path, paths[2], creationOptions=["COMPRESS=JPEG", "JPEG_QUALITY=85", "PHOTOMETRIC=YCBCR"])
+    kept, notices = told(paths[2], [path, *paths[:2]])
+    assert kept == ["a.tif", "b.tif"]
+    assert notices == {"lossy.tif": messages.COPY_AMONG_SOURCES.template}
+
+
+def test_the_mosaic_that_a_sheet_was_cut_from_is_left_out(
+    make_raster: MakeRaster, images: list[np.ndarray], paths: list[str]
+) -> None:
+    sheet = make_raster("sheet.tif", images[2][:, 256:1024, 256:1024], origin=(500025.6, 4999974.4))
+    kept, notices = told(sheet, [paths[2], *paths[:2]])
+    assert kept == ["a.tif", "b.tif"]
+    assert notices == {"mosaic.tif": messages.COPY_AMONG_SOURCES.template}
+
+
+def test_the_one_orthoimage_of_a_mosaic_stays_and_is_told(paths: list[str], tmp_path: Path) -> None:
+    copies = [str(tmp_path / name) for name in ("one.tif", "two.tif")]
+    for copy in copies:
+        gdal.Translate(copy, paths[2])
+    kept, notices = told(paths[2], copies)
+    assert kept == ["one.tif"]
+    assert notices == {
+        "one.tif": messages.ONLY_SOURCE_IS_EQUAL.template, "two.tif": messages.COPY_AMONG_SOURCES.template
+    }
+
+
+def test_an_orthoimage_that_the_mosaic_was_cut_from_is_no_copy(
+    make_raster: MakeRaster, images: list[np.ndarray], paths: list[str]
+) -> None:
+    """The mosaic is the middle of it: it lies where others lie too."""
+    cut = make_raster("cut.tif", images[0][:, 256:768, 256:768], origin=(500025.6, 4999974.4))
+    assert told(cut, paths[:2]) == (["a.tif", "b.tif"], {})
+
+
+def test_a_finer_orthoimage_and_one_in_another_system_stay(make_raster: MakeRaster, images: list[np.ndarray]) -> None:
+    mosaic = make_raster("mosaic.tif", images[0].reshape(3, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8), gsd=0.2)
+    fine = make_raster("fine.tif", images[0])
+    elsewhere = make_raster("elsewhere.tif", images[0], system=32634)
+    assert told(mosaic, [fine, elsewhere])[0] == ["fine.tif", "elsewhere.tif"]
+
+
+def test_ground_without_content_proves_nothing(make_raster: MakeRaster) -> None:
+    flat = np.full((3, 256, 256), 7, np.uint8)
+    mosaic, other = make_raster("mosaic.tif", flat), make_raster("other.tif", flat)
+    assert told(mosaic, [other]) == (["other.tif"], {})
+
+
+def test_only_those_that_lie_where_the_mosaic_lies_are_opened(
+    paths: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    raster = describe_mosaic(RasterRef(paths[2]))
+    x, y, right, top = raster.extent
+    wide = right - x
+    others = [(x, y, x + 0.8 * wide, top), (x + 500, y, right + 500, top)]
+    sources = [Source(RasterRef(f"{number}.tif"), extent) for number, extent in enumerate(others)]
+    monkeypatch.setattr(raster_pool.RasterPool, "open", None)
+    assert leave_out_copies(raster, sources) == (sources, [])
+
+
+def test_one_that_can_not_be_read_is_left_to_the_scan(paths: list[str]) -> None:
+    raster = describe_mosaic(RasterRef(paths[2]))
+    os.truncate(paths[0], 3000)
+    sources = [Source(RasterRef(path), raster.extent) for path in (paths[0], "gone.tif")]
+    assert leave_out_copies(raster, sources) == (sources, [])
+
+
+# --- real images -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["mosaic_hardseam.tif", "mosaic_feather0p4m.tif"])
+def test_brighton_and_copies_of_it(data_folder: Path, tmp_path: Path, name: str) -> None:
+    folder = data_folder / "seams" / "brighton"
+    mosaic = str(folder / name)
+    sources = sorted(map(str, folder.glob("*_ortho.tif")))
+    made = {kind: str(tmp_path / f"{kind}.tif") for kind in ("jpeg", "average", "nearest", "copy")}
+    gdal.Translate(made["jpeg"], mosaic, creationOptions=["COMPRESS=JPEG", "JPEG_QUALITY=75", "TILED=YES"])
+    gdal.Translate(made["average"], mosaic, widthPct=25, heightPct=25, resampleAlg="average")
+    gdal.Translate(made["nearest"], mosaic, widthPct=50, heightPct=50, resampleAlg="nearest")
+    gdal.Translate(made["copy"], mosaic)
+    kept, notices = told(mosaic, [*made.values(), *sources])
+    assert kept == [Path(path).name for path in sources]
+    assert notices == {
+        "copy.tif": messages.COPY_AMONG_SOURCES.template,
+        "average.tif": messages.OVERVIEW_AMONG_SOURCES.template,
+        "nearest.tif": messages.OVERVIEW_AMONG_SOURCES.template,
+        "jpeg.tif": messages.COPY_AMONG_SOURCES.template,
+    }

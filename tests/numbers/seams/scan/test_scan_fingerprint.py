@@ -1,0 +1,127 @@
+"""A scan goes on where it stopped only with the same inputs: the fingerprint changes with each of them."""
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.scan.journal import scan_fingerprint
+from seam_inspector.plugin.seams.measure.scan.journal.scan_fingerprint import MOST_ASKED, fingerprint_of, what_changed
+from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.source_images import Source
+
+from tests.numbers.conftest import MakeRaster
+from tests.numbers.synthetic import orthoimage
+from tests.range_server import serving
+
+SETTINGS = ScanSettings()
+EXTENT = (0.0, 0.0, 10.0, 10.0)
+LINE = np.array([[0.0, 0.5], [1.0, 2.0]])
+
+
+@pytest.fixture
+def files(make_raster: MakeRaster) -> dict[str, str]:
+    """A mosaic, a source, one in an archive and a VRT of another one; by what they are."""
+    made = {name: make_raster(f"{name}.tif", orthoimage((64, 64))) for name in ("mosaic", "plain", "inner", "part")}
+    folder = Path(made["mosaic"]).parent
+    with zipfile.ZipFile(folder / "archive.zip", "w") as archive:
+        archive.write(made["inner"], "inner.tif")
+    gdal.BuildVRT(str(folder / "of & parts.vrt"), [made["part"]]).FlushCache()
+    made["archive"] = f"/vsizip/{folder}/archive.zip/inner.tif"
+    made["vrt"] = str(folder / "of & parts.vrt")
+    return made
+
+
+def taken(files: dict[str, str], settings: ScanSettings = SETTINGS, seams: object = (LINE,)) -> str:
+    sources = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "archive", "vrt")]
+    return fingerprint_of(RasterRef(files["mosaic"]), sources, settings, seams)  # type: ignore[arg-type]
+
+
+def touch(path: str) -> None:
+    os.utime(path, ns=(1, os.stat(path).st_mtime_ns + 1))
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        (lambda files: touch(files["mosaic"]), "the mosaic"),
+        (lambda files: Path(files["mosaic"] + ".msk").write_bytes(b"x"), "the mosaic"),
+        (lambda files: touch(files["plain"]), "the sources or one of their files"),
+        (lambda files: touch(str(Path(files["plain"]).parent / "archive.zip")), "the sources or one of their files"),
+        (lambda files: touch(files["part"]), "the sources or one of their files"),
+        (lambda files: Path(files["part"]).unlink(), "the sources or one of their files"),
+    ],
+)
+def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dict[str, str]], None], what: str) -> None:
+    before = taken(files)
+    assert taken(files) == before
+    change(files)
+    assert str(what_changed(before, taken(files))) == what
+
+
+def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
+    files: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = taken(files)
+    assert str(what_changed(before, taken(files, ScanSettings(piece_m=26)))) == "a setting"
+    moved = LINE + [[0, 0], [0, 1e-9]]
+    for seams in ((moved,), (LINE, LINE), (LINE[:1], LINE[1:]), (LINE.astype(np.float32),), (), (b"", "", 0)):
+        assert str(what_changed(before, taken(files, seams=seams))) == "the seam lines"
+    refs = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "part")]
+    first, second = (fingerprint_of(RasterRef(files["mosaic"]), some, None) for some in (refs, refs[::-1]))
+    assert str(what_changed(first, second)) == "the sources or one of their files"
+    monkeypatch.setattr(scan_fingerprint, "_version", lambda: "0")
+    assert str(what_changed(before, taken(files))) == "the plugin's version"
+
+
+def test_a_remote_mosaic_and_few_remote_sources_are_asked_for(files: dict[str, str]) -> None:
+    folder = Path(files["mosaic"]).parent
+    with serving(folder) as server:
+
+        def found(count: int) -> str:
+            sources = [Source(RasterRef(server.vsi(f"plain.tif?{number}")), EXTENT) for number in range(count)]
+            return fingerprint_of(RasterRef(server.address("mosaic.tif")), sources, SETTINGS)
+
+        first = found(3)
+        assert found(3) == first
+        touch(files["mosaic"])  # as large as before
+        second = found(3)
+        assert str(what_changed(first, second)) == "the mosaic"
+        touch(files["plain"])
+        assert str(what_changed(second, found(3))) == "the sources or one of their files"
+        assert server.sent == 0
+        server.forget()
+        found(MOST_ASKED + 1)
+        assert {answer.path for answer in server.answers} == {"/mosaic.tif"}
+
+
+def test_another_process_finds_the_same(files: dict[str, str]) -> None:
+    code = f"""
+from tests.numbers.seams.scan.test_scan_fingerprint import taken
+print(taken({files!r}))
+"""
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == taken(files)
+
+
+def test_a_hundred_thousand_sources_take_seconds_and_none_is_opened(
+    make_raster: MakeRaster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = make_raster("mosaic.tif", orthoimage((64, 64)))
+    links = [tmp_path / f"{number}.tif" for number in range(1000)]
+    for link in links:
+        os.link(path, link)
+    sources = [Source(RasterRef(str(link)), EXTENT) for link in links for _ in range(80)]
+    sources += [Source(RasterRef(f"/vsicurl/http://192.0.2.1/{n}.tif"), EXTENT) for n in range(20_000)]
+    monkeypatch.setattr(gdal, "OpenEx", None)
+    started = time.process_time()
+    fingerprint_of(RasterRef(path), sources, SETTINGS)
+    assert time.process_time() - started < 10

@@ -1,0 +1,286 @@
+"""What a scan has measured is on disk, whole, whatever ends its process; another scan's is never taken for it."""
+from __future__ import annotations
+
+import errno
+import os
+import random
+import signal
+import struct
+import subprocess
+import sys
+import time
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.message import INFO, WARNING, Message
+from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import ScanJournal, open_journal
+
+from tests.numbers.disks import full_disk
+
+PRINT = "version=1 mosaic=2 sources=3 settings=4 seams=5"
+RESULTS = {"0": b"first", "1": b"", "ø/2": bytes(range(256)) * 50}
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "loss.tif.scan"
+
+
+def contents(journal: ScanJournal) -> dict[str, bytes]:
+    return {key: journal.load(key) for key in journal.keys}
+
+
+def written(path: Path, results: dict[str, bytes] = RESULTS) -> Path:
+    journal, _ = open_journal(path, PRINT)
+    for key, payload in results.items():
+        journal.save(key, payload)
+    journal.close()
+    return path
+
+
+def reopened(path: Path, fingerprint: str = PRINT) -> tuple[dict[str, bytes], Message | None]:
+    journal, notice = open_journal(path, fingerprint)
+    found = contents(journal)
+    journal.close()
+    return found, notice
+
+
+def sentence(notice: Message | None) -> str | None:
+    return None if notice is None else notice.template
+
+
+def test_what_was_saved_is_there_in_its_order(path: Path) -> None:
+    journal, notice = open_journal(path, PRINT)
+    assert notice is None
+    for key, payload in RESULTS.items():
+        journal.save(key, payload)
+        assert journal.load(key) == payload
+    assert list(journal.keys) == list(RESULTS)
+    journal.save("0", b"anew")
+    assert journal.load("0") == b"anew"
+    journal.close()
+    found, notice = reopened(path)
+    assert found == {**RESULTS, "0": b"anew"}
+    assert str(notice) == "The scan goes on where it stopped; blocks that are done already: 3."
+    assert notice is not None
+    assert notice.level is INFO
+    with pytest.raises(KeyError):
+        open_journal(path, PRINT)[0].load("never")
+
+
+def test_a_journal_without_results_has_nothing_to_say(path: Path) -> None:
+    assert reopened(written(path, {})) == ({}, None)
+
+
+def test_a_complete_scan_leaves_nothing(path: Path, tmp_path: Path) -> None:
+    journal, _ = open_journal(path, PRINT)
+    journal.save("0", b"x")
+    journal.remove()
+    assert os.listdir(tmp_path) == []
+    assert reopened(path) == ({}, None)
+
+
+@pytest.mark.parametrize(
+    ("other", "what"),
+    [
+        ("version=9 mosaic=2 sources=3 settings=4 seams=5", "the plugin's version"),
+        ("version=1 mosaic=9 sources=3 settings=4 seams=5", "the mosaic"),
+        ("version=1 mosaic=2 sources=9 settings=4 seams=5", "the sources or one of their files"),
+        ("version=1 mosaic=2 sources=3 settings=9 seams=5", "a setting"),
+        ("version=1 mosaic=2 sources=3 settings=4 seams=9", "the seam lines"),
+        ("anything else", "an input or a setting"),
+    ],
+)
+def test_what_changed_is_said_and_nothing_of_the_other_scan_is_kept(path: Path, other: str, what: str) -> None:
+    found, notice = reopened(written(path), other)
+    assert found == {}
+    assert str(notice) == f"The scan starts anew, since {what} changed since it stopped."
+    assert notice is not None
+    assert notice.level is WARNING
+    assert sentence(reopened(path)[1]) == messages.SCAN_ANEW.template  # the other one's is the journal's now
+
+
+def test_cut_off_anywhere_it_keeps_all_records_that_are_whole(path: Path, tmp_path: Path) -> None:
+    whole = written(path).read_bytes()
+    ends = []  # of the fingerprint's record and of each result's
+    for count in range(len(RESULTS) + 1):
+        ends.append(written(tmp_path / f"{count}", dict(list(RESULTS.items())[:count])).stat().st_size)
+    lengths = {*range(ends[2] + 60), *(end + d for end in ends for d in (-1, 0, 1)), len(whole) - 1000}
+    for length in sorted(lengths & set(range(len(whole) + 1))):
+        for tail in (b"", b"\0" * 500):  # the power went: the file has its new length, and its end never came
+            path.write_bytes(whole[:length] + (tail if length < len(whole) else b""))
+            found, notice = reopened(path)
+            kept = sum(end <= length for end in ends) - 1
+            assert found == dict(list(RESULTS.items())[: max(kept, 0)]), length
+            if not tail:
+                assert sentence(notice) == (messages.SCAN_GOES_ON.template if kept > 0 else None), length
+            journal, _ = open_journal(path, PRINT)  # and it goes on from there
+            journal.save("next", b"next")
+            journal.close()
+            assert reopened(path)[0] == {**found, "next": b"next"}
+
+
+def test_a_damaged_record_costs_what_follows_and_is_told(path: Path) -> None:
+    whole = bytearray(written(path).read_bytes())
+    whole[whole.index(b"first") + 1] ^= 4
+    path.write_bytes(whole)
+    found, notice = reopened(path)
+    assert found == {}
+    assert notice is not None
+    assert str(notice) == f"{path} is damaged; the blocks before are kept (0), and the others are measured again."
+    assert notice.level is WARNING
+    assert reopened(path) == ({}, None)
+
+
+def test_a_damaged_fingerprint_starts_anew_and_is_told(path: Path) -> None:
+    whole = bytearray(written(path).read_bytes())
+    whole[whole.index(b"mosaic=")] ^= 4
+    path.write_bytes(whole)
+    found, notice = reopened(path)
+    assert found == {}
+    assert str(notice) == f"The scan starts anew, since nothing in {path} can be read any more."
+
+
+def test_a_length_beyond_reason_is_no_reason_to_fill_the_memory(path: Path) -> None:
+    with written(path).open("ab") as file:
+        file.write(struct.pack("<IQ16s", 2**31, 2**62, b"x" * 16) + b"rest")
+    assert reopened(path)[0] == RESULTS
+
+
+@pytest.mark.parametrize("other", [b"II*\0 a picture, perhaps the only one", bytes(100_000), b"\0" * 50 + b"x"])
+def test_a_file_of_somebody_else_is_left_as_it_is(path: Path, other: bytes) -> None:
+    path.write_bytes(other)
+    with pytest.raises(SettingsError, match="was not left by a scan; move it away"):
+        open_journal(path, PRINT)
+    assert path.read_bytes() == other
+
+
+def test_a_record_that_the_disk_lost_while_the_scan_runs_is_told(path: Path) -> None:
+    journal, _ = open_journal(written(path), PRINT)
+    with path.open("r+b") as file:
+        file.truncate(path.stat().st_size - 10)
+    with pytest.raises(SettingsError, match=r"can't be read any more .*; start the scan again"):
+        journal.load("ø/2")
+
+
+def test_a_folder_that_is_not_there_gets_a_sentence(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match=r"can't be written \(No such file or directory\); choose another folder"):
+        open_journal(tmp_path / "gone" / "loss.scan", PRINT)
+
+
+def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> None:
+    journal, _ = open_journal(path, PRINT)
+    journal.save("0", b"x" * 1000)
+    with full_disk(4096):
+        with pytest.raises(SettingsError) as caught:
+            journal.save("1", b"y" * 10_000)
+        journal.save("2", b"z" * 1000)  # a small one still finds room
+    assert str(caught.value) == (
+        f"{path} can't be written (File too large). What was measured is kept (blocks done: 1); make room on the disk "
+        "and start the scan again with the same output to go on."
+    )
+    journal.save("1", b"y" * 10_000)
+    journal.close()
+    assert reopened(path)[0] == {"0": b"x" * 1000, "2": b"z" * 1000, "1": b"y" * 10_000}
+
+
+# --- one scan at a time, killed at any moment ------------------------------------------------------------------
+
+WRITER = """
+import sys
+from pathlib import Path
+from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import open_journal
+journal, _ = open_journal(Path(sys.argv[1]), sys.argv[2])
+print("open", flush=True)
+done = len(journal.keys)
+while True:
+    journal.save(str(done), str(done).encode() * (1 + done % 30_000))
+    done += 1
+    print(done, flush=True)
+"""
+
+
+def start(path: Path) -> subprocess.Popen[str]:
+    writer = subprocess.Popen([sys.executable, "-c", WRITER, str(path), PRINT], stdout=subprocess.PIPE, text=True)
+    assert writer.stdout is not None
+    assert writer.stdout.readline() == "open\n"
+    return writer
+
+
+def test_another_scan_is_refused_until_the_first_one_ends_or_dies(path: Path) -> None:
+    journal, _ = open_journal(path, PRINT)
+    with pytest.raises(SettingsError, match=r"Another scan is writing this output .* wait until it has ended"):
+        open_journal(path, PRINT)  # in this process
+    journal.close()
+    writer = start(path)
+    with pytest.raises(SettingsError, match="Another scan"):
+        open_journal(path, "another fingerprint")
+    writer.kill()
+    writer.communicate()
+    open_journal(path, PRINT)[0].close()
+
+
+def test_on_windows_a_byte_far_behind_the_file_is_locked(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is locked there can't be read by others, and a copy of the journal may be wanted."""
+    from seam_inspector.plugin.seams.measure.scan.journal import file_lock
+
+    asked = []
+
+    def locking(handle: int, mode: int, count: int) -> None:
+        asked.append((os.lseek(handle, 0, os.SEEK_CUR), mode, count))
+        if len(asked) > 1:
+            raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setitem(sys.modules, "msvcrt", SimpleNamespace(locking=locking, LK_NBLCK=2))
+    with path.open("w+b", buffering=0) as file:
+        file.write(b"something")
+        monkeypatch.setattr(file_lock, "os", SimpleNamespace(name="nt"))
+        assert file_lock.lock_file(file)
+        assert file.tell() == len(b"something")
+        assert not file_lock.lock_file(file)
+    assert asked == [(1 << 43, 2, 1)] * 2
+    assert path.read_bytes() == b"something"
+
+
+def test_a_disk_without_locks_is_told(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import fcntl
+
+    def refuse(file: object, how: int) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(fcntl, "flock", refuse)
+    with pytest.raises(SettingsError, match=r"can't be kept to one scan on this disk \(No locks available\)"):
+        open_journal(path, PRINT)
+
+
+def test_a_journal_that_is_removed_as_it_is_opened_is_made_again(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from seam_inspector.plugin.seams.measure.scan.journal import scan_journal
+
+    lock, ended = scan_journal.lock_file, []
+
+    def lock_after_the_other_ended(file: object) -> bool:
+        if not ended:
+            ended.append(True)
+            path.unlink()
+        return bool(lock(file))
+
+    monkeypatch.setattr(scan_journal, "lock_file", lock_after_the_other_ended)
+    written(path)
+    assert reopened(path)[0] == RESULTS
+
+
+def test_killed_at_random_moments_it_has_all_that_was_told_to_be_done(path: Path) -> None:
+    rng = random.Random(1)
+    for _ in range(10):
+        writer = start(path)
+        time.sleep(rng.uniform(0, 0.08))
+        writer.send_signal(signal.SIGKILL)
+        told = writer.communicate()[0].split()
+        found, notice = reopened(path)
+        assert len(found) >= (int(told[-1]) if told else 0)
+        assert sentence(notice) in (None, messages.SCAN_GOES_ON.template)
+        assert found == {str(n): str(n).encode() * (1 + n % 30_000) for n in range(len(found))}
+    assert found

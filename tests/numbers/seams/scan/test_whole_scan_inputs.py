@@ -1,0 +1,50 @@
+"""What makes a scan start anew, and what does not."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.atomic_files import drop_unfinished
+from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.scan.journal.scan_fingerprint import fingerprint_of
+
+from tests.numbers.synthetic import orthoimage, write_raster
+
+
+@pytest.fixture
+def mosaic(tmp_path: Path) -> Path:
+    return Path(write_raster(tmp_path / "mosaic.tif", orthoimage((64, 64))))
+
+
+def test_statistics_that_are_written_beside_a_mosaic_change_nothing(mosaic: Path) -> None:
+    """QGIS writes them when it first shows a raster, in the middle of a scan perhaps."""
+    before = fingerprint_of(RasterRef(str(mosaic)), [], None)
+    dataset = gdal.Open(str(mosaic))
+    dataset.GetRasterBand(1).ComputeStatistics(False)
+    dataset.GetRasterBand(2).GetDefaultHistogram(force=True)
+    del dataset
+    assert "STATISTICS_MEAN" in mosaic.with_name("mosaic.tif.aux.xml").read_text(encoding="utf-8")
+    assert fingerprint_of(RasterRef(str(mosaic)), [], None) == before
+
+
+@pytest.mark.parametrize("said", ["<PAMRasterBand band='1'><NoDataValue>7</NoDataValue></PAMRasterBand>", "<broken"])
+def test_a_nodata_value_that_is_written_beside_it_does(mosaic: Path, said: str) -> None:
+    before = fingerprint_of(RasterRef(str(mosaic)), [], None)
+    mosaic.with_name("mosaic.tif.aux.xml").write_text(f"<PAMDataset>{said}</PAMDataset>", encoding="utf-8")
+    assert fingerprint_of(RasterRef(str(mosaic)), [], None) != before
+
+
+def test_what_a_killed_scan_left_goes_and_nothing_else(tmp_path: Path) -> None:
+    for folder, names in (("own", ["loss.tif", "loss.tif.aux.xml"]), ("other", ["else.tif"]), ("empty", [])):
+        (tmp_path / f".unfinished-{folder}").mkdir()
+        for name in names:
+            (tmp_path / f".unfinished-{folder}" / name).write_bytes(b"half")
+    drop_unfinished(tmp_path / "loss.tif")
+    assert sorted(path.name for path in tmp_path.iterdir()) == [".unfinished-empty", ".unfinished-other"]
+
+
+def test_equal_messages_are_told_once() -> None:
+    cannot = Message("{name} can't be read.")
+    assert len({cannot(name="a"), cannot(name="a"), cannot(name="b")}) == 2
