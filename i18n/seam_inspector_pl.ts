@@ -4,7 +4,7 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="46"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="45"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
@@ -14,32 +14,32 @@
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="58"/>
         <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="102"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="114"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="113"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="104"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
         <source>Detail by direction</source>
         <translation>Detale według kierunków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy składowe kierunkowe każdego poziomu: LH, w której ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="113"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="104"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
@@ -49,17 +49,17 @@
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="121"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="113"/>
         <source>The rectangles as measured, with their verdict and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="117"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="117"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
@@ -69,17 +69,17 @@
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="129"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="121"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="139"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="131"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="139"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="131"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
@@ -94,52 +94,52 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="54"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="56"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="54"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="56"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="59"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="60"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="61"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="63"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1% lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="73"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="75"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="73"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="75"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="85"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="87"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="46"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="47"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="97"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="39"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="40"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -419,7 +419,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="99"/>
+        <location filename="../plugin/seams/measure/messages.py" line="112"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -504,7 +504,7 @@
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="31"/>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="28"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
@@ -599,7 +599,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="36"/>
+        <location filename="../plugin/seams/window_summary.py" line="38"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -724,7 +724,7 @@
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="184"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="186"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -774,7 +774,7 @@
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="188"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
@@ -789,72 +789,72 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="42"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="45"/>
         <source>Visible (V)</source>
         <translation>Widoczna (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="42"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="45"/>
         <source>The loss of detail can be seen at 2x magnification. Click again to take it back.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="46"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="49"/>
         <source>Invisible (I)</source>
         <translation>Niewidoczna (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="46"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="49"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification. Click again to take it back.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="52"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="55"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="52"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="55"/>
         <source>Selects the next compared window that is not judged yet.</source>
         <translation>Zaznacza następne porównane okno bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="55"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="58"/>
         <source>Selects the window before this one.</source>
         <translation>Zaznacza poprzednie okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="61"/>
         <source>Selects the window after this one.</source>
         <translation>Zaznacza następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="62"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="65"/>
         <source>Next window to judge</source>
         <translation>Następne okno bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="95"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="98"/>
         <source>{judged} of {count} compared windows are judged.</source>
         <translation>Porównane okna z opinią obserwatora: {judged} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="193"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="197"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="199"/>
+        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="203"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
@@ -864,107 +864,107 @@
         <translation>Dwukrotne kliknięcie powiększa do okna; klawisz Del usuwa zaznaczone okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="157"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="156"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="160"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="154"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="158"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="201"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="54"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="55"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
         <source>Windows without the observer&apos;s word.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="209"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="213"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="211"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="215"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>The selected windows are not judged yet.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -974,57 +974,57 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="33"/>
+        <location filename="../plugin/seams/desk/dock.py" line="57"/>
         <source>Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square.</source>
         <translation>Kliknięcie: okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="89"/>
+        <location filename="../plugin/seams/desk/dock.py" line="150"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="89"/>
+        <location filename="../plugin/seams/desk/dock.py" line="150"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="92"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="92"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="96"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="96"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="99"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="99"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="104"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="104"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Undo the last change of the windows (Ctrl+Z)</source>
         <translation>Cofnij ostatnią zmianę okien (Ctrl+Z)</translation>
     </message>
@@ -1034,32 +1034,32 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="181"/>
+        <location filename="../plugin/seams/desk/dock.py" line="285"/>
         <source>{done} of {asked} windows</source>
         <translation>Okna: {done} z {asked}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="30"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="74"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="88"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="75"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="89"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="76"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="90"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
@@ -1149,32 +1149,32 @@
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="54"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="55"/>
         <source>Check all rasters that overlap the mosaic</source>
         <translation>Zaznacz wszystkie rastry nachodzące na ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="55"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="56"/>
         <source>Check no raster; missing ones are removed</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="56"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="57"/>
         <source>The orthoimages that the mosaic was made from. Uncheck a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="66"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="67"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="185"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="187"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="190"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="192"/>
         <source>does not overlap the mosaic: {path}</source>
         <translation>nie nachodzi na ortofotomapę: {path}</translation>
     </message>
@@ -1514,12 +1514,12 @@
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="86"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="89"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="198"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -1534,19 +1534,14 @@
         <translation>Wycinki zaznaczonego okna obok siebie, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
-        <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken against, seam cells</source>
-        <translation>Odstęp rozmieszczanych okien, falka, poziomy, granica istotnej straty i to, względem czego się ją określa, komórki mozaiki</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu 'source' mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="80"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="94"/>
         <source>Seam &amp;cells</source>
-        <translation>&amp;Komórki mozaiki</translation>
+        <translation>Komórki &amp;mozaiki</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="13"/>
@@ -1899,17 +1894,17 @@
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="70"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycie; w pozostałych miejscach jest on ustalany na podstawie samych detali.</translation>
     </message>
@@ -2019,7 +2014,7 @@
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: kreski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="110"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="122"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
@@ -3044,32 +3039,32 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/messages.py" line="114"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="105"/>
+        <location filename="../plugin/seams/measure/messages.py" line="118"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="106"/>
+        <location filename="../plugin/seams/measure/messages.py" line="119"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="102"/>
+        <location filename="../plugin/seams/measure/messages.py" line="115"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="35"/>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -3079,77 +3074,77 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny folder.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola '{field}'; wybierz warstwę skontrolowanych okien, taką, jaką zostawia 'Skontroluj okna'.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/messages.py" line="143"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="142"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="150"/>
+        <location filename="../plugin/seams/measure/messages.py" line="163"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="167"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/messages.py" line="137"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="127"/>
+        <location filename="../plugin/seams/measure/messages.py" line="140"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/messages.py" line="173"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="172"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -3164,12 +3159,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <location filename="../plugin/toolkit/messages.py" line="39"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="32"/>
+        <location filename="../plugin/toolkit/messages.py" line="40"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -5004,52 +4999,52 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="50"/>
+        <location filename="../plugin/seams/window_summary.py" line="52"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="52"/>
+        <location filename="../plugin/seams/window_summary.py" line="54"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="56"/>
+        <location filename="../plugin/seams/window_summary.py" line="58"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="58"/>
+        <location filename="../plugin/seams/window_summary.py" line="60"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="59"/>
+        <location filename="../plugin/seams/window_summary.py" line="61"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="62"/>
+        <location filename="../plugin/seams/window_summary.py" line="64"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="64"/>
+        <location filename="../plugin/seams/window_summary.py" line="66"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="66"/>
+        <location filename="../plugin/seams/window_summary.py" line="68"/>
         <source>the sources lie {length} px apart</source>
         <translation>ortoobrazy są od siebie odsunięte o {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="69"/>
+        <location filename="../plugin/seams/window_summary.py" line="71"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="71"/>
+        <location filename="../plugin/seams/window_summary.py" line="73"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
@@ -5059,22 +5054,22 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="85"/>
+        <location filename="../plugin/seams/window_summary.py" line="87"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="87"/>
+        <location filename="../plugin/seams/window_summary.py" line="89"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="89"/>
+        <location filename="../plugin/seams/window_summary.py" line="91"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="91"/>
+        <location filename="../plugin/seams/window_summary.py" line="93"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -5394,7 +5389,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="100"/>
+        <location filename="../plugin/seams/desk/dock.py" line="170"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -5534,47 +5529,47 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <location filename="../plugin/seams/window_summary.py" line="105"/>
         <source>There is no seam in the window to be judged.</source>
         <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="103"/>
+        <location filename="../plugin/seams/window_summary.py" line="107"/>
         <source>The window has {percent} % of the sharpness of its sources.</source>
         <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="108"/>
+        <location filename="../plugin/seams/window_summary.py" line="112"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="113"/>
+        <location filename="../plugin/seams/window_summary.py" line="117"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="117"/>
+        <location filename="../plugin/seams/window_summary.py" line="121"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="122"/>
+        <location filename="../plugin/seams/window_summary.py" line="126"/>
         <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="132"/>
+        <location filename="../plugin/seams/window_summary.py" line="136"/>
         <source>; the rest is as sharp as its sources.</source>
         <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="133"/>
+        <location filename="../plugin/seams/window_summary.py" line="137"/>
         <source>; the whole window has {percent} % of the sharpness of its sources.</source>
         <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="144"/>
+        <location filename="../plugin/seams/window_summary.py" line="148"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -5619,47 +5614,47 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="49"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="50"/>
         <source>By the seam, a loss is significant when at most this share of the finest detail is kept along it</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="53"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="62"/>
         <source>What the verdict is taken by: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="77"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="91"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="78"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="92"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="79"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="93"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -5849,80 +5844,82 @@
         <translation>W całym oknie mozaika podąża za jednym obrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="82"/>
+        <location filename="../plugin/seams/measure/messages.py" line="83"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/measure/messages.py" line="87"/>
         <source>{share:.0f} % of the window is from none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="91"/>
         <source>{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/measure/messages.py" line="95"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania mozaika ma od {low:.0f} do {high:.0f} % detali obrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="99"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="91"/>
+        <location filename="../plugin/seams/measure/messages.py" line="104"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="95"/>
+        <location filename="../plugin/seams/measure/messages.py" line="108"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="47"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="46"/>
         <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where surely less than all is. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
         <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii zachowano 70 % lub mniej, a ocena brzmi reduced, gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="70"/>
         <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
         <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozytu ortoobrazów źródłowych bez wtapiania i terenu wokół. composite: całe okno względem tego kompozytu. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
         <source>Least share kept along the seam</source>
         <translation>Najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
         <source>A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
         <translation>Okno otrzymuje ocenę significant, gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
         <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
         <translation>Według reguły z artykułu okno otrzymuje ocenę significant, gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="133"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="133"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
@@ -5970,6 +5967,641 @@
         <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
+        <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
+        <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
+        <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="87"/>
+        <source>{name} is not on its server (HTTP {code}); check its address.</source>
+        <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
+        <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
+        <source>The server of {name} fails (HTTP {code}); try again later.</source>
+        <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
+        <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="91"/>
+        <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
+        <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
+        <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="97"/>
+        <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
+        <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <source>Scan</source>
+        <translation>Zbadaj</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
+        <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <source>Judge the worst places</source>
+        <translation>Oceń najgorsze miejsca</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <source>Judge the worst places of the last scan, worst first</source>
+        <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/scan_group.py" line="75"/>
+        <source>Open the scan&apos;s layers</source>
+        <translation>Otwórz warstwy badania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/scan_group.py" line="106"/>
+        <source>Picture of losses, so far</source>
+        <translation>Obraz strat (częściowy)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="119"/>
+        <source>Picture of losses</source>
+        <translation>Obraz strat</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <source>Source cells</source>
+        <translation>Komórki ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
+        <source>Seams</source>
+        <translation>Odcinki linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <source>Worst places</source>
+        <translation>Najgorsze miejsca</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="89"/>
+        <source>Scan of {mosaic}</source>
+        <translation>Badanie: {mosaic}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="92"/>
+        <source>Scan the mosaic</source>
+        <translation>Zbadaj ortofotomapę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="118"/>
+        <source>Scan: putting the blocks together, {percent} %</source>
+        <translation>Badanie: łączenie bloków, {percent} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="119"/>
+        <source>Scan: {percent} %</source>
+        <translation>Badanie: {percent} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/scan_words.py" line="12"/>
+        <source>less than a minute left</source>
+        <translation>została niecała minuta</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/scan_words.py" line="14"/>
+        <source>some {count} min left</source>
+        <translation>zostało ok. {count} min</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/scan_words.py" line="15"/>
+        <source>some {count} h left</source>
+        <translation>zostało ok. {count} godz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="176"/>
+        <source>Scanned: no seam was found.</source>
+        <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="178"/>
+        <source>Scanned {metres} m of seams: no significant loss</source>
+        <translation>Zbadano {metres} m linii: brak istotnej straty</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="180"/>
+        <source>Scanned {metres} m of seams: significant loss on {failed} m</source>
+        <translation>Zbadano {metres} m linii: istotna strata na {failed} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="184"/>
+        <source>Notes in the log: {count}.</source>
+        <translation>Uwagi w dzienniku: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="30"/>
+        <source>Judge the {count} worst</source>
+        <translation>Oceń najgorsze ({count})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="30"/>
+        <source>Judge the worst</source>
+        <translation>Oceń najgorsze</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="32"/>
+        <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
+        <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="32"/>
+        <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken against, seam cells, how a whole mosaic is scanned</source>
+        <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="72"/>
+        <source>along the seams</source>
+        <translation>wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="72"/>
+        <source>every pixel</source>
+        <translation>każdy piksel</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="74"/>
+        <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
+        <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="79"/>
+        <source>Metres of seam that a scan measures and judges as one</source>
+        <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="82"/>
+        <source>whole mosaic</source>
+        <translation>cała ortofotomapa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="83"/>
+        <source>Metres that a scan reads on either side of the seamlines</source>
+        <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="95"/>
+        <source>Sca&amp;n</source>
+        <translation>B&amp;adanie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="96"/>
+        <source>Se&amp;am pieces</source>
+        <translation>O&amp;dcinki linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="97"/>
+        <source>C&amp;orridor</source>
+        <translation>Kory&amp;tarz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="180"/>
+        <source>{density} is no density of a scan; give one of: {known}.</source>
+        <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
+        <source>The picture of losses has no cells of {cell} pixels; give one of: {known}.</source>
+        <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="183"/>
+        <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
+        <translation>Raster {name} nie ma kanału {band}, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.</source>
+        <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
+        <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="191"/>
+        <source>The scan starts anew, since {what} changed since it stopped.</source>
+        <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="192"/>
+        <source>The scan starts anew, since nothing in {path} can be read any more.</source>
+        <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="193"/>
+        <source>{path} is damaged; the blocks before are kept ({done}), and the others are measured again.</source>
+        <translation>Plik {path} jest uszkodzony; bloki sprzed uszkodzenia są zachowane ({done}), a pozostałe są mierzone ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="196"/>
+        <source>{path} was not left by a scan; move it away, or choose another output.</source>
+        <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="197"/>
+        <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
+        <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="200"/>
+        <source>{path} can&apos;t be kept to one scan on this disk ({error}); choose an output on a local disk.</source>
+        <translation>Na tym dysku nie można zastrzec pliku {path} dla jednego badania ({error}); wybierz plik wyniku na dysku lokalnym.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="203"/>
+        <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
+        <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="204"/>
+        <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
+        <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="208"/>
+        <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
+        <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="212"/>
+        <source>the plugin&apos;s version</source>
+        <translation>wersja wtyczki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="213"/>
+        <source>the mosaic</source>
+        <translation>ortofotomapa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="214"/>
+        <source>the sources or one of their files</source>
+        <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="215"/>
+        <source>a setting</source>
+        <translation>ustawienia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="216"/>
+        <source>the seam lines</source>
+        <translation>linie mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="217"/>
+        <source>an input or a setting</source>
+        <translation>dane wejściowe lub ustawienia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="218"/>
+        <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
+        <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="221"/>
+        <source>The scan was stopped; started again with the same output it goes on from here.</source>
+        <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="223"/>
+        <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
+        <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="224"/>
+        <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
+        <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="227"/>
+        <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
+        <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="231"/>
+        <source>The seamline layer names no orthoimages; what lies beside its seams is called by its dates, of the field &apos;{field}&apos;.</source>
+        <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów; to, co leży po obu stronach linii, jest nazywane według dat z pola „{field}”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="235"/>
+        <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
+        <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="239"/>
+        <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
+        <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="242"/>
+        <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
+        <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="245"/>
+        <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
+        <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="248"/>
+        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
+        <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="252"/>
+        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all ({names} first of all); which one lies on top can&apos;t be told, so no seam is measured there.</source>
+        <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="256"/>
+        <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
+        <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <source>Orthoimages that the seamline layer names and that are not given: {count} ({names} first of all).</source>
+        <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
+        <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="268"/>
+        <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
+        <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="271"/>
+        <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
+        <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
+        <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="279"/>
+        <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
+        <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
+        <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="295"/>
+        <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
+        <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="298"/>
+        <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
+        <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
+        <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="305"/>
+        <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
+        <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="308"/>
+        <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
+        <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="311"/>
+        <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
+        <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="314"/>
+        <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
+        <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
+        <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="322"/>
+        <source>None of the orthoimages can be used, for the reasons that are told; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
+        <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="326"/>
+        <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
+        <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="56"/>
+        <source>Scan a whole mosaic</source>
+        <translation>Zbadaj całą ortofotomapę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="57"/>
+        <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
+        <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="71"/>
+        <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
+        <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
+        <source>Field with the orthoimage&apos;s name</source>
+        <translation>Pole z nazwą ortoobrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
+        <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
+        <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <source>Corridor (metres)</source>
+        <translation>Korytarz (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
+        <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
+        <source>Density</source>
+        <translation>Gęstość pomiaru</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
+        <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
+        <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <source>Length of a piece of seam (metres)</source>
+        <translation>Długość odcinka linii mozaikowania (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <source>Seams are measured and judged in pieces of about this length.</source>
+        <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
+        <source>Cell of the picture (pixels)</source>
+        <translation>Komórka obrazu strat (piksele)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
+        <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
+        <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
+        <source>Windows of the worst places</source>
+        <translation>Liczba okien najgorszych miejsc</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
+        <source>How many windows are placed where least was kept.</source>
+        <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="119"/>
+        <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
+        <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
+        <source>Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict.</source>
+        <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
+        <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
+        <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <source>Length of all seams (metres)</source>
+        <translation>Długość wszystkich linii mozaikowania (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <source>Length with a significant loss (metres)</source>
+        <translation>Długość z istotną stratą (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <source>Least share kept by a piece</source>
+        <translation>Najmniejsza część zachowana przez odcinek</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
+        <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
+        <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="179"/>
+        <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
+        <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <source>{name} is {value:g}; give a number of {least} or more.</source>
+        <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
+        <translation>{name} wszędzie jest taki jak mozaika, jest więc jej kopią albo mozaiką, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako obraz źródłowy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="291"/>
+        <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells nothing, so give the orthoimages that the mosaic was made from.</source>
+        <translation>{name} wszędzie jest taki jak mozaika i nie ma innego obrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc obrazy źródłowe, z których mozaika powstała.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="334"/>
+        <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
+        <translation>Żaden z podanych obrazów źródłowych nie wyjaśnia mozaiki wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="337"/>
+        <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
+        <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="340"/>
+        <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
+        <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="343"/>
+        <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
+        <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="346"/>
+        <source>The corridor counts only with seamlines; without them all of the mosaic is read.</source>
+        <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała mozaika.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="349"/>
+        <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
+        <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
 </context>
 </TS>

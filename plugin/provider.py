@@ -17,6 +17,7 @@ from .seams.algorithms.inspectwindows import InspectWindows
 from .seams.algorithms.placewindows import PlaceWindows
 from .seams.algorithms.predictloss import PredictLoss
 from .seams.algorithms.report import Report
+from .seams.algorithms.scanmosaic import ScanMosaic
 from .sensors.algorithms.comparesensormodels import CompareSensorModels
 from .sensors.algorithms.fitsensormodel import FitSensorModel
 from .sensors.algorithms.orthorectify import Orthorectify
@@ -26,6 +27,7 @@ from .toolkit.resources import icon_path, model_paths
 ALGORITHMS = (
     PlaceWindows,
     InspectWindows,
+    ScanMosaic,
     PredictLoss,
     CalibrateThreshold,
     Report,

@@ -32,6 +32,7 @@ GROUPS = {
     "Seam inspection": (
         "placewindows",
         "inspectwindows",
+        "scanmosaic",
         "predictloss",
         "calibratethreshold",
         "report",

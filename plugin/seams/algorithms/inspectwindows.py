@@ -10,7 +10,6 @@ from qgis.core import (
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
-    QgsProcessingParameterString,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
@@ -34,7 +33,7 @@ if TYPE_CHECKING:
     from ..measure.inspection import Block, InspectionSettings, WindowRequest
     from ..measure.seam_cells import Cell
 
-WINDOWS, CELLS, REFERENCE, DIRECTIONS, SCHEDULER = "WINDOWS", "CELLS", "REFERENCE", "DIRECTIONS", "SCHEDULER"
+WINDOWS, CELLS, REFERENCE, DIRECTIONS = "WINDOWS", "CELLS", "REFERENCE", "DIRECTIONS"
 MIN_KEPT = "MIN_KEPT"
 OUTPUT, CURVES, PAIRS, PROFILES = "OUTPUT", "CURVES", "PAIRS", "PROFILES"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
@@ -110,14 +109,7 @@ class InspectWindows(SeamInspectorAlgorithm):
             ),
             advanced=True,
         )
-        self.addDescribed(
-            QgsProcessingParameterString(SCHEDULER, tr("Dask scheduler"), optional=True),
-            tr(
-                "Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. "
-                "Empty: all cores of this machine."
-            ),
-            advanced=True,
-        )
+        self.addDescribed(*common.scheduler(), advanced=True)
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Inspected windows"), polygon),
             tr("The rectangles as measured, with their verdict and ratios: the largest over the sources."),
@@ -170,7 +162,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         drawn = WindowFeatures(windows, crs, run)
 
         verdicts: Counter[Verdict] = Counter()
-        with open_executor(run.text(SCHEDULER)) as (executor, ahead):
+        with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
             fields = result_tables.window_fields(settings.levels)
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)

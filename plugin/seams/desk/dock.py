@@ -2,21 +2,45 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Callable
 
-from qgis.core import QgsApplication, QgsCoordinateTransform, QgsCsException, QgsProject, QgsRectangle
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsProject,
+    QgsRectangle,
+    QgsVectorLayer,
+)
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import QSize, Qt
-from qgis.PyQt.QtGui import QKeySequence, QResizeEvent
-from qgis.PyQt.QtWidgets import QAction, QProgressBar, QSplitter, QTabWidget, QToolBar, QVBoxLayout, QWidget
+from qgis.PyQt.QtGui import QIcon, QKeySequence, QResizeEvent
+from qgis.PyQt.QtWidgets import (
+    QAction,
+    QGridLayout,
+    QProgressBar,
+    QSplitter,
+    QTabWidget,
+    QToolBar,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from ...toolkit.desk.scroll_body import ScrollBody
 from ...toolkit.desk.tabs import DeskTab
+from ...toolkit.desk.timers import single_shot
 from ...toolkit.desk.tool_dock import ToolDock
+from ...toolkit.resources import icon_path, style_path
 from ...toolkit.translation import tr
+from ..scan_job import ScanDone
 from .inputs.inputs_panel import InputsPanel
 from .map.window_tool import WindowTool
 from .report_writer import ReportWriter
+from .scan.mosaic_scans import MosaicScans
+from .scan.scan_group import show_layer
+from .scan.scan_message import ScanMessage
 from .session import Session
 from .windows.judge_bar import JudgeBar
 from .windows.windows_panel import WindowsPanel
@@ -42,20 +66,31 @@ class InspectionDock(ToolDock):
         self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
         self.reports = ReportWriter(self.session, self)
         self.reports.told.connect(self._show_message)
+        self.scans = MosaicScans(self.session, self)
+        self.scans.told.connect(self._show_message)
+        self.scans.changed.connect(self._follow_scan)
+        self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
+        self.scans.found.connect(self._tell_findings)
+        self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
         self._make_actions()
         self._lay_out()
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
         self.session.inputsChanged.connect(self._enable_actions)
+        self.scans.found.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.orderChanged.connect(self.judge.refresh)
         self.windows.zoomRequested.connect(self.zoom_to)
+        self.judge.stepped.connect(self.keep_in_view)
         self._enable_actions()
 
     def close_desk(self) -> None:
         super().close_desk()
         self.reports.close()
+        self._worst_inspector.stop()
+        self._findings.close()
+        self.scans.close()
         self.session.close()
         for panel in (self.inputs, self.windows, self.judge, *self.panels.values()):
             panel.close()
@@ -69,13 +104,39 @@ class InspectionDock(ToolDock):
         width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
         height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
         view = QgsRectangle.fromCenterAndSize(QgsRectangle(*row.extent).center(), width, height)
+        if (shown := self._on_map(layer, view)) is not None:
+            self._canvas.setExtent(shown)
+            self._canvas.refresh()
+
+    def keep_in_view(self, fid: int) -> None:
+        """Bring the middle of a window into sight where it is not, at the map's scale."""
+        row, layer = self.session.row(fid), self.session.window_layer()
+        if row is None or row.extent is None or layer is None:
+            return
+        box = self._on_map(layer, QgsRectangle(*row.extent))
+        if box is not None and not self._canvas.extent().contains(box.center()):
+            self._canvas.setCenter(box.center())
+            self._canvas.refresh()
+
+    def _on_map(self, layer: QgsVectorLayer, box: QgsRectangle) -> QgsRectangle | None:
+        """A rectangle in the map's reference system; None where it has no place there."""
         map_crs = self._canvas.mapSettings().destinationCrs()
         transform = QgsCoordinateTransform(layer.crs(), map_crs, QgsProject.instance().transformContext())
         try:
-            self._canvas.setExtent(transform.transformBoundingBox(view))
+            return transform.transformBoundingBox(box)
         except QgsCsException:
+            return None
+
+    def judge_worst(self) -> None:
+        """Take the worst windows of the last scan for the desk's own: inspected, and walked through, worst first."""
+        layer = self.scans.worst_layer()
+        if layer is None:
             return
-        self._canvas.refresh()
+        layer.loadNamedStyle(style_path("windows"))
+        show_layer(QgsProject.instance(), layer)
+        self.session.set_inputs(replace(self.session.inputs, windows=layer.id()))
+        self.windows.sort_by_number()
+        self._worst_inspector.start()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Side by side when the dock is wide, one above the other when it is narrow."""
@@ -93,10 +154,19 @@ class InspectionDock(ToolDock):
             "Start", tr("Inspect"), tr("Inspect all windows that are not inspected yet or have changed"),
             self.session.inspect_pending,
         )  # fmt: skip
+        self.scan = self._action(
+            "", tr("Scan"), tr("Scan the whole mosaic: where it lost detail, and what each piece of its seams kept"),
+            self.scans.start,
+        )  # fmt: skip
+        self.scan.setIcon(QIcon(icon_path("scan")))
+        self.worst = self._action(
+            "SelectAll", tr("Judge the worst places"), tr("Judge the worst places of the last scan, worst first"),
+            self.judge_worst,
+        )  # fmt: skip
         self.inspect_selected = self._action(
             "Refresh", tr("Again"), tr("Inspect the selected windows again"), self._inspect_selected
         )
-        self.stop = self._action("Stop", tr("Stop"), tr("Stop; what is done stays"), self.session.stop)
+        self.stop = self._action("Stop", tr("Stop"), tr("Stop; what is done stays"), self._stop)
         self.report = self._action(
             "NewReport", tr("Report"), tr("Write a report of the inspected windows, one HTML page that opens anywhere"),
             self.reports.ask,
@@ -116,14 +186,15 @@ class InspectionDock(ToolDock):
         size = self.fontMetrics().height() + 6
         toolbar.setIconSize(QSize(size, size))
         toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        known_by_icon = (self.inspect_selected, self.stop, self.undo, self.report)  # to save width
-        toolbar.addActions([self.draw, self.place, self.inspect, *known_by_icon])
+        texts = (self.place, self.inspect, self.scan)
+        toolbar.addActions([self.draw, *texts, self.inspect_selected, self.undo, self.report])
         for action in toolbar.actions():
             toolbar.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
-        for action in known_by_icon:
-            toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        self.progress = QProgressBar()
-        self.progress.setVisible(False)
+            if action not in texts:  # the others are known by their icons, to save width
+                toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        scan_button = toolbar.widgetForAction(self.scan)
+        scan_button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        scan_button.addAction(self.worst)
         tabs = QTabWidget()
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))
@@ -146,12 +217,43 @@ class InspectionDock(ToolDock):
         layout.addWidget(self.inputs)
         layout.addWidget(toolbar)
         layout.addWidget(self._splitter, 1)
-        layout.addWidget(self.progress)
+        layout.addWidget(self._progress_row())
         body.addActions([*self.judge.actions_for_dock(), self.undo])
         self.setWidget(ScrollBody(body))
 
+    def _progress_row(self) -> QWidget:
+        """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""
+        self.progress, self.scan_progress = QProgressBar(), QProgressBar()
+        self.scan_progress.setRange(0, 1000)
+        button = QToolButton()
+        button.setDefaultAction(self.stop)
+        button.setAutoRaise(True)
+        row = QWidget()
+        layout = QGridLayout(row)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(3)
+        for place, bar in enumerate((self.progress, self.scan_progress)):
+            bar.setVisible(False)
+            layout.addWidget(bar, place, 0)
+        layout.addWidget(button, 0, 1, 2, 1)
+        row.setVisible(False)
+        self._row = row
+        return row
+
     def _inspect_selected(self) -> None:
         self.session.inspect(self.session.selected())
+
+    def _stop(self) -> None:
+        self.scans.stop()
+        self.session.stop()
+
+    def _inspect_worst(self) -> None:
+        self.session.inspect_pending()
+        if windows := self.session.windows():
+            self.zoom_to(windows[0].fid)
+
+    def _tell_findings(self, done: ScanDone) -> None:
+        self._findings.show(done, self.scans.notes)
 
     def _undo(self) -> None:
         layer = self.session.window_layer()
@@ -164,7 +266,9 @@ class InspectionDock(ToolDock):
         self.place.setEnabled(ready and bool(self.session.inputs.seamlines))
         for action in (self.inspect, self.inspect_selected):
             action.setEnabled(ready and bool(windows))
-        self.stop.setEnabled(self.session.is_busy)
+        self.scan.setEnabled(self.scans.can_start)
+        self.worst.setEnabled(ready and self.scans.worst_layer() is not None)
+        self._offer_stop(self.session.is_busy)
         self.report.setEnabled(any(row.verdict for row in windows))
         layer = self.session.window_layer()
         self.undo.setEnabled(layer is not None and layer.isEditable() and layer.undoStack().canUndo())
@@ -179,4 +283,17 @@ class InspectionDock(ToolDock):
         self.progress.setRange(0, max(asked, 1))
         self.progress.setValue(done)
         self.progress.setFormat(tr("{done} of {asked} windows").format(done=done, asked=asked))
-        self.stop.setEnabled(asked > 0)
+        self._offer_stop(asked > 0)
+
+    def _offer_stop(self, is_session_busy: bool) -> None:
+        self.stop.setEnabled(is_session_busy or self.scans.is_busy)
+        self._row.setVisible(self.stop.isEnabled())
+
+    def _follow_scan(self) -> None:
+        news = self.scans.news
+        if self.scan_progress.isHidden() != (news is None):
+            self.scan_progress.setVisible(news is not None)
+            self._enable_actions()
+        if news is not None:
+            self.scan_progress.setValue(int(1000 * news.share))
+            self.scan_progress.setFormat(self.scans.progress())

@@ -19,6 +19,7 @@ from ..clip_pictures import ClipPicture
 from ..measure import messages
 from ..measure.inspection import Block, WindowRequest, WindowResult
 from ..measure.window_records import WindowRecord
+from ..scan_job import ScanOrder
 from ..tables import window_layer
 from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache
@@ -127,6 +128,10 @@ class Session(QObject):
     def problem(self) -> Message | None:
         """Why nothing can be inspected now: an input is missing or can't be used, or the mosaic is being opened."""
         return self._block.problem()
+
+    def scan_order(self) -> ScanOrder:
+        """What a scan of the whole mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
+        return self._block.scan_order()
 
     def source_count_over(self, window: PixelWindow) -> int:
         """How many sources' footprints cover a window."""

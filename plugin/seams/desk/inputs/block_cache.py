@@ -28,10 +28,13 @@ from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from ...measure import messages
 from ...measure.inspection import Block, InspectionSettings, Source, WindowRequest, make_block, window_request
+from ...measure.scan.lines.seam_features import SeamFeature
+from ...measure.scan.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
 from ...measure.window_records import WindowRecord
-from ...tables import window_layer
-from .block_files import BlockFiles, OpenedFiles, block_files, layer_sources, opening_job
+from ...scan_job import ScanOrder
+from ...tables import given_seam_layer, window_layer
+from .block_files import BlockFiles, LayerFeatures, OpenedFiles, block_files, layer_sources, opening_job
 from .project_inputs import Inputs
 
 
@@ -115,6 +118,27 @@ class BlockCache(QObject):
             raise SettingsError(problem)
         assert self._block is not None
         return self._block
+
+    def scan_order(self) -> ScanOrder:
+        """What a scan of the whole mosaic is made of; it needs no sources where there are seamlines.
+
+        Raises SeamInspectorError when the inputs do not allow one.
+        """
+        if self._opened is None:
+            raise SettingsError(self._unopened)
+        inputs, mosaic, read_seams = self.inputs, self._opened.mosaic, None
+        if (seamlines := LayerFeatures.of(self._project.mapLayer(inputs.seamlines))) is not None:
+            crs = layers.mosaic_crs(mosaic)
+            transform = QgsCoordinateTransform(seamlines.crs, crs, self._project.transformContext())
+            read_seams = partial(_read_seams, seamlines, transform)
+        is_without = not self._opened.indexed and not layer_sources(self._project, inputs, mosaic)
+        sources = () if is_without and read_seams is not None else self.required().sources
+        settings = ScanSettings(
+            inputs.wavelet, inputs.levels, inputs.density, piece_m=inputs.piece_m,
+            corridor_m=inputs.corridor_m if read_seams is not None else 0.0,
+        )
+        settings.check()
+        return ScanOrder(mosaic, sources, settings, read_seams)
 
     def silent(self) -> Block | None:
         """The block; None when there is none, or not yet."""
@@ -215,6 +239,12 @@ def _requests(
                 continue
             why = imagery_messages.EXTENT_NOT_TRANSFORMED()
         yield WindowRequest(row.window_id, block.mosaic, (), None, settings, why)
+
+
+def _read_seams(
+    seamlines: LayerFeatures, transform: QgsCoordinateTransform
+) -> tuple[list[SeamFeature], Message | None]:
+    return given_seam_layer.seam_features(seamlines.source.getFeatures(), seamlines.names, transform)
 
 
 def _geometries(source: QgsVectorLayerFeatureSource, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:

@@ -66,7 +66,7 @@ def _origin(layer: QgsMapLayer | None) -> tuple[str, str]:
 
 
 @dataclass(frozen=True)
-class _Features:
+class LayerFeatures:
     """A vector layer as another thread may read it."""
 
     source: QgsVectorLayerFeatureSource
@@ -75,18 +75,18 @@ class _Features:
     crs: QgsCoordinateReferenceSystem
 
     @staticmethod
-    def of(layer: QgsMapLayer | None) -> _Features | None:
+    def of(layer: QgsMapLayer | None) -> LayerFeatures | None:
         """None when it is no vector layer."""
         if not isinstance(layer, QgsVectorLayer):
             return None
         source = QgsVectorLayerFeatureSource(layer)
-        return _Features(source, source.fields().names(), layers.layer_path(layer), layer.crs())
+        return LayerFeatures(source, source.fields().names(), layers.layer_path(layer), layer.crs())
 
 
 def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
     """Opens them; yields the OpenedFiles, or the Message why there are none."""
     context = project.transformContext()
-    index, cells = (_Features.of(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells))
+    index, cells = (LayerFeatures.of(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells))
 
     def opened() -> OpenedFiles:
         mosaic = describe_mosaic(files.mosaic)

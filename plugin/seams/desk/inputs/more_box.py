@@ -1,4 +1,4 @@
-"""The inputs that are seldom changed: spacing, wavelet, levels, limit, what the verdict is against, seam cells."""
+"""The inputs that are seldom changed: spacing, wavelet, levels, limits, verdict, seam cells, how to scan."""
 from __future__ import annotations
 
 from functools import partial
@@ -14,6 +14,7 @@ from ....toolkit.desk.layer_box import LayerBox
 from ....toolkit.translation import tr
 from ...measure import limits
 from ...measure.inspection import REFERENCES
+from ...measure.scan.scan_settings import DENSITIES
 from ...tables.seam_cell_layer import CELL_FIELD
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         super().__init__(tr("More"), parent)
         self.setToolTip(
             tr("Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken "
-               "against, seam cells")
+               "against, seam cells, how a whole mosaic is scanned")
         )
         self.spacing = metres_box(limits.STANDARD_SPACING_M, 50, self)
         self.spacing.setToolTip(tr("Metres along the seam from one placed window to the next"))
@@ -67,6 +68,19 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
             tr("Polygons that say in a field 'source' which orthoimage the mosaic was cut from; without them that is "
                "found from the pixels")
         )
+        self.density = QComboBox(self)
+        for density, text in zip(DENSITIES, (tr("along the seams"), tr("every pixel"))):
+            self.density.addItem(text, density)
+        self.density.setToolTip(
+            tr("What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about "
+               "the time that reading takes, or everything everywhere")
+        )
+        self.piece = metres_box(limits.STANDARD_PIECE_M, 5, self)
+        self.piece.setToolTip(tr("Metres of seam that a scan measures and judges as one"))
+        self.corridor = metres_box(0, 10, self)
+        self.corridor.setMinimum(0)
+        self.corridor.setSpecialValueText(tr("whole mosaic"))
+        self.corridor.setToolTip(tr("Metres that a scan reads on either side of the seamlines"))
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         layout.setVerticalSpacing(3)
@@ -78,6 +92,9 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         add_field(layout, 4, tr("Least &kept"), self.min_kept)
         add_field(layout, 5, tr("Largest &ratio"), self.max_ratio)
         add_field(layout, 6, tr("Seam &cells"), self.cells)
+        add_field(layout, 7, tr("Sca&n"), self.density)
+        add_field(layout, 8, tr("Se&am pieces"), self.piece)
+        add_field(layout, 9, tr("C&orridor"), self.corridor)
         self.setCollapsed(True)
         self.spacing.valueChanged.connect(partial(self.changed.emit, "spacing_m"))
         self.wavelet.activated.connect(self._choose_wavelet)
@@ -86,6 +103,9 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         self.max_ratio.valueChanged.connect(partial(self.changed.emit, "max_ratio"))
         self.reference.activated.connect(self._choose_reference)
         self.cells.chosen.connect(partial(self.changed.emit, "cells"))
+        self.density.activated.connect(self._choose_density)
+        self.piece.valueChanged.connect(partial(self.changed.emit, "piece_m"))
+        self.corridor.valueChanged.connect(partial(self.changed.emit, "corridor_m"))
 
     def _share_box(self, default: float, tip: str) -> QgsDoubleSpinBox:
         box = QgsDoubleSpinBox(self)
@@ -99,7 +119,8 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
     def fields(self) -> tuple[QWidget, ...]:
         """In tab order."""
         return (
-            self.spacing, self.wavelet, self.levels, self.reference, self.min_kept, self.max_ratio, self.cells
+            self.spacing, self.wavelet, self.levels, self.reference, self.min_kept, self.max_ratio, self.cells,
+            self.density, self.piece, self.corridor,
         )
 
     def show_inputs(self, inputs: Inputs) -> None:
@@ -110,6 +131,9 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         show_value(self.max_ratio, inputs.max_ratio)
         self.wavelet.setCurrentIndex(self.wavelet.findText(inputs.wavelet))
         self.reference.setCurrentIndex(self.reference.findData(inputs.reference))
+        self.density.setCurrentIndex(self.density.findData(inputs.density))
+        show_value(self.piece, inputs.piece_m)
+        show_value(self.corridor, inputs.corridor_m)
         self.cells.leave_out(vectors_without(CELL_FIELD))
         self.cells.show_layer(inputs.cells)
 
@@ -118,6 +142,9 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
 
     def _choose_reference(self, _index: int) -> None:
         self.changed.emit("reference", self.reference.currentData())
+
+    def _choose_density(self, _index: int) -> None:
+        self.changed.emit("density", self.density.currentData())
 
 
 def vectors_without(field: str) -> list[QgsVectorLayer]:

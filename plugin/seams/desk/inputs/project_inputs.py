@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict, dataclass
+from functools import partial
 from typing import Any, Callable
 
 from qgis.core import QgsProject
@@ -10,6 +11,7 @@ from qgis.core import QgsProject
 from ....imagery import limits as imagery_limits
 from ...measure import limits
 from ...measure.inspection import REFERENCES
+from ...measure.scan.scan_settings import DENSITIES
 
 _SCOPE, _KEY = "SeamInspector", "inputs"
 
@@ -40,6 +42,12 @@ class Inputs:
     """What the verdict is taken by, one of ``REFERENCES``."""
     cells: str = ""
     """Polygon layer with a field ``source``: which source the mosaic was cut from, where that is known."""
+    density: str = DENSITIES[0]
+    """What a scan measures, one of ``DENSITIES``."""
+    piece_m: float = limits.STANDARD_PIECE_M
+    """Metres of seam that a scan judges as one."""
+    corridor_m: float = 0.0
+    """Metres that a scan reads on either side of the seamlines; 0: the whole mosaic."""
 
 
 def load_inputs(project: QgsProject) -> Inputs:
@@ -75,15 +83,16 @@ def _whole(value: object) -> int | None:
     return value if isinstance(value, int) and not isinstance(value, bool) else None
 
 
-def _reference(value: object) -> str | None:
-    return value if isinstance(value, str) and value in REFERENCES else None
+def _word(known: tuple[str, ...], value: object) -> str | None:
+    return value if isinstance(value, str) and value in known else None
 
 
 _READERS: dict[str, Callable[[object], Any]] = {
     **dict.fromkeys(("mosaic", "source_index", "seamlines", "windows", "wavelet", "cells"), _text),
-    **dict.fromkeys(("side_m", "spacing_m", "max_ratio", "min_kept"), _number),
+    **dict.fromkeys(("side_m", "spacing_m", "max_ratio", "min_kept", "piece_m", "corridor_m"), _number),
     "sources": _texts,
     "levels": _whole,
-    "reference": _reference,
+    "reference": partial(_word, REFERENCES),
+    "density": partial(_word, DENSITIES),
 }
 """How each value is understood; what is another kind of thing is left out."""

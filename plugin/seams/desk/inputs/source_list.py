@@ -20,6 +20,7 @@ from ....imagery.errors import SeamInspectorError
 from ....toolkit.desk.layer_box import missing_text
 from ....toolkit.layers import box_extent, transformed_extent
 from ....toolkit.translation import tr
+from ...tables.scan_layers import is_picture
 
 _ID = Qt.ItemDataRole.UserRole
 _FEWEST_ROWS = 4  # seen without scrolling
@@ -152,13 +153,14 @@ def overlapping(mosaic_id: str, rasters: list[QgsRasterLayer]) -> Sources:
 
 
 def file_rasters() -> list[QgsRasterLayer]:
-    """The project's rasters that GDAL reads from files, by name."""
+    """The project's rasters that GDAL reads from files, by name; pictures of losses are none of them."""
     found = filter(_is_file, QgsProject.instance().mapLayers().values())
     return sorted(found, key=lambda layer: (layer.name().casefold(), layer.id()))
 
 
 def _is_file(layer: QgsMapLayer) -> bool:
-    return isinstance(layer, QgsRasterLayer) and layer.isValid() and layer.providerType() == "gdal"
+    is_raster = isinstance(layer, QgsRasterLayer) and layer.isValid() and layer.providerType() == "gdal"
+    return is_raster and not is_picture(layer)
 
 
 def _overlap(layer: QgsRasterLayer, mosaic: QgsRasterLayer) -> bool:

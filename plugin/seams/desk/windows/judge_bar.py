@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QEvent, QSize, Qt
+from qgis.PyQt.QtCore import QEvent, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QKeySequence, QResizeEvent
 from qgis.PyQt.QtWidgets import QAction, QBoxLayout, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
 
@@ -25,6 +25,9 @@ _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence
 
 class JudgeBar(QWidget):
     """Sentence, judgement, position. ``order`` gives the windows as the operator sees them, by default the layer's."""
+
+    stepped = pyqtSignal(int)
+    """Feature id of the window that the operator went on to."""
 
     def __init__(
         self, session: Session, parent: QWidget | None = None, order: Callable[[], Sequence[int]] | None = None
@@ -149,6 +152,7 @@ class JudgeBar(QWidget):
         if row is not None:
             self._session.select([row.fid])
             self._find_place([row])  # the next key may come before the selection is told
+            self.stepped.emit(row.fid)
 
     # Where the selected window stands
 

@@ -73,6 +73,10 @@ class WindowsPanel(QWidget):
         session.selectionChanged.connect(self._take_selection)
         self._take_windows()
 
+    def sort_by_number(self) -> None:
+        """As it was before the operator sorted otherwise."""
+        self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+
     def ordered_fids(self) -> list[int]:
         """The windows as they are shown, from top to bottom."""
         return list(self._shown.fids())

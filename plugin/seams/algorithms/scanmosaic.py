@@ -1,0 +1,283 @@
+"""``seaminspector:scanmosaic``: the whole mosaic."""
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingException,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import CancelledError, RasterError, SettingsError
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.run import Run
+from ...toolkit.resources import style_path
+from ...toolkit.translation import tr
+from ..measure import limits, messages
+from ..scan_words import time_left
+from .block_parameters import gathered_sources, given_sources
+
+if TYPE_CHECKING:
+    from ..measure.scan.lines.given_seams import GivenSeams
+    from ..measure.scan.results.gathering import ScanResult
+    from ..measure.scan.scan_settings import ScanSettings
+    from ..measure.scan.whole_scan import WholeScan
+    from ..measure.source_images import Source
+
+SEAMLINES, SOURCE_FIELD, CORRIDOR, DENSITY = "SEAMLINES", "SOURCE_FIELD", "CORRIDOR", "DENSITY"
+CELL, PIECE = "CELL", "PIECE"
+LOSS, SEAMS, CELLS, WORST, WORST_COUNT = "LOSS", "SEAMS", "CELLS", "WORST", "WORST_COUNT"
+SEAM_METRES, FAILED_METRES, WORST_KEPT = "SEAM_METRES", "FAILED_METRES", "WORST_KEPT"
+DENSITIES = ("seams", "full")
+
+_TOLD_EVERY_S = 10.0  # how long the rest will take
+_MEASURED = 0.9  # of the time: the rest is to put the blocks together
+
+
+class ScanMosaic(SeamInspectorAlgorithm):
+    """Where a whole mosaic lost detail, and what each piece of its seams kept."""
+
+    ID = "scanmosaic"
+    NAME = QT_TRANSLATE_NOOP("@default", "Scan a whole mosaic")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what "
+        "it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the "
+        "dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped "
+        "in any way goes on where it was when it is started again with the same output."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
+        whole = QgsProcessingParameterNumber.Type.Integer
+        self.addDescribed(*common.mosaic())
+        self.addDescribed(*common.sources())
+        self.addDescribed(*common.source_index())
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon], optional=True),
+            tr(
+                "Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the "
+                "pixels. Needed where there are no orthoimages."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterField(
+                SOURCE_FIELD, tr("Field with the orthoimage's name"), None, SEAMLINES,
+                QgsProcessingParameterField.DataType.Any, optional=True,
+            ),
+            tr(
+                "Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, "
+                "CLICHE, image or imageSourceReference."
+            ),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.real(CORRIDOR, tr("Corridor (metres)"), 0.0, 0.0),
+            tr("What is read on either side of the seamlines; 0: the whole mosaic."),
+        )
+        self.addDescribed(
+            common.choice(DENSITY, tr("Density"), DENSITIES),
+            tr(
+                "seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. "
+                "full: every pixel everywhere."
+            ),
+        )
+        self.addDescribed(
+            common.real(PIECE, tr("Length of a piece of seam (metres)"), limits.STANDARD_PIECE_M, 0.01),
+            tr("Seams are measured and judged in pieces of about this length."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(CELL, tr("Cell of the picture (pixels)"), whole, 32, minValue=16),
+            tr("Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                WORST_COUNT, tr("Windows of the worst places"), whole, limits.WORST_COUNT, minValue=0
+            ),
+            tr("How many windows are placed where least was kept."),
+            advanced=True,
+        )
+        self.addDescribed(*common.levels(), advanced=True)
+        self.addDescribed(*common.wavelet(), advanced=True)
+        self.addDescribed(*common.scheduler(), advanced=True)
+        self.addDescribed(
+            QgsProcessingParameterRasterDestination(LOSS, tr("Picture of losses")),
+            tr(
+                "A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is "
+                "nodata."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                SEAMS, tr("Seams"), QgsProcessing.SourceType.TypeVectorLine, optional=True, createByDefault=True
+            ),
+            tr("Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(CELLS, tr("Source cells"), polygon, optional=True, createByDefault=True),
+            tr("Polygons that say in the field 'source' which orthoimage each part of the mosaic came from."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(WORST, tr("Worst places"), polygon, optional=True, createByDefault=True),
+            tr("Windows where least was kept, the worst first, ready for the dock and for Inspect windows."),
+        )
+        self.addNumbers({
+            SEAM_METRES: tr("Length of all seams (metres)"),
+            FAILED_METRES: tr("Length with a significant loss (metres)"),
+            WORST_KEPT: tr("Least share kept by a piece"),
+        })
+
+    def check(self, run: Run) -> None:
+        self._settings(run).check()
+        run.mosaic()
+        check_tiff(run.layer_path(LOSS))
+        if not run.parameters.get(SEAMLINES) and not _names_sources(run):
+            raise SettingsError(messages.NEITHER_SOURCES_NOR_SEAMS())
+
+    def prepare(self, run: Run) -> None:
+        self._mosaic = run.mosaic()
+        self._given = given_sources(run)
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        from ...toolkit import layers
+        from ..measure.scan.inputs.scan_request import scan_request
+        from ..measure.scan.whole_scan import whole_scan
+
+        settings, mosaic = self._settings(run), self._mosaic
+        crs = layers.mosaic_crs(mosaic)
+        sources = self._sources(run, crs)
+        given = self._given_seams(run, crs)
+        request, notices = scan_request(mosaic, sources, settings, given)
+        run.tell(*notices)
+        loss = run.layer_path(LOSS)
+        check_tiff(loss)
+        if Path(loss).is_dir():
+            raise RasterError(imagery_messages.RASTER_NOT_WRITTEN(path=loss))
+        with self._place(loss) as place, whole_scan(request, place) as scan:
+            if scan.notice is not None:
+                run.tell(scan.notice)
+            self._scan_blocks(run, scan)
+            result = scan.result(loss, lambda share: run.goes_on(_MEASURED + (1 - _MEASURED) * share))
+            if result is None:
+                raise CancelledError(messages.SCAN_STOPPED())
+            run.tell(*result.notices)
+            results = {LOSS: loss, **self._write(run, result, request)}
+            scan.finish()
+        run.style(loss, style_path("loss"))
+        return {
+            **results,
+            SEAM_METRES: result.seam_metres, FAILED_METRES: result.failed_metres, WORST_KEPT: result.worst_kept,
+        }
+
+    def _sources(self, run: Run, crs: QgsCoordinateReferenceSystem) -> tuple[Source, ...]:
+        """The orthoimages; none where only seamlines are given."""
+        if not _names_sources(run):
+            return ()
+        sources = gathered_sources(run, self._given, crs, self._mosaic.wkt, self._mosaic.ref)
+        if not sources:
+            raise SettingsError(messages.NO_SOURCE_USABLE())
+        return tuple(sources)
+
+    def _given_seams(self, run: Run, crs: QgsCoordinateReferenceSystem) -> GivenSeams | None:
+        """What the seamlines say; None without them."""
+        from ...toolkit import layers
+        from ..measure.scan.lines.given_seams import given_seams
+        from ..tables.given_seam_layer import seam_features
+
+        if not run.parameters.get(SEAMLINES):
+            return None
+        layer = run.source(SEAMLINES)
+        features, lost = seam_features(
+            layers.features(layer), layer.fields().names(), run.transform(layer, crs)
+        )
+        found = given_seams(features, self._mosaic.grid, run.text(SOURCE_FIELD))
+        run.tell(*(() if lost is None else (lost,)))
+        return found
+
+    def _scan_blocks(self, run: Run, scan: WholeScan) -> None:
+        from ...toolkit.executors import open_executor
+
+        told_at = time.monotonic()
+        with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):
+            for step in scan.steps(executor, ahead, run.is_cancelled):
+                run.tell_once(step.notices)
+                run.progress(_MEASURED * step.share)
+                if step.seconds_left is not None and time.monotonic() - told_at > _TOLD_EVERY_S:
+                    told_at = time.monotonic()
+                    run.doing(time_left(step.seconds_left))
+        if run.is_cancelled():
+            raise CancelledError(messages.SCAN_STOPPED())
+
+    def _write(self, run: Run, result: ScanResult, request: Any) -> dict[str, Any]:
+        """The layers, whole on the disk when this returns. Raises SettingsError where one can't be written."""
+        from ...toolkit.layers import mosaic_crs
+        from ..tables import scan_layers
+
+        crs, made, counts = mosaic_crs(request.mosaic), {}, {}
+        for name, layer in (
+            (SEAMS, scan_layers.SEAMS), (CELLS, scan_layers.CELLS), (WORST, scan_layers.WORST),
+        ):
+            fields, rows = layer.fields(request.settings.levels), list(layer.rows(result, request))
+            try:
+                sink, made[name] = run.optional_sink(name, fields, layer.geometry, crs)
+                run.write(sink, rows)
+            except QgsProcessingException:
+                raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name)) from None
+            run.style(made[name], style_path(layer.style))
+            counts[name] = len(rows)
+        run.close()
+        for name, count in counts.items():
+            if not _holds(made[name], count):
+                raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name))
+        return made
+
+    def _settings(self, run: Run) -> ScanSettings:
+        from ..measure.scan.scan_settings import ScanSettings
+
+        return ScanSettings(
+            *run.decomposition(), run.text(DENSITY), run.whole(CELL), run.real(PIECE), run.real(CORRIDOR),
+            run.whole(WORST_COUNT),
+        )
+
+    @staticmethod
+    @contextmanager
+    def _place(loss: str) -> Iterator[Path]:
+        """What the journal lies beside."""
+        if loss.startswith("/vsi"):
+            with tempfile.TemporaryDirectory() as folder:
+                yield Path(folder) / "loss"
+        else:
+            yield Path(loss)
+
+
+def check_tiff(path: str) -> None:
+    """Raise SettingsError for an ending that says that it is something else."""
+    if Path(path).suffix.lower() not in (".tif", ".tiff"):
+        raise SettingsError(messages.LOSS_NOT_TIFF(path=path))
+
+
+def _names_sources(run: Run) -> bool:
+    return bool(run.raster_values(common.SOURCES) or run.parameters.get(common.SOURCE_INDEX))
+
+
+def _holds(destination: str | None, count: int) -> bool:
+    """Whether a layer that is a file has all its features: that the disk was full as it closed nobody else tells."""
+    if not destination or not Path(destination.partition("|")[0]).is_file():
+        return True
+    return QgsVectorLayer(destination, "written", "ogr").featureCount() == count

@@ -1,0 +1,159 @@
+"""The scan of a whole mosaic as a job of the desk: news on the way, and what it left in the end."""
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor, wait
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+from ..imagery.message import Message
+from ..imagery.rasters import Raster
+from ..toolkit.background_task import Cancelled, Job
+from .measure.scan.inputs.scan_request import ScanRequest, scan_request
+from .measure.scan.lines.given_seams import given_seams
+from .measure.scan.lines.seam_features import SeamFeature
+from .measure.scan.results.gathering import ScanResult
+from .measure.scan.scan_settings import ScanSettings
+from .measure.scan.whole_scan import WholeScan, whole_scan
+from .measure.source_images import Source
+from .scan_picture import PictureSoFar
+from .tables.scan_file import write_scan_file
+
+MEASURED = 0.9
+"""Of the time: the rest is to put the blocks together."""
+_NEWS_S = 0.2
+_AHEAD = 2  # blocks under way per thread
+
+
+@dataclass(frozen=True)
+class ScanFiles:
+    """Where a scan leaves its results. The picture is there before the layers are, so a scan with layers is whole."""
+
+    picture: Path
+    """The picture of losses, a GeoTIFF; the journal lies beside it."""
+    layers: Path
+    """A GeoPackage with the seams, the source cells and the worst windows."""
+    so_far: Path
+    """The picture while the scan is under way; whoever shows it removes it."""
+
+
+@dataclass(frozen=True, eq=False)
+class ScanOrder:
+    """What is to be scanned, as any thread may read it."""
+
+    mosaic: Raster
+    sources: tuple[Source, ...]
+    settings: ScanSettings
+    read_seams: Callable[[], tuple[Iterable[SeamFeature], Message | None]] | None = None
+    """The features of the seamlines' layer in the mosaic's reference system, and what is wrong with some."""
+
+
+@dataclass(frozen=True, eq=False)
+class ScanNews:
+    """How far a scan is."""
+
+    share: float
+    """Of all there is to do, 0 to 1."""
+    seconds_left: float | None
+    """None while that is not known."""
+    measured: bool = True
+    """Whether blocks are still being measured, or already put together."""
+    has_picture: bool = False
+    """Whether there is something in the picture so far."""
+    earlier: Message | None = None
+    """What became of an earlier scan that was stopped."""
+    notices: tuple[Message, ...] = ()
+    """What was left out or assumed, each once."""
+
+
+@dataclass(frozen=True, eq=False)
+class ScanDone:
+    """What a scan found, and where it is."""
+
+    files: ScanFiles
+    seam_metres: float
+    failed_metres: float
+    worst_kept: float | None
+    """kept_1 of the piece that kept least; None where nothing could be measured."""
+    worst_count: int
+    """Windows of the worst places."""
+    notices: tuple[Message, ...] = ()
+
+
+def scan_job(order: ScanOrder, files: ScanFiles) -> Job:
+    """Scans a mosaic, or goes on with a scan that was stopped; yields ScanNews, and a ScanDone in the end."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        request, notices = _request(order)
+        with whole_scan(request, files.picture) as scan:
+            yield 0.0, ScanNews(0.0, None, earlier=scan.notice, notices=notices)
+            for news in _measured(scan, files, cancelled):
+                yield news.share, news
+            if cancelled():
+                return
+            result: ScanResult | None = None
+            for share, gathered in _gathered(scan, files, cancelled):
+                yield share, ScanNews(share, None, measured=False)
+                result = gathered
+            if result is None or cancelled():
+                return
+            write_scan_file(files.layers, result, request)
+            scan.finish()
+        yield 1.0, ScanDone(
+            files, float(result.seam_metres), float(result.failed_metres), result.worst_kept, len(result.worst),
+            result.notices,
+        )
+
+    return job
+
+
+def _request(order: ScanOrder) -> tuple[ScanRequest, tuple[Message, ...]]:
+    if order.read_seams is None:
+        request, notices = scan_request(order.mosaic, order.sources, order.settings)
+        return request, tuple(notices)
+    features, lost = order.read_seams()
+    given = given_seams(features, order.mosaic.grid)
+    request, notices = scan_request(order.mosaic, order.sources, order.settings, given)
+    return request, (*(() if lost is None else (lost,)), *notices)
+
+
+def _measured(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterator[ScanNews]:
+    """All blocks, each into the picture so far."""
+    workers = max(1, (os.cpu_count() or 1) - 1)  # one core is left to the interface
+    request, share, told_at = scan.request, 0.0, 0.0
+    told: set[str] = set()
+    with closing(PictureSoFar(files.so_far, request.mosaic, request.settings.cell_px)) as picture, ThreadPoolExecutor(
+        workers, thread_name_prefix="seam-inspector"
+    ) as executor:
+        for step in scan.steps(executor, _AHEAD * workers, cancelled):
+            if step.scan is not None:
+                picture.add(step.scan)
+            share = max(share, MEASURED * step.share)  # a second look adds blocks
+            fresh = tuple(notice for notice in step.notices if str(notice) not in told)
+            told.update(map(str, fresh))
+            if fresh or time.monotonic() - told_at > _NEWS_S:
+                told_at = time.monotonic()
+                yield ScanNews(share, step.seconds_left, has_picture=picture.has_content, notices=fresh)
+        picture.flush()
+        yield ScanNews(share, None, measured=False, has_picture=picture.has_content)
+
+
+def _gathered(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterator[tuple[float, ScanResult | None]]:
+    """The share that is done, again and again, and the result with the last one."""
+    done = MEASURED
+
+    def goes_on(share: float) -> bool:
+        nonlocal done
+        done = MEASURED + (1 - MEASURED) * share
+        return not cancelled()
+
+    with ThreadPoolExecutor(1, thread_name_prefix="seam-inspector") as executor:
+        future = executor.submit(scan.result, str(files.picture), goes_on)
+        while not future.done():
+            wait([future], timeout=_NEWS_S)
+            yield done, None
+        yield done, future.result()

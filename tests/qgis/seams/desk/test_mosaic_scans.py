@@ -1,0 +1,220 @@
+"""Scan in the desk: the picture grows on the map, the results come in a group, stopping and going on lose nothing."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsApplication, QgsProject
+from seam_inspector.plugin.seams.desk.scan import mosaic_scans
+from seam_inspector.plugin.seams.desk.scan.mosaic_scans import scan_sentence
+from seam_inspector.plugin.seams.scan_job import ScanDone, ScanFiles
+from seam_inspector.plugin.seams.scan_words import time_left
+
+from tests.qgis.seams.desk.scan_scene import SEAM_ROW, ScanDesk, ScanScene, make_scan_scene
+from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
+
+FOUND = ["Worst places", "Seams", "Source cells", "Picture of losses"]
+
+
+@pytest.fixture(scope="module")
+def scan_scene(tmp_path_factory: pytest.TempPathFactory) -> ScanScene:
+    return make_scan_scene(tmp_path_factory.mktemp("scan"))
+
+
+@pytest.fixture
+def desk(scan_scene: ScanScene, project: QgsProject, tmp_path: Path) -> Iterator[ScanDesk]:
+    made = ScanDesk(scan_scene, tmp_path)
+    yield made
+    made.close()
+    wait_for_tasks()
+    project.clear()
+
+
+def kept(path: Path) -> np.ndarray:
+    """The first band of a picture."""
+    dataset = gdal.Open(str(path))
+    return np.asarray(dataset.GetRasterBand(1).ReadAsArray())
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir() if path.suffix != ".xml")  # QGIS's own
+
+
+def test_what_a_scan_found_lies_in_a_group_on_top(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    done = desk.scan()
+    assert desk.titles()[:4] == FOUND
+    (group,) = [node for node in desk.project.layerTreeRoot().children() if node.name() == "Scan of ortho"]
+    assert [node.name() for node in group.children()] == FOUND
+    assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]  # no journal, no picture so far
+    assert not list(desk.folder.glob("*so_far*"))
+    seams, cells = (desk.project.mapLayersByName(name)[0] for name in ("Seams", "Source cells"))
+    assert sum(row["length"] for row in seams.getFeatures()) == pytest.approx(done.seam_metres)
+    assert {row["verdict"] for row in seams.getFeatures()} == {"significant"}
+    assert {row["source"] for row in cells.getFeatures()} == {"north.tif", "south.tif"}
+    assert done.seam_metres == pytest.approx(256, rel=0.02)
+    shown = {node.name() for node in group.children() if node.itemVisibilityChecked()}
+    assert shown == set(FOUND) - {"Worst places"}
+    assert done.failed_metres == pytest.approx(done.seam_metres)
+    assert desk.messages == []
+
+
+def test_the_picture_arrives_block_by_block(desk: ScanDesk, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its first block is on the map while the second is still to be measured."""
+    desk.use("north", "south")
+    shares, pictures = [], []
+
+    def look() -> None:
+        news = desk.scans.news
+        if news is None:
+            return
+        shares.append(news.share)
+        if desk.project.mapLayersByName("Picture of losses, so far") and not pictures:
+            pictures.append(kept(desk.folder / "ortho_loss_so_far.tif"))
+
+    desk.scans.changed.connect(look)
+    desk.scan()
+    assert shares == sorted(shares)
+    rows = SEAM_ROW // 32
+    assert pictures
+    assert (pictures[0][rows - 1 : rows + 1, :64] < 0.9).mean() > 0.4
+    assert not desk.project.mapLayersByName("Picture of losses, so far")
+
+
+def test_the_picture_so_far_says_what_the_final_one_does(desk: ScanDesk, monkeypatch: pytest.MonkeyPatch) -> None:
+    desk.use("north", "south")
+    monkeypatch.setattr(mosaic_scans.ScanGroup, "finish", lambda _group, done: desk.found.append(done))
+    desk.scan()
+    so_far, final = kept(desk.folder / "ortho_loss_so_far.tif"), kept(desk.folder / "ortho_loss.tif")
+    assert so_far.shape == final.shape
+    both = (so_far >= 0) & (final >= 0)
+    assert both.sum() > 0.9 * (final >= 0).sum()
+    assert np.abs(so_far[both] - final[both]).mean() < 0.02
+
+
+def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    desk.scans.start()
+    wait_until(lambda: desk.scans.news is not None and desk.scans.news.has_picture, "for the first block")
+    desk.scans.stop()
+    wait_until(lambda: not desk.scans.is_busy, "for the end")
+    settle(0.1)
+    assert names(desk.folder) == ["ortho_loss.tif.scan", "ortho_loss_so_far.tif"]
+    assert desk.titles()[0] == "Picture of losses, so far"
+    assert desk.messages == ["The scan was stopped; started again with the same output it goes on from here."]
+    desk.messages.clear()
+    desk.scan()
+    assert "goes on" in desk.messages[0]
+    assert desk.titles()[:4] == FOUND
+    assert "Picture of losses, so far" not in desk.titles()
+    assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]
+
+
+def test_another_scan_leaves_the_first_one_alone(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    desk.scan()
+    desk.scan()
+    assert names(desk.folder) == ["ortho_loss.tif", "ortho_loss_2.tif", "ortho_scan.gpkg", "ortho_scan_2.gpkg"]
+    assert desk.titles()[:8] == FOUND + FOUND
+
+
+def test_seamlines_alone_are_enough(desk: ScanDesk) -> None:
+    desk.use(seamlines="")
+    assert not desk.scans.can_start
+    desk.scans.start()
+    assert len(desk.messages) == 1
+    assert "orthoimages" in desk.messages[0]
+    desk.messages.clear()
+    desk.use(seamlines=desk.seamlines.id())
+    assert desk.scans.can_start
+    done = desk.scan()
+    assert done is not None, desk.messages
+    assert done.seam_metres == pytest.approx(256, rel=0.01)
+    assert "Seams" in desk.titles()
+
+
+def test_given_seamlines_are_the_seams(desk: ScanDesk) -> None:
+    desk.use("north", "south", seamlines=desk.seamlines.id())
+    done = desk.scan()
+    assert done.seam_metres == pytest.approx(256, rel=0.001)
+
+
+def test_the_worst_windows_become_the_desks_own(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    assert desk.scans.worst_layer() is None
+    done = desk.scan()
+    worst = desk.scans.worst_layer()
+    assert worst is not None
+    assert worst.featureCount() == done.worst_count
+    desk.session.set_inputs(replace(desk.session.inputs, windows=worst.id()))
+    assert [row.window_id for row in desk.session.windows()] == list(range(1, done.worst_count + 1))
+    desk.session.inspect_pending()
+    wait_until(lambda: all(row.verdict for row in desk.session.windows()), "for the inspection")
+
+
+def test_closing_the_project_stops_the_scan(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    desk.scans.start()
+    desk.project.clear()
+    assert not desk.scans.is_busy
+    wait_for_tasks()
+    settle(0.2)
+    assert desk.project.mapLayers() == {}
+    assert desk.messages == []
+
+
+def test_closing_the_desk_leaves_no_task_and_no_layer_of_its_own(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    desk.scans.start()
+    wait_until(lambda: desk.scans.news is not None and desk.scans.news.has_picture, "for the first block")
+    desk.close()
+    desk.close()
+    wait_for_tasks()
+    settle(0.2)
+    assert not QgsApplication.taskManager().activeTasks()
+    assert not any("losses" in title for title in desk.titles())
+    assert not desk.project.layerTreeRoot().findGroup("Scan of ortho")
+    assert names(desk.folder) in (["ortho_loss.tif.scan"], ["ortho_loss.tif", "ortho_scan.gpkg"])
+
+
+def test_a_folder_that_takes_no_files_is_told_in_one_sentence(desk: ScanDesk) -> None:
+    desk.use("north", "south")
+    desk.project.setPresetHomePath("/proc")
+    assert desk.scan() is None
+    assert len(desk.messages) == 1
+    assert "folder" in desk.messages[0]
+    assert desk.scans.can_start
+
+
+def test_levels_that_a_scan_does_not_have_are_told(desk: ScanDesk) -> None:
+    desk.use("north", "south", levels=5)
+    assert not desk.scans.can_start
+    desk.scans.start()
+    assert len(desk.messages) == 1
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [
+        (0, "less than a minute left"), (59, "less than a minute left"), (61, "some 1 min left"),
+        (240, "some 4 min left"), (5300, "some 88 min left"), (5500, "some 2 h left"), (40000, "some 11 h left"),
+    ],
+)
+def test_the_time_left_is_told_no_more_precisely_than_it_is_known(seconds: float, words: str) -> None:
+    assert time_left(seconds) == words
+
+
+def test_what_a_scan_found_is_told_shortly() -> None:
+    files = ScanFiles(Path("a"), Path("b"), Path("c"))
+    assert scan_sentence(ScanDone(files, 0.0, 0.0, None, 0)) == "Scanned: no seam was found."
+    assert scan_sentence(ScanDone(files, 265.4, 12.0, 0.469, 9)) == (
+        "Scanned 265 m of seams: significant loss on 12 m."
+    )
+    assert scan_sentence(ScanDone(files, 265.4, 0.0, 0.974, 9)) == (
+        "Scanned 265 m of seams: no significant loss."
+    )
+    assert scan_sentence(ScanDone(files, 0.0, 0.0, None, 0), 3).endswith("no seam was found. Notes in the log: 3.")

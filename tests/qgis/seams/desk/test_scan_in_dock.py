@@ -1,0 +1,139 @@
+"""The dock's Scan: its button, its progress, what it says in the end, and that nothing stays behind."""
+from __future__ import annotations
+
+import gc
+import importlib
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis.core import QgsProject
+from qgis.gui import QgisInterface
+from qgis.PyQt.QtWidgets import QPushButton
+from seam_inspector.plugin.seams.desk.dock import InspectionDock
+
+from tests.qgis.seams.desk.scan_scene import PIECE_M, ScanDesk, ScanScene, make_scan_scene
+from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
+from tests.qgis.test_plugin_lifecycle import action_of, left_behind
+
+
+@pytest.fixture(scope="module")
+def scan_scene(tmp_path_factory: pytest.TempPathFactory) -> ScanScene:
+    return make_scan_scene(tmp_path_factory.mktemp("scan"))
+
+
+@pytest.fixture
+def plugin(qgis_iface: QgisInterface, project: QgsProject) -> Iterator[Any]:
+    made = importlib.import_module("seam_inspector").classFactory(qgis_iface)
+    made.initGui()
+    yield made
+    made.unload()
+    wait_for_tasks()
+
+
+def opened(plugin: Any, scene: ScanScene, folder: Path) -> InspectionDock:
+    """The plugin's dock on the mosaic and its sources."""
+    action_of(plugin).trigger()
+    dock: InspectionDock = plugin.desk("seamInspectorAction").dock
+    desk = ScanDesk(scene, folder)
+    desk.close()
+    rasters = desk.rasters
+    sources = tuple(rasters[name].id() for name in ("north", "south"))
+    dock.session.set_inputs(
+        replace(dock.session.inputs, mosaic=rasters["ortho"].id(), sources=sources, piece_m=PIECE_M, side_m=12.8)
+    )
+    wait_until(lambda: dock.session.mosaic_grid() is not None, "for the mosaic")
+    return dock
+
+
+def scan(dock: InspectionDock) -> None:
+    """By its button, to the end."""
+    dock.scan.trigger()
+    wait_until(lambda: not dock.scans.is_at_work, "for the scan")
+
+
+def judge_buttons(iface: QgisInterface) -> list[QPushButton]:
+    """In the message bar."""
+    return [one for one in iface.messageBar().findChildren(QPushButton) if one.text().startswith("Judge")]
+
+
+def test_the_button_waits_for_something_to_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
+    action_of(plugin).trigger()
+    dock = plugin.desk("seamInspectorAction").dock
+    assert not dock.scan.isEnabled()
+    dock = opened(plugin, scan_scene, tmp_path)
+    assert dock.scan.isEnabled()
+    dock.scan.trigger()
+    assert not dock.scan.isEnabled()
+    assert dock.stop.isEnabled()
+    assert not dock.scan_progress.isHidden()
+    wait_until(lambda: not dock.scans.is_at_work, "for the scan")
+    assert dock.scan.isEnabled()
+    assert not dock.stop.isEnabled()
+    assert dock.scan_progress.isHidden()
+
+
+def test_stop_stops_the_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
+    dock = opened(plugin, scan_scene, tmp_path)
+    dock.scan.trigger()
+    dock.stop.trigger()
+    wait_until(lambda: not dock.scans.is_at_work, "for the end")
+    assert not list(tmp_path.glob("*.gpkg"))
+    assert dock.scan.isEnabled()
+
+
+def test_the_worst_places_are_inspected_and_the_first_is_shown(
+    plugin: Any, qgis_iface: QgisInterface, scan_scene: ScanScene, tmp_path: Path
+) -> None:
+    dock = opened(plugin, scan_scene, tmp_path)
+    assert not dock.worst.isEnabled()
+    scan(dock)
+    assert dock.worst.isEnabled()
+    (button,) = judge_buttons(qgis_iface)
+    assert button.text().startswith("Judge")
+    button.click()
+    rows = dock.session.windows
+    wait_until(lambda: rows() and all(row.verdict for row in rows()), "for the verdicts")
+    windows = rows()
+    assert [row.window_id for row in windows] == list(range(1, len(windows) + 1))
+    assert dock.session.selected() == [windows[0].fid]
+    worst = dock.session.window_layer()
+    assert worst.name() == "Worst places"
+    assert QgsProject.instance().layerTreeRoot().findLayer(worst.id()).isVisible()
+    settle(0.1)
+    assert judge_buttons(qgis_iface) == []
+
+
+def test_pictures_of_losses_do_not_become_sources(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
+    dock = opened(plugin, scan_scene, tmp_path)
+    before = dock.session.inputs
+    scan(dock)
+    assert dock.session.inputs == before
+    listed = [dock.inputs.sources.list.item(row).text() for row in range(dock.inputs.sources.list.count())]
+    assert sorted(listed) == ["north", "south"]
+
+
+def test_unloading_while_it_scans_leaves_nothing(
+    qgis_iface: QgisInterface, project: QgsProject, scan_scene: ScanScene, tmp_path: Path
+) -> None:
+    module = importlib.import_module("seam_inspector")
+    before: dict[str, Any] = {}
+    for turn in range(3):
+        if turn == 1:  # what Qt and QGIS make once, they have made by now
+            before = left_behind(qgis_iface)
+        plugin = module.classFactory(qgis_iface)
+        plugin.initGui()
+        dock = opened(plugin, scan_scene, tmp_path)
+        dock.scan.trigger()
+        wait_until(lambda scans=dock.scans: scans.news is None or scans.news.has_picture, "for the first block")
+        plugin.unload()
+        del dock, plugin
+        wait_for_tasks()
+        assert not [layer for layer in project.mapLayers().values() if "losses" in layer.name()]
+        project.clear()
+        gc.collect()
+        settle()
+    assert left_behind(qgis_iface) == before
+    assert not list(tmp_path.glob("*so_far*"))

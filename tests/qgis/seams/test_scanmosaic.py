@@ -1,0 +1,264 @@
+"""``seaminspector:scanmosaic``: its contract, on a small mosaic of two orthoimages with a crooked seam."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import (
+    QgsProcessingModelAlgorithm,
+    QgsProcessingModelChildAlgorithm,
+    QgsProcessingModelChildParameterSource,
+    QgsProcessingModelOutput,
+    QgsProcessingModelParameter,
+    QgsProcessingParameterRasterLayer,
+    QgsRasterLayer,
+)
+
+from tests.qgis.runs import Log, Run, algorithm, assert_refused, run
+from tests.qgis.seams.scan_scenes import (
+    COLUMNS,
+    ROWS,
+    SEAM_METRES,
+    Files,
+    drawn_seam,
+    points_along,
+    share_within,
+    write_scene,
+)
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+FEATHER_PX = 24.0
+
+
+@pytest.fixture(scope="module")
+def hard(tmp_path_factory: pytest.TempPathFactory) -> Files:
+    return write_scene(tmp_path_factory.mktemp("hard"))
+
+
+@pytest.fixture(scope="module")
+def feathered(tmp_path_factory: pytest.TempPathFactory) -> Files:
+    return write_scene(tmp_path_factory.mktemp("feathered"), width=FEATHER_PX)
+
+
+@pytest.fixture(scope="module")
+def scanned(provider: None, feathered: Files, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """The feathered mosaic, its seams found."""
+    return run("scanmosaic", **feathered.given(LOSS=str(tmp_path_factory.mktemp("scanned") / "loss.tif")))
+
+
+def test_parameters_and_defaults() -> None:
+    job = algorithm("scanmosaic")
+    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions() if not one.isDestination()}
+    assert defaults == {
+        "MOSAIC": None, "SOURCES": None, "SOURCE_INDEX": None, "SEAMLINES": None, "SOURCE_FIELD": None,
+        "CORRIDOR": 0.0, "DENSITY": "seams", "PIECE": 25.0, "CELL": 32, "WORST_COUNT": 50, "LEVELS": 3,
+        "WAVELET": "coif3", "SCHEDULER": None,
+    }
+    destinations = [one.name() for one in job.destinationParameterDefinitions()]
+    assert destinations == ["LOSS", "SEAMS", "CELLS", "WORST"]
+    numbers = {one.name() for one in job.outputDefinitions()} - set(destinations)
+    assert numbers == {"SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
+    density = job.parameterDefinition("DENSITY")
+    assert density.usesStaticStrings()
+    assert density.options() == ["seams", "full"]
+
+
+def test_fields_and_numbers(scanned: Run) -> None:
+    assert scanned.complaint is None
+    assert scanned.log.warnings == scanned.log.errors == []
+    assert scanned.layer("SEAMS").fields().names() == [
+        "seam_id", "station", "left_source", "right_source", "length", "kept_1", "kept_2", "kept_3", "kept_low",
+        "kept_high", "band_width", "verdict", "reason",
+    ]
+    assert scanned.layer("CELLS").fields().names() == ["source"]
+    assert scanned.layer("WORST").fields().names() == ["window_id", "seam_id", "station"]
+    pieces, numbers = scanned.rows("SEAMS"), scanned.results
+    assert numbers["SEAM_METRES"] == pytest.approx(sum(one["length"] for one in pieces))
+    assert numbers["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
+    failed = [one["length"] for one in pieces if one["verdict"] == "significant"]
+    assert numbers["FAILED_METRES"] == pytest.approx(sum(failed))
+    assert numbers["WORST_KEPT"] == min(one["kept_1"] for one in pieces)
+    assert {tuple(sorted((one["left_source"], one["right_source"]))) for one in pieces} == {("east.tif", "west.tif")}
+    for one in pieces:
+        assert one["verdict"] == "significant"
+        assert one["kept_low"] < one["kept_1"] < one["kept_high"] < 1
+        assert one["kept_1"] == pytest.approx(0.65, abs=0.08)
+        assert one["band_width"] == pytest.approx(0.1 * FEATHER_PX, rel=0.5)
+
+
+def test_seams_lie_where_the_images_meet(scanned: Run) -> None:
+    found = points_along((one.geometry() for one in scanned.features("SEAMS")), 0.05)
+    true = points_along((one.geometry() for one in drawn_seam().getFeatures()), 0.05)
+    assert share_within(found, true, 0.3) > 0.95
+    assert share_within(true, found, 0.3) > 0.95
+
+
+def test_cells_say_where_each_part_came_from(scanned: Run, feathered: Files) -> None:
+    parts = {one["source"]: one.geometry() for one in scanned.features("CELLS")}
+    assert set(parts) == {"west.tif", "east.tif"}
+    whole = QgsRasterLayer(feathered.mosaic).extent()
+    assert sum(one.area() for one in parts.values()) == pytest.approx(whole.width() * whole.height(), rel=0.01)
+    assert parts["west.tif"].area() == pytest.approx(0.3 * whole.width() * whole.height(), rel=0.05)
+    assert parts["west.tif"].intersection(parts["east.tif"]).area() == pytest.approx(0, abs=1e-6)
+    assert all(one.isGeosValid() for one in parts.values())
+
+
+def test_the_picture_of_losses(scanned: Run) -> None:
+    dataset = gdal.Open(scanned.results["LOSS"])
+    assert (dataset.RasterXSize, dataset.RasterYSize) == (-(-COLUMNS // 32), -(-ROWS // 32))
+    bands = {dataset.GetRasterBand(i).GetDescription(): dataset.GetRasterBand(i) for i in range(1, 6)}
+    assert list(bands) == ["kept_1", "contrast_1", "added_1", "source", "mixture"]
+    kept, source = (bands[name].ReadAsArray() for name in ("kept_1", "source"))
+    assert bands["source"].GetCategoryNames()[1:] in (["west.tif", "east.tif"], ["east.tif", "west.tif"])
+    nodata = bands["kept_1"].GetNoDataValue()
+    beside = np.abs((np.arange(kept.shape[1]) + 0.5) * 32 - 0.3 * COLUMNS) < 64
+    far, near = kept[:, ~beside], kept[:, beside]
+    assert np.median(far[far != nodata]) == pytest.approx(1, abs=0.1)
+    assert (near[near != nodata] < 0.85).any()
+    west = bands["source"].GetCategoryNames().index("west.tif")
+    assert (source[:, 0] == west).all()
+    assert (source[:, -1] == 3 - west).all()
+    assert float(bands["kept_1"].GetMetadataItem("STATISTICS_MINIMUM")) < 0.85
+    assert gdal.Info(dataset, format="json")["cornerCoordinates"]["upperLeft"] == [500000.0, 5000000.0]
+
+
+def test_overviews_of_the_picture(hard: Files, tmp_path: Path) -> None:
+    """A long picture has them; a small one needs none."""
+    assert gdal.Open(hard.mosaic).GetRasterBand(1).GetOverviewCount() == 0
+    loss = tmp_path / "loss.tif"
+    assert run("scanmosaic", **hard.given(LOSS=str(loss), CELL=16)).complaint is None
+    assert gdal.Open(str(loss)).RasterXSize == -(-COLUMNS // 16)
+
+
+def test_a_sound_mosaic_has_no_failed_metre(hard: Files) -> None:
+    found = run("scanmosaic", **hard.given())
+    assert found.results["FAILED_METRES"] == 0
+    assert found.results["WORST_KEPT"] > 0.95
+    assert set(found.column("verdict", "SEAMS")) == {"preserved"}
+
+
+def test_worst_windows_are_ready_to_be_inspected(scanned: Run, feathered: Files) -> None:
+    worst = scanned.features("WORST")
+    assert [one["window_id"] for one in worst] == list(range(1, len(worst) + 1))
+    least = min(scanned.features("SEAMS"), key=lambda one: one["kept_1"])
+    assert worst[0].geometry().intersects(least.geometry())
+    given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "WINDOWS": scanned.layer("WORST")}
+    inspected = run("inspectwindows", **given)
+    assert inspected.column("verdict")[0] == "significant"
+    assert run("scanmosaic", **feathered.given(WORST_COUNT=1)).column("window_id", "WORST") == [1]
+    assert run("scanmosaic", **feathered.given(WORST_COUNT=0)).column("window_id", "WORST") == []
+
+
+def test_full_density_says_the_same_of_the_seams(scanned: Run, feathered: Files) -> None:
+    full = run("scanmosaic", **feathered.given(DENSITY="full"))
+    ours, theirs = (points_along((one.geometry() for one in made.features("SEAMS")), 0.05) for made in (scanned, full))
+    assert share_within(ours, theirs, 0.3) > 0.98
+    assert share_within(theirs, ours, 0.3) > 0.98
+    assert full.column("kept_1", "SEAMS") == pytest.approx(scanned.column("kept_1", "SEAMS"), abs=0.06)
+
+
+def test_seamlines_that_are_given_are_used(feathered: Files) -> None:
+    drawn = drawn_seam()
+    found = run("scanmosaic", **feathered.given(SEAMLINES=drawn))
+    ours, theirs = (points_along((one.geometry() for one in made), 0.05)
+                    for made in (found.features("SEAMS"), drawn.getFeatures()))
+    assert share_within(ours, theirs, 0.16) == share_within(theirs, ours, 0.16) == 1  # straightened by 1.5 px
+    assert set(found.column("verdict", "SEAMS")) == {"significant"}
+    assert {tuple(sorted(pair)) for pair in zip(found.column("left_source", "SEAMS"),
+                                                found.column("right_source", "SEAMS"))} == {("east.tif", "west.tif")}
+    corridor = run("scanmosaic", **feathered.given(SEAMLINES=drawn, CORRIDOR=3.0))
+    assert corridor.column("verdict", "SEAMS") == found.column("verdict", "SEAMS")
+    assert corridor.column("kept_1", "SEAMS") == pytest.approx(found.column("kept_1", "SEAMS"), abs=0.05)
+
+
+def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
+    found = run("scanmosaic", MOSAIC=feathered.mosaic, SEAMLINES=drawn_seam(), PIECE=60.0)
+    assert found.complaint is None
+    assert found.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
+    (piece,) = found.rows("SEAMS")
+    assert piece["kept_low"] < piece["kept_1"] < piece["kept_high"]
+    assert any("All seams together keep" in said for said in found.log.infos)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"SOURCES": []}, "Neither orthoimages nor seamlines"),
+        ({"SOURCES": ["/nowhere/a.tif"]}, "None of the orthoimages can be used"),
+        ({"MOSAIC": "/nowhere/m.tif"}, "does not exist"),
+        ({"CELL": 48}, "no cells of 48 pixels; give one of: 16, 32, 64, 128, 256"),
+        ({"LEVELS": 5}, "measures 1 to 4 levels"),
+        ({"LEVELS": 0}, "measures 1 to 4 levels"),
+        ({"PIECE": 0}, "PIECE is 0"),
+        ({"CORRIDOR": -1.0}, "0 or more"),
+        ({"DENSITY": "some"}, "some is no density"),
+        ({"WAVELET": "bior2.2"}, "not orthogonal"),
+        ({"LOSS": "/nowhere/loss.tif"}, "choose another folder"),
+        ({"LOSS": "/tmp"}, "ending .tif"),
+        ({"SCHEDULER": "nowhere"}, "Dask"),
+    ],
+)
+def test_bad_values_end_with_a_sentence(hard: Files, values: dict[str, Any], words: str) -> None:
+    assert_refused("scanmosaic", words, **hard.given(**values))
+
+
+def test_sources_elsewhere_are_refused(hard: Files, tmp_path: Path) -> None:
+    there = write_scene(tmp_path, origin=(700000.0, 5000000.0))
+    assert_refused("scanmosaic", "No orthoimage lies on the mosaic, of 2", **hard.given(SOURCES=there.sources))
+
+
+def test_the_output_is_never_an_input(hard: Files) -> None:
+    assert_refused("scanmosaic", "would be written over", **hard.given(LOSS=hard.mosaic))
+    assert_refused("scanmosaic", "would be written over", **hard.given(LOSS=hard.west))
+
+
+def test_only_the_wanted_layers_are_made(hard: Files, tmp_path: Path) -> None:
+    found = run("scanmosaic", **hard.given(LOSS=str(tmp_path / "loss.tif"), SEAMS=None, CELLS=None, WORST=None))
+    assert found.complaint is None
+    assert set(found.results) == {"LOSS", "SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["loss.tif", "loss.tif.aux.xml"]
+
+
+def test_progress_only_grows_and_ends_whole(hard: Files) -> None:
+    class Watched(Log):
+        def __init__(self) -> None:
+            super().__init__()
+            self.seen: list[float] = []
+            self.progressChanged.connect(self.seen.append)
+
+    log = Watched()
+    assert run("scanmosaic", log, **hard.given()).complaint is None
+    assert log.seen == sorted(log.seen)
+    assert log.seen[-1] == 100
+
+
+def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:
+    """Its windows of the worst places go on to ``inspectwindows``."""
+    model = QgsProcessingModelAlgorithm("scan and inspect", "scan")
+    model.addModelParameter(QgsProcessingParameterRasterLayer("mosaic"), QgsProcessingModelParameter("mosaic"))
+    source = QgsProcessingModelChildParameterSource
+    scan, inspect = (QgsProcessingModelChildAlgorithm(f"seaminspector:{name}")
+                     for name in ("scanmosaic", "inspectwindows"))
+    for step, name in ((scan, "scan"), (inspect, "inspect")):
+        step.setChildId(name)
+        step.addParameterSources("MOSAIC", [source.fromModelParameter("mosaic")])
+        step.addParameterSources("SOURCES", [source.fromStaticValue(path) for path in feathered.sources])
+    scan.addParameterSources("PIECE", [source.fromStaticValue(20.0)])
+    inspect.addParameterSources("WINDOWS", [source.fromChildOutput("scan", "WORST")])
+    for step, name in ((scan, "LOSS"), (scan, "SEAMS"), (inspect, "OUTPUT")):
+        made = QgsProcessingModelOutput(name, name)
+        made.setChildId(step.childId())
+        made.setChildOutputName(name)
+        step.setModelOutputs({**step.modelOutputs(), name: made})
+    model.addChildAlgorithm(scan)
+    model.addChildAlgorithm(inspect)
+    model.updateDestinationParameters()
+    for files, verdict in ((hard, "preserved"), (feathered, "significant")):
+        found = run(model.create(), mosaic=files.mosaic)
+        assert found.complaint is None
+        assert set(found.column("verdict", "scan:SEAMS")) == {verdict}
+        assert found.column("verdict", "inspect:OUTPUT")[0] == verdict

@@ -1,0 +1,229 @@
+"""A scan that was stopped goes on with the same output, and nothing half-written is taken for whole."""
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from seam_inspector.plugin.seams.algorithms import scanmosaic
+from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import open_journal
+from seam_inspector.plugin.seams.measure.scan.results import loss_raster
+from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
+
+from tests.numbers.disks import full_disk
+from tests.qgis.runs import Log, Run, assert_sentence, run
+from tests.qgis.seams.scan_scenes import Files, images, write_scene
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+SHAPE = 300, 6200
+"""4 blocks in a row."""
+LAYERS = ("SEAMS", "CELLS", "WORST")
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Files:
+    return write_scene(tmp_path_factory.mktemp("long"), images(SHAPE, bands=1), width=16.0)
+
+
+def outputs(folder: Path) -> dict[str, str]:
+    folder.mkdir(exist_ok=True)
+    return {"LOSS": str(folder / "loss.tif"), **{name: str(folder / f"{name}.gpkg") for name in LAYERS}}
+
+
+def scan(files: Files, folder: Path, log: Log | None = None, **more: Any) -> Run:
+    return run("scanmosaic", log, **files.given(**outputs(folder), **more))
+
+
+def contents(folder: Path) -> dict[str, list[str]]:
+    """The features of each layer as text."""
+    found = {}
+    for name in LAYERS:
+        dataset = ogr.Open(str(folder / f"{name}.gpkg"))
+        found[name] = [feature.ExportToJson() for feature in dataset.GetLayer(0)]
+    return found
+
+
+def same_bytes_but_for_the_date(first: Path, second: Path) -> bool:
+    """GeoPackages hold when they were last changed, in 24 bytes."""
+    ours, theirs = (np.frombuffer(path.read_bytes(), np.uint8) for path in (first, second))
+    differ = np.flatnonzero(ours != theirs) if len(ours) == len(theirs) else np.arange(1000)
+    return not len(differ) or differ[-1] - differ[0] < 24
+
+
+@pytest.fixture(scope="module")
+def whole(provider: None, files: Files, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The results of a scan that nothing disturbed."""
+    folder = tmp_path_factory.mktemp("whole")
+    ended = scan(files, folder)
+    assert ended.complaint is None
+    assert ended.results["SEAM_METRES"] > 25
+    return folder
+
+
+def assert_like(folder: Path, whole: Path) -> None:
+    assert (folder / "loss.tif").read_bytes() == (whole / "loss.tif").read_bytes()
+    assert contents(folder) == contents(whole)
+    for name in LAYERS:
+        assert same_bytes_but_for_the_date(folder / f"{name}.gpkg", whole / f"{name}.gpkg")
+    assert {path.name for path in folder.iterdir()} == {path.name for path in whole.iterdir()}
+
+
+class StopAt(Log):
+    """Cancels when so much is done, in per cent."""
+
+    def __init__(self, share: float) -> None:
+        super().__init__()
+        self.progressChanged.connect(lambda done: self.cancel() if done >= share else None)
+
+
+@pytest.mark.parametrize("share", [1.0, 50.0, 93.0])
+def test_cancelled_it_keeps_what_is_done_and_goes_on(
+    files: Files, whole: Path, tmp_path: Path, share: float
+) -> None:
+    log = StopAt(share)
+    stopped = scan(files, tmp_path, log)
+    assert stopped.results == {}
+    assert any("goes on from here" in said for said in log.infos)
+    assert [path.name for path in tmp_path.iterdir()] == ["loss.tif.scan"]
+    again = scan(files, tmp_path)
+    assert any("goes on where it stopped" in said for said in again.log.infos)
+    assert_like(tmp_path, whole)
+
+
+def died(work: Any) -> None:
+    """Do work in a process of its own, which kills itself in the middle of it."""
+    child = os.fork()
+    if not child:
+        try:
+            work()
+        finally:
+            os._exit(1)
+    assert os.waitpid(child, 0)[1] == signal.SIGKILL
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
+@pytest.mark.parametrize("feature", [1, 2, 3, 4, 5])
+def test_killed_while_layers_are_written_it_goes_on(
+    files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, feature: int
+) -> None:
+    count = sum(map(len, contents(whole).values()))
+    assert count >= 4
+    left = [count if feature == 5 else feature]
+    write = AlgorithmRun.write
+
+    def dying(sink: Any, features: Any) -> None:
+        def counted() -> Iterator[Any]:
+            for one in features:
+                left[0] -= 1
+                if not left[0]:
+                    os.kill(os.getpid(), signal.SIGKILL)
+                yield one
+
+        write(sink, counted())
+
+    def work() -> None:
+        monkeypatch.setattr(AlgorithmRun, "write", staticmethod(dying))
+        scan(files, tmp_path)
+
+    died(work)
+    assert (tmp_path / "loss.tif.scan").exists()
+    again = scan(files, tmp_path)
+    assert again.complaint is None
+    assert_like(tmp_path, whole)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
+def test_killed_while_the_picture_is_written_there_is_none(
+    files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def work() -> None:
+        monkeypatch.setattr(
+            loss_raster.LossRaster, "close", lambda *_: os.kill(os.getpid(), signal.SIGKILL)
+        )
+        scan(files, tmp_path)
+
+    died(work)
+    assert [path.name for path in tmp_path.iterdir() if not path.name.startswith(".")] == ["loss.tif.scan"]
+    assert scan(files, tmp_path).complaint is None
+    assert_like(tmp_path, whole)
+
+
+def test_a_changed_setting_or_input_starts_anew_and_says_so(files: Files, tmp_path: Path) -> None:
+    (tmp_path / "own").mkdir()
+    own = write_scene(tmp_path / "own", images(SHAPE, bands=1))
+    results = tmp_path / "results"
+    scan(own, results, StopAt(1.0))
+    changed = scan(own, results, StopAt(1.0), CELL=64)
+    assert changed.log.warnings == ["The scan starts anew, since a setting changed since it stopped."]
+    os.utime(own.west, ns=(1, 1))
+    touched = scan(own, results, CELL=64)
+    assert touched.log.warnings == [
+        "The scan starts anew, since the sources or one of their files changed since it stopped."
+    ]
+    assert touched.complaint is None
+    assert not (results / "loss.tif.scan").exists()
+
+
+def test_two_scans_of_one_output(files: Files, tmp_path: Path) -> None:
+    journal, _ = open_journal(tmp_path / "loss.tif.scan", "of another process")
+    try:
+        assert_sentence(scan(files, tmp_path).complaint, "Another scan is writing this output")
+    finally:
+        journal.close()
+
+
+def test_what_is_no_journal_is_left_alone(files: Files, tmp_path: Path) -> None:
+    diary = tmp_path / "loss.tif.scan"
+    diary.write_bytes(b"my diary " * 20)
+    assert_sentence(scan(files, tmp_path).complaint, "was not left by a scan")
+    assert diary.read_bytes() == b"my diary " * 20
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no limit of the size of files")
+def test_a_full_disk_keeps_the_blocks_that_are_done(files: Files, whole: Path, tmp_path: Path) -> None:
+    stopped = StopAt(91.0)  # of which 90 are the blocks
+    scan(files, tmp_path, stopped)
+    size = (tmp_path / "loss.tif.scan").stat().st_size
+    (tmp_path / "loss.tif.scan").unlink()
+    with full_disk(size - 1):
+        failed = scan(files, tmp_path)
+    assert_sentence(failed.complaint, r"What was measured is kept \(blocks done: [1-9]")
+    assert [path.name for path in tmp_path.iterdir()] == ["loss.tif.scan"]
+    again = scan(files, tmp_path)
+    assert any("goes on where it stopped" in said for said in again.log.infos)
+    assert_like(tmp_path, whole)
+
+
+def test_a_layer_that_lost_its_features_is_noticed(
+    files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As on a disk that was full when the layer was closed, which QGIS tells nobody."""
+    with monkeypatch.context() as patched:
+        patched.setattr(scanmosaic, "_holds", lambda _destination, count: count != 2)  # of CELLS
+        assert_sentence(scan(files, tmp_path).complaint, "The layer CELLS can't be written. What was measured is kept")
+    assert (tmp_path / "loss.tif.scan").exists()
+    assert scan(files, tmp_path).complaint is None
+    assert_like(tmp_path, whole)
+
+
+def test_a_source_that_is_deleted_while_the_scan_runs_costs_its_blocks_only(
+    files: Files, tmp_path: Path
+) -> None:
+    west, east = images(SHAPE, bands=1)
+    own = write_scene(tmp_path, [west, east], name="m")
+
+    class Deleting(Log):
+        def __init__(self) -> None:
+            super().__init__()
+            self.progressChanged.connect(lambda _: Path(own.west).unlink(missing_ok=True))
+
+    log = Deleting()
+    ended = run("scanmosaic", log, **own.given(LOSS=str(tmp_path / "loss.tif")))
+    assert ended.complaint is None
+    assert sum("does not exist" in line for line in log.warnings) <= 1, log.warnings

@@ -1,0 +1,176 @@
+"""``seaminspector:scanmosaic`` on real mosaics: Brighton hard and feathered, PackO cut along its graph."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr
+from qgis.core import QgsVectorLayer
+from scipy import ndimage
+
+from tests.numbers.seams.scan.lines.labelled import points_between
+from tests.qgis.runs import Run, run
+from tests.qgis.seams.scan_scenes import points_along, share_within
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+HARD, FEATHER = "mosaic_hardseam", "mosaic_feather0p4m"
+PIECE_M = 2.0  # 67 px at 3 cm
+
+
+@pytest.fixture(scope="module")
+def brighton(data_folder: Path) -> Path:
+    return data_folder / "seams" / "brighton"
+
+
+@pytest.fixture(scope="module")
+def true_seams(brighton: Path) -> np.ndarray:
+    """(n, 2) map places, one per side of a pixel between two sources."""
+    dataset = gdal.Open(str(brighton / "source_label.tif"))
+    left, width, _, top, _, height = dataset.GetGeoTransform()
+    return points_between(dataset.ReadAsArray().astype(int) - 1) * (width, height) + (left, top)
+
+
+@pytest.fixture(scope="module", params=[HARD, FEATHER])
+def found(request: pytest.FixtureRequest, provider: None, brighton: Path) -> Run:
+    """One of the mosaics with its orthoimages, its seams found."""
+    return scanned(brighton, request.param, SOURCES=orthoimages(brighton))
+
+
+def orthoimages(brighton: Path) -> list[str]:
+    return sorted(map(str, brighton.glob("DJI_*.tif")))
+
+
+def scanned(brighton: Path, mosaic: str, **given: Any) -> Run:
+    ended = run("scanmosaic", MOSAIC=str(brighton / f"{mosaic}.tif"), **{"PIECE": PIECE_M, **given})
+    assert ended.complaint is None
+    return ended
+
+
+def mosaic_of(found: Run) -> str:
+    return HARD if found.results["FAILED_METRES"] == 0 else FEATHER
+
+
+def failed_places(found: Run) -> np.ndarray:
+    return points_along(
+        (one.geometry() for one in found.features("SEAMS") if one["verdict"] == "significant"), 0.05
+    )
+
+
+def test_seams_are_found_where_they_are(found: Run, true_seams: np.ndarray) -> None:
+    distance, share = (0.3, 0.95) if mosaic_of(found) == HARD else (0.6, 0.9)
+    places = points_along((one.geometry() for one in found.features("SEAMS")), 0.015)
+    assert share_within(places, true_seams, distance) >= share
+    assert share_within(true_seams, places, distance) >= share
+
+
+def test_failed_metres_lie_on_the_seams_of_the_feathered_mosaic_alone(found: Run, true_seams: np.ndarray) -> None:
+    verdicts = found.column("verdict", "SEAMS")
+    if found.results["FAILED_METRES"] == 0:
+        assert "significant" not in verdicts
+        assert "reduced" not in verdicts
+        return
+    judged = sum(one["length"] for one in found.rows("SEAMS") if one["verdict"] != "not_comparable")
+    assert found.results["FAILED_METRES"] > 0.6 * judged
+    assert judged > 0.5 * found.results["SEAM_METRES"]
+    assert share_within(failed_places(found), true_seams, 1.0) >= 0.95
+
+
+def test_the_two_mosaics_differ(provider: None, brighton: Path) -> None:
+    """What the other tests take for granted: one of them fails and one does not, and one picture shows it."""
+    kept = {}
+    for mosaic in (HARD, FEATHER):
+        ended = scanned(brighton, mosaic, SOURCES=orthoimages(brighton), SEAMLINES=seamlines(brighton))
+        picture = gdal.Open(ended.results["LOSS"])
+        source = picture.GetRasterBand(4)
+        assert source.GetDescription() == "source"  # GDAL 3.6 knows no category names before it is asked for anything
+        assert sorted(source.GetCategoryNames()[1:]) == [Path(path).name for path in orthoimages(brighton)]
+        kept[mosaic] = ended
+    assert kept[HARD].results["FAILED_METRES"] == 0
+    assert kept[FEATHER].results["FAILED_METRES"] > 0.35 * kept[FEATHER].results["SEAM_METRES"]
+    sides = [kept[FEATHER].column(side, "SEAMS") for side in ("left_source", "right_source")]
+    named = {Path(path).name for path in orthoimages(brighton)}
+    assert set().union(*sides) - {None} == named
+
+
+def seamlines(brighton: Path, layer: str = "seamlines") -> str:
+    return f"{brighton / 'seamlines.gpkg'}|layername={layer}"
+
+
+def test_seamlines_and_polygons_mean_the_same(provider: None, brighton: Path, true_seams: np.ndarray) -> None:
+    given = {"SOURCES": orthoimages(brighton), "CORRIDOR": 4.0}
+    lines, polygons = (scanned(brighton, FEATHER, SEAMLINES=seamlines(brighton, layer), **given)
+                       for layer in ("seamlines", "source_polygons"))
+    assert lines.results["SEAM_METRES"] == pytest.approx(polygons.results["SEAM_METRES"], rel=0.01)
+    assert lines.results["FAILED_METRES"] == pytest.approx(polygons.results["FAILED_METRES"], rel=0.1)
+    assert share_within(failed_places(lines), true_seams, 1.0) >= 0.95
+
+
+@pytest.mark.parametrize("mosaic", [HARD, FEATHER])
+def test_without_orthoimages_the_seam_network_is_judged(
+    provider: None, brighton: Path, true_seams: np.ndarray, mosaic: str
+) -> None:
+    ended = scanned(brighton, mosaic, SEAMLINES=seamlines(brighton), PIECE=25.0)
+    (said,) = (one for one in ended.log.infos if "All seams together keep" in one)
+    low, high = (float(word) for word in said.partition("(")[2].partition(" %")[0].split(" to "))
+    if mosaic == HARD:
+        assert low < 100 < high
+        assert "significant" not in ended.column("verdict", "SEAMS")
+    else:
+        assert high < 100
+        assert share_within(failed_places(ended), true_seams, 1.0) >= 0.95
+    assert ended.features("CELLS") == []
+
+
+# PackO: three orthoimages of 256 px, one of them blurred; its graph says which is used where
+
+
+@pytest.fixture(scope="module")
+def packo(data_folder: Path) -> Path:
+    return data_folder / "seams" / "packo"
+
+
+def packo_mosaic(packo: Path, folder: Path, sigma: float = 0.0) -> str:
+    """The mosaic that the graph describes, hard or feathered by a Gaussian of its labels."""
+    paths = sorted(packo.glob("*.tif"))
+    images = [gdal.Open(str(path)) for path in paths]
+    labels = gdal.GetDriverByName("MEM").Create("", images[0].RasterXSize, images[0].RasterYSize, 1)
+    labels.SetGeoTransform(images[0].GetGeoTransform())
+    labels.SetProjection(images[0].GetProjection())
+    graph = ogr.Open(str(packo / "regress_graphe.gpkg"))
+    for number, path in enumerate(paths):
+        layer = graph.ExecuteSQL(f"SELECT * FROM graphe WHERE CLICHE LIKE '%{path.stem[-5:]}%'")
+        gdal.RasterizeLayer(labels, [1], layer, burn_values=[number + 1])
+        graph.ReleaseResultSet(layer)
+    number = labels.ReadAsArray()
+    assert len(np.unique(number)) >= 2
+    share = np.stack([(number == one + 1).astype(float) for one in range(len(paths))])
+    if sigma:
+        share = np.stack([ndimage.gaussian_filter(one, sigma) for one in share])
+    pixels = np.stack([one.ReadAsArray() for one in images]).astype(float)
+    made = np.rint((share[:, np.newaxis] * pixels).sum(axis=0) / np.maximum(share.sum(axis=0), 1e-9))
+    path = str(folder / f"packo_{sigma:g}.tif")
+    copy = gdal.GetDriverByName("GTiff").CreateCopy(path, images[0])
+    copy.WriteArray(made.astype(np.uint8))
+    return path
+
+
+def test_packo_along_its_graph(provider: None, packo: Path, tmp_path: Path) -> None:
+    graph = QgsVectorLayer(str(packo / "regress_graphe.gpkg"), "graph", "ogr")
+    given = {"SOURCES": sorted(map(str, packo.glob("*.tif"))), "SEAMLINES": graph, "PIECE": 4.0}
+    hard, feathered = (
+        run("scanmosaic", MOSAIC=packo_mosaic(packo, tmp_path, sigma), **given) for sigma in (0.0, 6.0)
+    )
+    for ended in (hard, feathered):
+        assert ended.complaint is None
+        names = set(ended.column("left_source", "SEAMS")) | set(ended.column("right_source", "SEAMS"))
+        assert names & {Path(path).name for path in given["SOURCES"]}
+    assert hard.results["FAILED_METRES"] == 0
+    measured = [one for one in hard.column("kept_1", "SEAMS") if one is not None]
+    assert len(measured) >= 3
+    assert min(measured) > 0.95
+    lost = [one for one in feathered.column("kept_1", "SEAMS") if one is not None]
+    assert len(lost) >= 3
+    assert max(lost) < 0.9
