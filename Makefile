@@ -13,7 +13,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qgis test-desktop demo benchmark benchmark-detection benchmark-calibration translate package icon clean
+.PHONY: help install link lint test test-numbers test-qgis test-desktop demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -55,6 +55,10 @@ demo: link ## Inspect a generated block, or with DATA=folder your own rasters; r
 
 benchmark: link ## Measure the speed, on one core
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run
+
+benchmark-scan: link ## Measure the scan of a whole mosaic against the bare read of its files, on all cores; SIDE=3000 for a try
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.scan \
+		$(if $(SIDE),--side $(SIDE))
 
 benchmark-detection: link ## Measure how well lost contrast and its causes are found; real data by SEAM_INSPECTOR_DATA
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.detection

@@ -54,7 +54,7 @@ def compare(clip: np.ndarray, repetitions: int) -> tuple[Timing, Timing, Timing]
 
 def run(band: np.ndarray, quick: bool) -> list[Goal]:
     """Print the table; the goal is for 1024 x 1024, against the faster of PyWavelets' two precisions."""
-    repetitions = 7 if quick else 21
+    repetitions = 7 if quick else 11
     wanted = WANTED_ON_DEBIAN if is_system_blas() else WANTED
     rows, goals = [], []
     for name, clip in clips(band, quick):

@@ -65,7 +65,7 @@ def run(ground: Ground, quick: bool) -> list[Goal]:
         path = Path(folder) / "photo.jpg"
         mark = scanned_frame(ground.pixels()[1], path)
         ours, read, peer = interleaved(
-            [partial(whole, path), partial(bare_read, path), partial(one_template, path, mark)], 2 if quick else 5
+            [partial(whole, path), partial(bare_read, path), partial(one_template, path, mark)], 1 if quick else 3
         )
     seconds = sorted(ours.cpu)[len(ours.cpu) // 2]
     print_table(

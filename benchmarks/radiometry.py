@@ -55,7 +55,7 @@ def whole(path: Path) -> object:
 def run(ground: Ground, quick: bool) -> list[Goal]:
     """Print the streamed statistics of a large raster against the bare read of the same pixels."""
     with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
-        return _run(large_rasters(ground, Path(folder)), 3 if quick else 7)
+        return _run(large_rasters(ground, Path(folder)), 2 if quick else 4)
 
 
 def _run(paths: dict[str, Path], repetitions: int) -> list[Goal]:

@@ -15,6 +15,8 @@ import numpy as np
 import pywt
 from osgeo import gdal
 
+_STARTED = time.perf_counter()
+
 DEBIAN_BLAS = "/usr/lib/"
 """Where the system's BLAS lies; wheels bring their own."""
 
@@ -99,6 +101,33 @@ def interleaved(calls: Sequence[Callable[[], object]], repetitions: int) -> list
     return [Timing(tuple(wall), tuple(cpu)) for wall, cpu in zip(walls, cpus)]
 
 
+@dataclass(frozen=True)
+class Run:
+    """One run of something long."""
+
+    wall: float
+    """Seconds by the clock on the wall."""
+    cpu: float
+    """Of the processor, all threads together."""
+
+
+def timed(call: Callable[[], object]) -> Run:
+    """Run something once."""
+    started, started_cpu = time.perf_counter(), time.process_time()
+    call()
+    return Run(time.perf_counter() - started, time.process_time() - started_cpu)
+
+
+def say(words: str) -> None:
+    """What is under way, at once, also into a pipe; with the seconds since the start."""
+    print(f"  {time.perf_counter() - _STARTED:4.0f} s  {words}", flush=True)
+
+
+def seconds_so_far() -> float:
+    """Since the start."""
+    return time.perf_counter() - _STARTED
+
+
 def print_table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], note: str = "") -> None:
     """A table in columns, the first one to the left."""
     widths = [max(map(len, column)) for column in zip(head, *rows)]
@@ -107,8 +136,7 @@ def print_table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], 
         first, *others = (cell.ljust(width) if i == 0 else cell.rjust(width)
                           for i, (cell, width) in enumerate(zip(row, widths)))
         print("  " + "  ".join([first, *others]).rstrip())
-    if note:
-        print(f"\n  {note}")
+    print(f"\n  {note}\n" if note else "", flush=True)
 
 
 def print_machine(threads: str) -> None:
@@ -117,7 +145,7 @@ def print_machine(threads: str) -> None:
     print(f"numpy {np.__version__}, PyWavelets {pywt.__version__}, GDAL {gdal.__version__}")
     print(f"BLAS {blas()}, threads: {threads}")
     if hasattr(os, "getloadavg"):
-        print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the start (above 0.5: take care)")
+        print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f} at the start (above 0.5: take care)", flush=True)
 
 
 def processor() -> str:

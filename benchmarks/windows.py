@@ -34,7 +34,7 @@ from seam_inspector.plugin.seams.measure.inspection import (
 from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
 
 from .ground import COMPRESSED, FORMATS, SIDE, Ground
-from .timing import Goal, Spread, Timing, interleaved, print_table
+from .timing import Goal, Spread, Timing, interleaved, print_table, say
 
 Place = tuple[str, PixelWindow]
 """A raster and the pixels of it that a window needs."""
@@ -103,7 +103,7 @@ def joined(timings: Sequence[Timing]) -> Timing:
 
 def run_against_read(ground: Ground, quick: bool) -> list[Goal]:
     """Print clip + curves of whole windows against the bare read of the same pixels."""
-    repetitions = 3 if quick else 15
+    repetitions = 3 if quick else 7
     rows, goals = [], []
     for tile_format in FORMATS:
         requests = ground.requests(tile_format)
@@ -139,7 +139,7 @@ def explained(clips: Sequence[Clip], wavelet: str, levels: int) -> Explanation:
 
 def run_explanation(ground: Ground, quick: bool) -> list[Goal]:
     """Print what profile and causes of windows cost as a multiple of their curves, both from clips in memory."""
-    repetitions = 3 if quick else 9
+    repetitions = 3 if quick else 5
     rows, goals = [], []
     for side in EXPLAINED_SIDES:
         timings = []
@@ -188,9 +188,10 @@ def read_many(requests: Sequence[WindowRequest], count: int, threads: int) -> No
 
 def run_threads(ground: Ground, quick: bool) -> list[Goal]:
     """Print windows per second on one and on two threads."""
-    count, rounds = (12, 2) if quick else (40, 5)
+    count, rounds = (8, 1) if quick else (12, 3)
     rows, goals = [], []
-    for tile_format in COMPRESSED:
+    for tile_format in ("DEFLATE", "JPEG 75"):
+        say(f"{count} windows in one thread and in two, {rounds} times, {tile_format}")
         requests = ground.requests(tile_format)
         calls = [partial(job, requests, count, threads) for job in (inspect_many, read_many) for threads in (1, 2)]
         one, two, read_by_one, read_by_two = interleaved(calls, rounds)
@@ -231,7 +232,7 @@ def memory_after(ground: Ground, counts: Sequence[int]) -> list[float]:
 
 def run_memory(ground: Ground, quick: bool) -> list[Goal]:
     """Print the peak memory after few and after ten times as many windows."""
-    counts = (12, 120) if quick else (40, 400)
+    counts = (8, 80) if quick else (12, 120)
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as executor:
         start, few, many = executor.submit(memory_after, ground, counts).result()
     print_table(
