@@ -25,6 +25,7 @@ from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache
 from .inputs.inputs_watch import InputsWatch
 from .inputs.project_inputs import Inputs, load_inputs, save_inputs
+from .loss_view import LossView
 from .map.seam_finder import SeamFinder
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults
@@ -44,6 +45,8 @@ class Session(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.loss_view = LossView(self)
+        """Whether lost detail is painted over the map and the images."""
         self._project = QgsProject.instance()
         self._inputs_background = BackgroundTasks(self)  # apart, since another window layer does not matter to it
         self._inputs_background.failed.connect(self._tell)

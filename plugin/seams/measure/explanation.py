@@ -6,7 +6,7 @@ values, contrast, position and detail with that (Pyka 2010, section 3, names the
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from .following.followed_source import FollowedSource
 from .following.levelling import left_over
 from .following.placed_sources import PlacedSources, follow_sources
 from .profile.detail_cells import DetailCells, detail_cells
+from .profile.loss_picture import LossPicture, loss_picture
 from .profile.seam_profile import SeamProfile, seam_profile
 from .seam_cells import UNKNOWN
 from .tone import Tone, whole_squares
@@ -73,6 +74,8 @@ class Explanation:
     """Share of pixels in which two sources are mixed."""
     apart: float | None
     """How far the two sources that the mosaic follows most lie from each other, px; None where there are none."""
+    loss: LossPicture | None = field(default=None, compare=False, repr=False)
+    """Where detail was lost; None where that can't be told."""
 
     @property
     def cause(self) -> Cause:
@@ -144,6 +147,7 @@ def explain(
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         apart=_apart(images, following),
+        loss=None if unclear else loss_picture(details[0], expected.labels, cells),
     )
 
 

@@ -19,6 +19,7 @@ from .causes import Cause
 from .changes import Change
 from .compared_image import MeasuredClip
 from .explanation import Explanation, explain
+from .profile.loss_picture import LossPicture
 from .profile.seam_profile import SeamProfile
 from .seam_cells import UNKNOWN, Cell, cell_labels, cells_over
 from .source_images import Source, gather_sources, sources_in
@@ -143,6 +144,11 @@ class WindowResult:
     def profile(self) -> SeamProfile | None:
         """What is kept along the seam; None without one, or where it can't be told."""
         return self.explanation.profile if self.explanation else None
+
+    @property
+    def loss(self) -> LossPicture | None:
+        """The picture of where detail was lost; None where that can't be told."""
+        return self.explanation.loss if self.explanation else None
 
     @property
     def band_width_m(self) -> float | None:

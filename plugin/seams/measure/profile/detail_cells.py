@@ -97,8 +97,14 @@ def _bin_numbers(labels: np.ndarray) -> np.ndarray:
     else:
         numbers = np.full(coarse.shape, len(EDGES_PX) - 1, np.intp)
     if not known.all():
-        numbers[widened(~known, _UNKNOWN_MARGIN_PX // _GRID_PX)] = len(EDGES_PX)
+        numbers[~explained_samples(labels)] = len(EDGES_PX)
     return numbers
+
+
+def explained_samples(labels: np.ndarray) -> np.ndarray:
+    """On the grid of the finest coefficients those that take part, (rows / 2, columns / 2) bool."""
+    known = labels[::_GRID_PX, ::_GRID_PX] != UNKNOWN
+    return known if known.all() else ~widened(~known, _UNKNOWN_MARGIN_PX // _GRID_PX)
 
 
 @cache

@@ -84,8 +84,8 @@ def seam_profile(cells: DetailCells) -> SeamProfile | None:
     """The profile of a window, a strip or a mosaic; None without a seam, or with too little ground around."""
     if not cells.has_seam or cells.area[0, strip_bins(0)].sum() < MIN_STRIP_PX:
         return None
-    far, beyond = _far_cells(cells)
-    if np.count_nonzero(far) < FEWEST_FAR_CELLS:
+    far, beyond = ground_cells(cells)
+    if far is None:
         return None
     levels = [_LevelProfile(cells, level, far, beyond) for level in range(len(cells.mm))]
     strips = [level.strip() for level in levels]
@@ -104,8 +104,8 @@ def seam_profile(cells: DetailCells) -> SeamProfile | None:
 
 def local_kept(cells: DetailCells, level: int = 0) -> np.ndarray | None:
     """kept_r of every cell, (rows, columns), NaN where none can be told: the picture of where detail was lost."""
-    far, beyond = _far_cells(cells)
-    if np.count_nonzero(far) < FEWEST_FAR_CELLS:
+    far, beyond = ground_cells(cells)
+    if far is None:
         return None
     return _LevelProfile(cells, level, far, beyond).by_cell()
 
@@ -133,15 +133,16 @@ def strip_bins(level: int) -> slice:
     return slice(0, EDGES_PX.index(STRIP_PX * 2**level) if STRIP_PX * 2**level in EDGES_PX else len(EDGES_PX) - 1)
 
 
-def _far_cells(cells: DetailCells) -> tuple[np.ndarray, int]:
-    """Cells that lie wholly beyond a distance, (rows, columns) bool, and the bin that begins there."""
+def ground_cells(cells: DetailCells) -> tuple[np.ndarray | None, int]:
+    """Cells that lie wholly beyond a distance from any seam, (rows, columns) bool, None where there are too few; and
+    the bin that begins there."""
     whole = cells.area[0].sum(axis=0) >= CELL_PX**2
     for distance in (*FARTHER_PX, FAR_PX):
         beyond = EDGES_PX.index(distance)
         far = np.asarray(whole & (cells.area[0, :beyond].sum(axis=0) == 0))
         if np.count_nonzero(far) >= ENOUGH_FAR_CELLS:
             break
-    return far, beyond
+    return (far if np.count_nonzero(far) >= FEWEST_FAR_CELLS else None), beyond
 
 
 class _LevelProfile:

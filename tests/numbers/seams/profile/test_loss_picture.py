@@ -1,0 +1,126 @@
+"""The picture of lost detail, against loops over PyWavelets' coefficients and against where the seam is."""
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.imagery.wavelets import detail_components
+from seam_inspector.plugin.seams.measure.profile.detail_cells import detail_cells
+from seam_inspector.plugin.seams.measure.profile.loss_picture import LOSS_CELL_PX, LossPicture, loss_picture
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+
+from tests.numbers.seams.profile.blends import LEVELS, SIDE, WAVELET, Blend, blend
+from tests.numbers.synthetic import texture, wavedec
+
+CELLS = SIDE // LOSS_CELL_PX
+
+
+def picture_of(made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None) -> LossPicture | None:
+    labels = made.labels if labels is None else labels
+    planes = np.stack([made.made if mosaic is None else mosaic, made.hard]).astype(np.float32)
+    details = list(detail_components(planes, WAVELET, LEVELS))
+    return loss_picture(details[0], labels, detail_cells(details, labels))
+
+
+def kept_of(made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None) -> np.ndarray:
+    found = picture_of(made, mosaic, labels)
+    assert found is not None
+    return found.kept
+
+
+def smoothed(cells: np.ndarray) -> np.ndarray:
+    """By a Gaussian of one cell, cut at four, the cells mirrored at the edge."""
+    weights = np.exp(-0.5 * np.arange(-4, 5) ** 2)
+    weights /= weights.sum()
+    padded = np.pad(cells, 4, mode="symmetric")
+    made = np.zeros_like(cells)
+    for row in range(cells.shape[0]):
+        for column in range(cells.shape[1]):
+            made[row, column] = weights @ padded[row : row + 9, column : column + 9] @ weights
+    return made
+
+
+def energies(plane: np.ndarray) -> np.ndarray:
+    """Of PyWavelets' finest details, in cells."""
+    finest = np.sum(np.square(wavedec(plane, WAVELET, 1)[1]), axis=0)
+    step = LOSS_CELL_PX // 2
+    return np.array([
+        [finest[row : row + step, column : column + step].sum() for column in range(0, finest.shape[1], step)]
+        for row in range(0, finest.shape[0], step)
+    ])
+
+
+def test_it_is_what_loops_over_pywavelets_say() -> None:
+    """The ground around is as it was, so what is expected of a cell is what its composite has."""
+    made = blend(0)
+    mosaic = made.hard - 0.5 * np.where(made.distance < 10, texture(made.hard.shape, 1.2, 5) * 8, 0)
+    expected = smoothed(energies(mosaic)) / smoothed(energies(made.hard))
+    found = kept_of(made, mosaic)
+    assert found.dtype == np.float32
+    assert found.shape == (CELLS, CELLS)
+    np.testing.assert_allclose(found, expected, rtol=5e-3)
+    assert expected.min() < 0.95 or expected.max() > 1.05
+
+
+def test_a_hard_cut_is_even_and_a_feather_a_line_along_the_seam() -> None:
+    assert abs(kept_of(blend(0)) - 1).max() < 1e-3
+    made = blend(33)
+    found = kept_of(made)
+    distance = made.distance.reshape(CELLS, LOSS_CELL_PX, CELLS, LOSS_CELL_PX).mean(axis=(1, 3))
+    assert (found[distance < 4] < 0.8).all()
+    assert np.median(found[distance < 4]) == pytest.approx(made.truth(0, 12), abs=0.1)
+    assert abs(found[distance > 48] - 1).max() < 0.1
+
+
+@pytest.mark.parametrize("place", [150, 203, 256, 311])
+def test_the_line_lies_where_the_seam_is(place: int) -> None:
+    """Within the pixel by which coif3's own middle lies beside that of its two samples."""
+    made = blend(33)
+    column = np.broadcast_to(np.arange(SIDE), (SIDE, SIDE))
+    rng = np.random.default_rng(place)
+    hard = 120 + 10 * rng.standard_normal((SIDE, SIDE))
+    mosaic = 120 + (hard - 120) * np.sqrt(1 - 0.6 * np.exp(-0.5 * ((column + 0.5 - place) / 8) ** 2))
+    labels = (column >= place).astype(np.uint8)
+    lost = np.clip(1 - kept_of(Blend(hard, mosaic, labels, made.distance)), 0.1, None) - 0.1
+    middles = (np.arange(CELLS) + 0.5) * LOSS_CELL_PX
+    assert float((lost.sum(axis=0) * middles).sum() / lost.sum()) == pytest.approx(place, abs=1.2)
+
+
+def test_what_was_done_to_the_whole_mosaic_leaves_it_even() -> None:
+    made = blend(0)
+    noise = 3 * np.random.default_rng(3).standard_normal(made.hard.shape)
+    for mosaic in (0.6 * made.hard + 30, made.hard + noise):
+        assert (kept_of(made, mosaic) > 0.9).mean() > 0.995
+
+
+def test_what_no_source_explains_is_not_told() -> None:
+    made = blend(33)
+    labels = made.labels.copy()
+    labels[:96, :96] = UNKNOWN
+    found = kept_of(made, labels=labels)
+    assert np.isnan(found[:12, :12]).all()
+    assert not np.isnan(found[14:, 14:]).any()
+    np.testing.assert_allclose(found[30:, 30:], kept_of(made)[30:, 30:], rtol=0.05)
+
+
+def test_a_window_that_is_no_multiple_of_the_cell_has_cells_for_all_of_it() -> None:
+    made = blend(33)
+    rows, columns = 300, 404
+    part = Blend(*(one[:rows, :columns] for one in (made.hard, made.made, made.labels, made.distance)))
+    planes = np.stack([part.made, part.hard]).astype(np.float32)
+    details = list(detail_components(planes, WAVELET, 1))
+    found = loss_picture(details[0], part.labels, detail_cells(details, part.labels))
+    assert found is not None
+    assert found.kept.shape == (38, 51)
+    assert not np.isnan(found.kept).any()
+
+
+def test_without_ground_to_compare_with_there_is_none_and_it_can_cross_processes() -> None:
+    made = blend(33)
+    striped = (np.arange(SIDE)[:, np.newaxis] // 40 % 2 + np.zeros((1, SIDE))).astype(np.uint8)
+    assert picture_of(made, labels=striped) is None
+    found = picture_of(made)
+    again = pickle.loads(pickle.dumps(found))
+    np.testing.assert_array_equal(again.kept, found.kept if found else None)
+    assert again.cell_px == LOSS_CELL_PX
