@@ -161,10 +161,10 @@ class Desk:
         QTest.mouseMove(self.canvas.viewport(), self.pixel(point))
         self.pause(0.1)
 
-    def click(self, point: Point) -> None:
-        """Click on the map."""
+    def click(self, point: Point, modifiers: Qt.KeyboardModifier = _NO_KEY) -> None:
+        """Click on the map; with Ctrl our tool makes a window also where there is one already."""
         QTest.mouseMove(self.canvas.viewport(), self.pixel(point))
-        QTest.mouseClick(self.canvas.viewport(), _LEFT, _NO_KEY, self.pixel(point))
+        QTest.mouseClick(self.canvas.viewport(), _LEFT, modifiers, self.pixel(point))
 
     def drag(self, start: Point, end: Point, before_release: Callable[[], None] | None = None) -> None:
         """Drag on the map. Moves coalesce under X, so nothing depends on how many were seen."""

@@ -57,7 +57,10 @@ class InspectionDock(ToolDock):
         self._offer_tool(
             WindowTool(self._canvas, self.session),
             "draw_window",
-            tr("Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square."),
+            tr(
+                "Click: selects the window that is there, with Shift it too; else makes a standard window, on the seam "
+                "when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another."
+            ),
         )
         self.inputs = InputsPanel(self.session)
         self.windows = WindowsPanel(self.session)

@@ -52,6 +52,12 @@ WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them 
 WINDOWS_PLACED_IN_PART = Message(
     "Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.", INFO
 )
+WINDOWS_PLACED_BESIDES = Message(
+    "Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are "
+    "ready.",
+    INFO,
+)
+WINDOWS_THERE_ALREADY = Message("No window was placed: all {there} places along the seams have theirs already.", INFO)
 NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log messages say why.", WARNING)
 # the window layer
 WINDOW_LAYER_NOT_CREATED = Message(

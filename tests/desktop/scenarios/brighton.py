@@ -97,7 +97,7 @@ def time_clicks(desk: Desk, block: Path) -> None:
     times, sizes = [], set()
     for point in two_source_points(desk):
         before = len(session.windows())
-        desk.click(point)
+        desk.click(point, Qt.KeyboardModifier.ControlModifier)  # also where there is a window already
         start = time.perf_counter()
         desk.wait(lambda count=before + 1: shown(desk, count), 20, "curve of a clicked window")
         times.append(time.perf_counter() - start)

@@ -18,8 +18,10 @@ from ....toolkit.translation import sentence, tr
 from ...measure import messages
 from ...measure.window_placing import window_side_px
 from .window_outline import OutlineTone, WindowOutline
+from .window_under import window_under
 
 if TYPE_CHECKING:
+    from ...measure.window_records import WindowRecord
     from ..inputs.project_inputs import Inputs
     from ..session import Session
 
@@ -41,10 +43,12 @@ class _Draft:
 
 
 class WindowTool(DrawingTool):
-    """Click: the standard window, on the seam when one is near. Drag: a rectangle, with Shift a square.
+    """Click: the window that is there, else a new standard one, on the seam when one is near. Drag: a new rectangle.
 
-    Esc cancels a drag, the right button ends. Middle button, wheel and Space move the map as ever: the canvas
-    keeps these to itself, and no flag of this tool (zooming by Shift and drag, context menu) takes the others.
+    Shift and a click add a window to the selection or take it out, as in QGIS's own tools; Ctrl and a click make a new
+    one where there is one already; Shift and a drag make a square. Esc cancels a drag, the right button ends. Middle
+    button, wheel and Space move the map as ever: the canvas keeps these to itself, and no flag of this tool (zooming
+    by Shift and drag, context menu) takes the others.
     """
 
     def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
@@ -55,6 +59,7 @@ class WindowTool(DrawingTool):
         self._anchor: Point | None = None  # where the drag began, on the mosaic
         self._is_drag = False
         self._is_square = False
+        self._is_new = False  # by Ctrl, where there is a window already
         self._cursor: QgsPointXY | None = None  # on the map; None while it is elsewhere
 
     def _listen(self) -> None:
@@ -91,6 +96,11 @@ class WindowTool(DrawingTool):
                 self.finished.emit()
         elif event.button() == Qt.MouseButton.LeftButton and self._pressed_at is not None:
             self._follow(event)
+            there = self._window_there()
+            if there is not None:
+                self._forget()
+                self._select(there.fid)
+                return
             draft = self._draft()
             if draft is not None and draft.window is not None:
                 self._forget()
@@ -112,15 +122,22 @@ class WindowTool(DrawingTool):
         elif event.key() == Qt.Key.Key_Shift:
             self._is_square = True
             self._show_draft()
+        elif event.key() == Qt.Key.Key_Control:
+            self._is_new = True
+            self._show_draft()
 
     def _key_released(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Shift:
             self._is_square = False
             self._show_draft()
+        elif event.key() == Qt.Key.Key_Control:
+            self._is_new = False
+            self._show_draft()
 
     def _follow(self, event: QgsMapMouseEvent) -> None:
         self._cursor = event.mapPoint()
         self._is_square = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        self._is_new = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
         if self._pressed_at is not None:
             self._is_drag = self._is_drag or is_drag(self._pressed_at, event.pixelPoint())
 
@@ -133,8 +150,25 @@ class WindowTool(DrawingTool):
         self._cursor = None
         self._overlay.hide()
 
+    def _window_there(self) -> WindowRecord | None:
+        """The window that a click would select."""
+        layer = self._session.window_layer()
+        if layer is None or self._cursor is None or self._is_drag or self._is_new:
+            return None
+        map_crs = self.canvas().mapSettings().destinationCrs()
+        return window_under(self._session.windows(), layer, self._cursor, map_crs)
+
+    def _select(self, fid: int) -> None:
+        """It alone, or with Shift it too, or not any more."""
+        self._session.select(sorted({*self._session.selected()} ^ {fid}) if self._is_square else [fid])
+
     def _show_draft(self) -> None:
         """Draw what a click, or the end of the drag, would make at the cursor."""
+        there, windows = self._window_there(), self._session.window_layer()
+        if there is not None and there.extent is not None and windows is not None:
+            text = tr("window {number}: click selects it, drag draws another").format(number=there.window_id)
+            self._overlay.show(QgsRectangle(*there.extent), text, windows.crs())
+            return
         draft, layer = self._draft(), self._session.mosaic_layer()
         if draft is not None and layer is not None:
             mark = QgsPointXY(*draft.seam_point) if draft.seam_point is not None else None

@@ -15,7 +15,8 @@ from qgis.core import QgsApplication, QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
-from ....imagery.grids import PixelWindow
+from ....imagery.grids import Extent, PixelWindow
+from ....imagery.message import Message
 from ....toolkit import layer_editing, layers
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.desk.timers import single_shot
@@ -96,18 +97,15 @@ class NewWindows(QObject):
     def _placing(self, mosaic: str, placement: Placement) -> Iterator[None]:
         if mosaic != self._block.inputs.mosaic:
             return
-        windows = [placed.window for placed in placement.windows]
-        if windows:
+        found = [placed.window for placed in placement.windows]
+        windows = found
+        if found:
             yield from self._with_layer(block := self._block.required())
+            windows = self._not_there_yet(block, found)
             for _ in self._added(block, windows, _AT_ONCE):
                 yield
         write_log(placement.dropped)
-        if windows:
-            dropped, count = len(placement.dropped), len(windows)
-            in_part = messages.WINDOWS_PLACED_IN_PART(count=count, notes=dropped)
-            self.told.emit(in_part if dropped else messages.WINDOWS_PLACED(count=count))
-        else:
-            self.told.emit(placement.dropped[0] if len(placement.dropped) == 1 else messages.NO_WINDOW_PLACED())
+        self.told.emit(_placed_message(len(windows), len(found) - len(windows), placement.dropped))
 
     def _with_layer(self, block: Block) -> Iterator[None]:
         """Make the window layer when there is none."""
@@ -124,6 +122,18 @@ class NewWindows(QObject):
         yield
         layer_editing.start_editing(made)
         yield
+
+    def _not_there_yet(self, block: Block, windows: Sequence[PixelWindow]) -> list[PixelWindow]:
+        """Those that are none of the layer's: placing twice doesn't double."""
+        layer = self._watch.layer
+        assert layer is not None
+        places = [layers.extent(outline) for outline in self._block.outlines(block, layer, windows)]
+        there = [row.extent for row in self._watch.rows() if row.extent is not None]
+        pixel = min(places[0][2] - places[0][0], places[0][3] - places[0][1]) / windows[0].width
+        taken = {_in_pixels(extent, places[0], pixel) for extent in there}
+        return [
+            window for window, place in zip(windows, places) if _in_pixels(place, places[0], pixel) not in taken
+        ]
 
     def _added(self, block: Block, windows: Sequence[PixelWindow], at_once: int) -> Iterator[list[int]]:
         layer = self._watch.layer
@@ -157,3 +167,21 @@ class NewWindows(QObject):
             self._is_at_work = False
             if self._waiting:
                 self._clock.start()
+
+
+def _in_pixels(extent: Extent, origin: Extent, pixel: float) -> tuple[int, ...]:
+    """Where a window lies from another one on the same grid, to the next pixel: files round coordinates."""
+    return tuple(round((edge - start) / pixel) for edge, start in zip(extent, origin))
+
+
+def _placed_message(count: int, there: int, dropped: Sequence[Message]) -> Message:
+    """What became of placing: windows added, places that had theirs already, and places without one."""
+    if not count:
+        if there:
+            return messages.WINDOWS_THERE_ALREADY(there=there)
+        return dropped[0] if len(dropped) == 1 else messages.NO_WINDOW_PLACED()
+    if there:
+        return messages.WINDOWS_PLACED_BESIDES(count=count, there=there)
+    if dropped:
+        return messages.WINDOWS_PLACED_IN_PART(count=count, notes=len(dropped))
+    return messages.WINDOWS_PLACED(count=count)

@@ -1,12 +1,13 @@
 """A session without tasks: what the map tool and the inputs panel ask of it, and a record of what they do."""
 from __future__ import annotations
 
-from qgis.core import QgsProject, QgsRasterLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL
 
@@ -24,6 +25,9 @@ class FakeSession(QObject):
         self.source_count = 3
         self.added: list[PixelWindow] = []
         self.settings: list[Inputs] = []
+        self.layer: QgsVectorLayer | None = None
+        self.rows: list[WindowRecord] = []
+        self.chosen: list[int] = []
 
     def set_inputs(self, inputs: Inputs) -> None:
         if inputs != self.inputs:
@@ -46,6 +50,18 @@ class FakeSession(QObject):
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         return (self.seam_x, y) if self.seam_x is not None and abs(x - self.seam_x) <= reach else None
+
+    def window_layer(self) -> QgsVectorLayer | None:
+        return self.layer
+
+    def windows(self) -> list[WindowRecord]:
+        return self.rows
+
+    def selected(self) -> list[int]:
+        return self.chosen
+
+    def select(self, fids: list[int]) -> None:
+        self.chosen = list(fids)
 
     def add_window(self, window: PixelWindow) -> int | None:
         self.added.append(window)

@@ -67,3 +67,16 @@ def test_no_window_at_all_is_a_warning_that_says_why(desk: Desk, log: Log) -> No
     assert desk.levels[-1] == Qgis.MessageLevel.Warning
     assert log.lines == [said]
     assert "no room beside" in said
+
+
+def test_placing_twice_doubles_nothing(desk: Desk) -> None:
+    place(desk, [_WHOLE])
+    before = {row.window_id: row.extent for row in desk.session.windows()}
+    desk.layer().commitChanges(False)  # files may round coordinates
+    said = place(desk, [_WHOLE])
+    assert said == f"No window was placed: all {len(before)} places along the seams have theirs already."
+    assert {row.window_id: row.extent for row in desk.session.windows()} == before
+    desk.session.remove([min(row.fid for row in desk.session.windows())])
+    said = place(desk, [_WHOLE])
+    assert said.startswith(f"Windows placed along the seams: 1; places that had theirs already: {len(before) - 1}.")
+    assert sorted(row.extent for row in desk.session.windows()) == sorted(before.values())

@@ -20,12 +20,13 @@ from qgis.PyQt.QtWidgets import QApplication, QLabel
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.map.window_tool import WindowTool, drawn_extent
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
-from tests.qgis.scenes import ORIGIN, PIXEL, Scene, at
+from tests.qgis.scenes import ORIGIN, PIXEL, Scene, at, windows
 from tests.qgis.seams.desk.fake_session import FakeSession
 
 LEFT, RIGHT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
-SHIFT = Qt.KeyboardModifier.ShiftModifier
+SHIFT, CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 UTM33 = QgsCoordinateReferenceSystem("EPSG:32633")
 WEB_MERCATOR = QgsCoordinateReferenceSystem("EPSG:3857")
 MIDDLE = (2048, 1024)
@@ -334,3 +335,61 @@ def test_hovering_is_cheap(operator: Operator) -> None:
     for event in events:
         operator.tool.canvasMoveEvent(event)
     assert (time.perf_counter() - start) / len(events) < 0.004
+
+
+# Windows that are there
+
+
+@pytest.fixture
+def with_windows(operator: Operator) -> Operator:
+    """Two windows that overlap by half, the second one to the right."""
+    session = operator.session
+    boxes = [(2000, 1000, 128, 128), (2064, 1000, 128, 128)]
+    session.layer = windows(*boxes)
+    session.rows = [
+        WindowRecord(fid, Grid(*ORIGIN, PIXEL, PIXEL, 4096, 2048).window_extent(PixelWindow(*box)), fid=fid)
+        for fid, box in enumerate(boxes, 1)
+    ]
+    return operator
+
+
+def test_click_selects_the_window_that_is_there(with_windows: Operator) -> None:
+    session = with_windows.session
+    with_windows.click((2010, 1064))
+    assert session.chosen == [1]
+    with_windows.click((2100, 1064))  # in both, nearer to the middle of the second
+    assert session.chosen == [2]
+    assert session.added == []
+
+
+def test_click_with_shift_adds_to_the_selection_and_takes_from_it(with_windows: Operator) -> None:
+    with_windows.click((2010, 1064))
+    with_windows.modifiers = SHIFT
+    with_windows.click((2180, 1064))
+    assert with_windows.session.chosen == [1, 2]
+    with_windows.click((2010, 1064))
+    assert with_windows.session.chosen == [2]
+
+
+def test_click_with_control_and_a_drag_make_another_window_on_top(with_windows: Operator) -> None:
+    with_windows.modifiers = CONTROL
+    with_windows.click((2064, 1064))
+    assert with_windows.session.added == [PixelWindow(2000, 1000, 128, 128)]
+    with_windows.modifiers = Qt.KeyboardModifier.NoModifier
+    with_windows.drag((2010, 1010), (2138, 1138))
+    assert len(with_windows.session.added) == 2
+    assert with_windows.session.chosen == []
+
+
+def test_it_is_said_what_a_click_does_there(with_windows: Operator) -> None:
+    with_windows.move((2010, 1064))
+    assert with_windows.text == "window 1: click selects it, drag draws another"
+    assert with_windows.outline.width() == pytest.approx(12.8)
+    with_windows.move((1800, 1064))
+    assert "3 sources" in with_windows.text
+
+
+def test_windows_are_found_on_a_map_in_another_system(with_windows: Operator) -> None:
+    with_windows.canvas.setDestinationCrs(WEB_MERCATOR)
+    with_windows.click((2010, 1064))
+    assert with_windows.session.chosen == [1]
