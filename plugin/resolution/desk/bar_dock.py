@@ -36,14 +36,14 @@ from ...imagery.rasters import Raster
 from ...toolkit.background_task import End, Outcome
 from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.desk.clipped_label import ClippedLabel
-from ...toolkit.desk.layer_box import LayerBox
+from ...toolkit.desk.layer_box import LayerBox, vectors_without
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.layers import layer_ref, mosaic_crs
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from .. import line_layer
 from ..jobs import bar_job, image_job
-from ..line_table import pixel_segment
+from ..line_table import GROUP, pixel_segment
 from ..measure import limits, messages
 from ..measure.bar_groups import TargetResolution
 from ..measure.bar_lines import BarLine
@@ -94,10 +94,14 @@ class BarDock(ToolDock):
         tool.cancelled.connect(self._line_cancelled)
         self._background.ended.connect(self._task_ended)
         self._background.failed.connect(self._warn)
+        project = QgsProject.instance()
+        project.layersAdded.connect(self._offer_bar_lines)
+        self._offer_bar_lines()
         self._image_changed()
 
     def close_desk(self) -> None:
         super().close_desk()
+        QgsProject.instance().layersAdded.disconnect(self._offer_bar_lines)
         self._background.close()
 
     def target(self) -> Target:
@@ -108,6 +112,10 @@ class BarDock(ToolDock):
         """The layer that lines are added to; None until there is one."""
         layer = self.lines.currentLayer()
         return layer if isinstance(layer, QgsVectorLayer) else None
+
+    def _offer_bar_lines(self, *_: object) -> None:
+        """Layers of other lines, such as seams or contours, are none that groups could be added to."""
+        self.lines.leave_out(vectors_without(GROUP))
 
     # the line
 

@@ -28,12 +28,14 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ...toolkit.desk.greyed import allow
 from ...toolkit.desk.scroll_body import ScrollBody
 from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.timers import single_shot
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.resources import icon_path, style_path
-from ...toolkit.translation import tr
+from ...toolkit.translation import sentence, tr
+from ..measure import messages
 from ..scan_job import ScanDone
 from .inputs.inputs_panel import InputsPanel
 from .map.window_tool import WindowTool
@@ -264,17 +266,23 @@ class InspectionDock(ToolDock):
             layer.undoStack().undo()
 
     def _enable_actions(self) -> None:
-        ready, windows = self.session.mosaic_grid() is not None, self.session.windows()
-        self.draw.setEnabled(ready)
-        self.place.setEnabled(ready and bool(self.session.inputs.seamlines))
-        for action in (self.inspect, self.inspect_selected):
-            action.setEnabled(ready and bool(windows))
-        self.scan.setEnabled(self.scans.can_start)
-        self.worst.setEnabled(ready and self.scans.worst_layer() is not None)
+        """Grey what can't be done now, and say why."""
+        problem, windows = self.session.problem(), self.session.windows()
+        unset = sentence(problem) if problem is not None else ""
+        layer, is_line = self.session.window_layer(), bool(self.session.inputs.seamlines)
+        no_windows = "" if windows else tr("There is no window yet: draw one, or place them along the seamlines.")
+        can_undo = layer is not None and layer.isEditable() and layer.undoStack().canUndo()
+        allow(self.draw, unset)
+        allow(self.place, unset or ("" if is_line else sentence(messages.NO_SEAMLINES())))
+        allow(self.inspect, unset or no_windows)
+        allow(self.inspect_selected, unset or no_windows)
+        allow(self.scan, self.scans.why_not())
+        unscanned = "" if self.scans.worst_layer() else tr("No scan has found such places yet: scan the mosaic first.")
+        allow(self.worst, unset or unscanned)
         self._offer_stop(self.session.is_busy)
-        self.report.setEnabled(any(row.verdict for row in windows))
-        layer = self.session.window_layer()
-        self.undo.setEnabled(layer is not None and layer.isEditable() and layer.undoStack().canUndo())
+        judged = any(row.verdict for row in windows)
+        allow(self.report, "" if judged else no_windows or tr("No window has been inspected yet."))
+        allow(self.undo, "" if can_undo else tr("There is no change of the windows to take back."))
 
     def _repaint_windows(self) -> None:
         """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""

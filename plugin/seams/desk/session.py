@@ -24,6 +24,7 @@ from ..tables import window_layer
 from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache
 from .inputs.inputs_watch import InputsWatch
+from .inputs.layer_places import LayerPlaces
 from .inputs.project_inputs import Inputs, load_inputs, save_inputs
 from .loss_view import LossView
 from .map.seam_finder import SeamFinder
@@ -52,6 +53,7 @@ class Session(QObject):
         self._inputs_background.failed.connect(self._tell)
         self._block = BlockCache(self._project, self._inputs_background, self)
         self._block.opened.connect(self._opened)
+        self._places = LayerPlaces(self._project)
         self._seams = SeamFinder(self._block, self._inputs_background)
         self._layers = InputsWatch(self._project, self)
         self._layers.layersChanged.connect(self._files_changed)
@@ -77,7 +79,7 @@ class Session(QObject):
             (self._project.readProject, self._load),
             (self._project.cleared, self._load),
             (self._project.writeProject, self._save),
-            (self._project.layersAdded, self._layers_changed),
+            (self._project.layersAdded, self._layers_added),
             (self._project.layersWillBeRemoved, self._forget_layers),
             (self._project.layersRemoved, self._layers_changed),
         ]
@@ -247,6 +249,7 @@ class Session(QObject):
         self._seams.forget()
         self._forget_windows()
         self._block.inputs = load_inputs(self._project)
+        self._places.load()
         self._layers_changed()
 
     def _save(self, *_: object) -> None:
@@ -258,7 +261,16 @@ class Session(QObject):
             error = next((text.rstrip(". ") for text in layer.commitErrors() if text.startswith("ERROR")), "")
             self._tell(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error))
 
+    def _layers_added(self, *_: object) -> None:
+        """One that was removed may be back, under another id."""
+        inputs = self._places.found_again(self.inputs)
+        if inputs != self.inputs:
+            self.set_inputs(inputs)
+        else:
+            self._layers_changed()
+
     def _layers_changed(self, *_: object) -> None:
+        self._places.note(self.inputs)
         self._block.refresh()
         self._layers.follow(self.inputs)
         layer = self._project.mapLayer(self.inputs.windows)

@@ -21,6 +21,12 @@ def missing_text(layer_id: str) -> str:
     return tr("missing: {name}").format(name=_UUID.sub("", layer_id))
 
 
+def vectors_without(field: str) -> list[QgsVectorLayer]:
+    """The project's vector layers that lack a field."""
+    found = QgsProject.instance().mapLayers().values()
+    return [layer for layer in found if isinstance(layer, QgsVectorLayer) and field not in layer.fields().names()]
+
+
 class LayerBox(QgsMapLayerComboBox):
     """Layers of the project, none, or one that is missing.
 

@@ -270,9 +270,11 @@ def test_a_layer_without_the_fields_is_told(operator: Operator, qgis_iface: Qgis
                                             monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[str] = []
     monkeypatch.setattr(qgis_iface.messageBar(), "pushMessage", lambda _title, text, *_rest: told.append(text))
-    other = layer("LineString", [])
+    other = layer("LineString", [], group=("integer", []))
     QgsProject.instance().addMapLayer(other)
     operator.dock.lines.setLayer(other)
+    other.dataProvider().deleteAttributes([0])
+    other.updateFields()
     operator.draw(1)
     assert told == ["The layer has no field 'group'; add it and fill it in."]
     assert operator.rows() == []
@@ -365,3 +367,12 @@ def test_the_plugin_shows_the_dock_and_takes_it_along(qgis_iface: QgisInterface,
         settle()
         assert not window.findChildren(BarDock)
         assert window.findChild(QAction, "seamInspectorBarAction") is None
+
+
+def test_lines_of_other_things_are_not_offered(operator: Operator) -> None:
+    seams = layer("LineString", [])
+    seams.setName("seams")
+    QgsProject.instance().addMapLayer(seams)
+    names = [operator.dock.lines.itemText(row) for row in range(operator.dock.lines.count())]
+    assert names == ["new layer"]
+    assert operator.dock.line_layer() is None

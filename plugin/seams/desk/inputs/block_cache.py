@@ -147,15 +147,15 @@ class BlockCache(QObject):
     def state(self) -> int | None:
         """The number of the present state of all that a result depends on; None while that is not known.
 
-        Equal states have equal numbers, so results are up to date again when a change is taken back. A layer that
-        vanished counts as it was.
+        Equal states have equal numbers, so results are up to date again when a change is taken back. A source that was
+        removed counts no more; any other layer that vanished counts as it was.
         """
         inputs = self.inputs
         indexed = self._of_layer(self._indexed, inputs.source_index)
         cells = self._of_layer(self._cells, inputs.cells)
         if not inputs.mosaic or indexed is None or cells is None:
             return None
-        sources = tuple(map(self.seen, inputs.sources))
+        sources = tuple(self.seen(name) for name in inputs.sources if self._project.mapLayer(name) is not None)
         _, windows_crs = self.seen(inputs.windows)
         state = self.seen(inputs.mosaic), sources, indexed, cells, self.settings(), windows_crs
         return self._states.setdefault(state, len(self._states))

@@ -13,12 +13,12 @@ from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import SettingsError
 from ....imagery.message import WARNING
-from ....toolkit.desk.layer_box import LayerBox
+from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.translation import sentence, tr
 from ...measure.window_placing import window_side_px
 from ...tables.source_index import LOCATION_FIELD
-from .more_box import MoreBox, add_field, metres_box, show_value, vectors_without
+from .more_box import MoreBox, add_field, metres_box, show_value
 from .source_list import SourceList, file_rasters, overlapping
 
 if TYPE_CHECKING:

@@ -4,13 +4,13 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
+from qgis.core import QgsMapLayerProxyModel
 from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QComboBox, QGridLayout, QLabel, QWidget
 
 from ....imagery import limits as imagery_limits
-from ....toolkit.desk.layer_box import LayerBox
+from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.translation import tr
 from ...measure import limits
 from ...measure.inspection import REFERENCES
@@ -145,12 +145,6 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
 
     def _choose_density(self, _index: int) -> None:
         self.changed.emit("density", self.density.currentData())
-
-
-def vectors_without(field: str) -> list[QgsVectorLayer]:
-    """The project's vector layers that lack a field."""
-    found = QgsProject.instance().mapLayers().values()
-    return [layer for layer in found if isinstance(layer, QgsVectorLayer) and field not in layer.fields().names()]
 
 
 def metres_box(usual: float, step: float, parent: QWidget) -> QgsDoubleSpinBox:

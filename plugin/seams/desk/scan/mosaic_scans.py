@@ -62,13 +62,17 @@ class MosaicScans(QObject):
     @property
     def can_start(self) -> bool:
         """Whether the inputs allow a scan, and none is under way."""
+        return not self.why_not()
+
+    def why_not(self) -> str:
+        """Why no scan can be started now; empty when one can."""
         if self.is_at_work:
-            return False
+            return tr("A scan is under way; it can be stopped below.")
         try:
             self._session.scan_order()
-        except SeamInspectorError:
-            return False
-        return True
+        except SeamInspectorError as error:
+            return sentence(error.message)
+        return ""
 
     @property
     def is_at_work(self) -> bool:

@@ -137,3 +137,19 @@ def test_unloading_while_it_scans_leaves_nothing(
         settle()
     assert left_behind(qgis_iface) == before
     assert not list(tmp_path.glob("*so_far*"))
+
+
+def test_grey_buttons_say_why(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
+    action_of(plugin).trigger()
+    dock: InspectionDock = plugin.desk("seamInspectorAction").dock
+    for action in (dock.draw, dock.place, dock.inspect, dock.scan):
+        assert not action.isEnabled()
+        assert "choose" in action.toolTip().lower()
+    assert "inspected" in dock.report.toolTip() or "no window" in dock.report.toolTip()
+    dock = opened(plugin, scan_scene, tmp_path)
+    assert dock.draw.isEnabled()
+    assert "\n" not in dock.draw.toolTip()
+    assert not dock.place.isEnabled()
+    assert "seamlines" in dock.place.toolTip().split("\n")[-1]
+    assert "no window" in dock.inspect.toolTip()
+    assert "scan the mosaic first" in dock.worst.toolTip()

@@ -13,7 +13,7 @@ from qgis.core import (
 )
 from seam_inspector.plugin.seams.desk.session import Session
 
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, windows
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, saved, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 
@@ -169,13 +169,42 @@ def test_saving_makes_nothing_stale(desk: Desk, tmp_path: Path, suffix: str) -> 
 # Layers that change
 
 
-def test_a_layer_that_vanishes_makes_nothing_stale(desk: Desk) -> None:
+def test_a_mosaic_that_vanishes_makes_nothing_stale(desk: Desk) -> None:
     desk.add()
-    for name in ("source", "mosaic"):
-        layer = desk.sources[0] if name == "source" else desk.mosaic
-        desk.project.removeMapLayers([layer.id()])
-        settle()
-        assert not desk.rows()[1].stale, name
+    desk.project.removeMapLayers([desk.mosaic.id()])
+    settle()
+    assert not desk.rows()[1].stale
+
+
+def test_a_source_that_is_removed_makes_windows_stale_until_it_is_added_again(desk: Desk, scene: Scene) -> None:
+    desk.add()
+    before = desk.session.inputs
+    desk.project.removeMapLayers([desk.sources[0].id()])
+    settle()
+    assert desk.rows()[1].stale
+    again = desk.raster(scene.west)  # the same file under another id
+    settle()
+    assert desk.session.inputs.sources == (again.id(), before.sources[1])
+    assert not desk.rows()[1].stale
+
+
+def test_layers_that_are_added_again_are_found_also_in_a_project_opened_since(
+    desk: Desk, scene: Scene, tmp_path: Path
+) -> None:
+    seamlines = QgsVectorLayer(saved(desk.seamlines, tmp_path / "seams.gpkg"), "seams")
+    desk.project.addMapLayer(seamlines)
+    desk.set(desk.inputs(seamlines=seamlines.id()))
+    desk.project.removeMapLayers([desk.mosaic.id(), seamlines.id()])
+    path = str(tmp_path / "project.qgz")
+    assert desk.project.write(path)
+    desk.project.clear()
+    assert desk.project.read(path)
+    mosaic = desk.raster(scene.mosaic)
+    assert desk.session.inputs.mosaic == mosaic.id()
+    lines = QgsVectorLayer(str(tmp_path / "seams.gpkg") + "|layername=seams", "lines")
+    desk.project.addMapLayer(lines)
+    assert desk.session.inputs.seamlines == lines.id()
+    desk.wait_for_opening()
 
 
 def test_another_mosaic_instead_of_one_that_vanished_makes_inspected_windows_stale(desk: Desk, tmp_path: Path) -> None:
