@@ -6,25 +6,31 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Callable
 
 import numpy as np
 
-from ..imagery.clips import Clip, read_clip
+from ..imagery.clips import MAX_MISSING_SHARE, Clip, read_clip
 from ..imagery.errors import RasterError
+from ..imagery.grids import PixelWindow
 from ..imagery.open_raster import OpenRaster
-from ..imagery.rasters import RasterRef
 from .measure.inspection import WindowRequest
+from .picture_stretch import (
+    BRIGHTEST,
+    DARKEST,
+    GreyRanges,
+    Stretch,
+    brightness,
+    cut_range,
+    ranges_with,
+    thinned,
+    to_bytes,
+)
 
-DARKEST, BRIGHTEST = 2.0, 98.0  # percentiles that become black and white: QGIS's own cumulative cut
-_MOST_SAMPLES = 1 << 18  # of one band of one clip: the percentiles of every fourth pixel of 1024 x 1024 are as good
-_ROWS_AT_ONCE = 256  # are stretched in one go: little memory, and the interface's thread gets its turn
+LEAST_SIDE_PX = 384  # of a picture: smaller windows are shown with the ground around them
 _SMALLEST_SIDE = 256  # of the reduced pictures, px
-
-_Stretches = dict[np.dtype, tuple[float, float]]
-"""The values that become black and white, the same for all bands so that colours stay as they are, by data type:
-numbers of two types can't be compared."""
+_NO_DATA_GREYS, _NO_DATA_SQUARE = (88, 104), 8  # squares that say that there is nothing, and their side, px
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,94 +50,128 @@ class ClipPicture:
     """Whether the pixels were warped to the mosaic's grid, which softens them."""
     reduced: tuple[np.ndarray, ...] = ()
     """The same at 1/2, 1/4, ... of the size, each pixel the mean of 2 x 2: what is drawn when all is to be seen."""
+    inside: PixelWindow | None = None
+    """The window's own pixels, where there is ground around them; None: the picture is the window."""
+    is_composite: bool = False
+    """Whether it is the hard-cut composite of the sources, and no raster's."""
 
 
-def make_pictures(request: WindowRequest, cancelled: Callable[[], bool] = lambda: False) -> list[ClipPicture]:
-    """The mosaic's picture, then those of the sources that cover the window, in the request's order.
+@dataclass(frozen=True)
+class PictureRequest:
+    """A window to be shown, and how."""
+
+    window: WindowRequest
+    stretch: Stretch = Stretch.DELIVERED
+    ranges: GreyRanges = field(default_factory=dict)
+    """Known so far in this project, so that all windows look alike."""
+
+
+@dataclass(frozen=True, eq=False)
+class WindowPictureSet:
+    """The pictures of one window, the mosaic's first, and the ranges of values by which all windows are shown."""
+
+    pictures: tuple[ClipPicture, ...] = ()
+    ranges: GreyRanges = field(default_factory=dict)
+
+
+def make_pictures(request: PictureRequest, cancelled: Callable[[], bool] = lambda: False) -> WindowPictureSet:
+    """The mosaic's picture, then those of the sources that cover some of the window, in the request's order.
 
     A raster that can't be read there has none. Colours where there are red, green and blue, else the first band
-    in grey. Without a window, or when cancelled, there are no pictures.
+    in grey; squares where a raster has no data. Without a window, or when cancelled, there are no pictures.
     """
-    clips = list(_clips(request, cancelled))
-    stretches = {} if cancelled() else _stretches(clip for clip, _ in clips)
+    window = request.window.window
+    if window is None:
+        return WindowPictureSet((), request.ranges)
+    shown, inside = with_ground(window)
+    clips = list(_clips(request.window, shown, inside, cancelled))
+    if cancelled():
+        return WindowPictureSet((), request.ranges)
+    ranges, kept = request.ranges, request.ranges
+    if request.stretch is Stretch.WINDOW:
+        ranges = _own_ranges(((_shown_bands(clip), clip.valid) for _, clip in clips), inside)
+    else:
+        ranges = kept = ranges_with(ranges, request.stretch, ((source, _largest(clip)) for source, clip in clips))
     pictures = []
     while clips and not cancelled():
-        clip, is_mosaic = clips.pop(0)  # freed as soon as it is drawn
-        pixels = _picture(clip, stretches)
-        name = clip.raster.ref.name
+        source, clip = clips.pop(0)  # freed as soon as it is drawn
+        pixels = brightness(_shown_bands(clip), ranges)
+        if clip.valid is not None:
+            _mark_no_data(pixels, clip.valid)
         pictures.append(
-            ClipPicture(name, is_mosaic, pixels, clip.offset_x, clip.offset_y, clip.resampled, tuple(_reduced(pixels)))
+            ClipPicture(
+                clip.raster.ref.name, source.ref == request.window.mosaic.ref, pixels, clip.offset_x, clip.offset_y,
+                clip.resampled, tuple(_reduced(pixels)), inside if shown != window else None,
+            )
         )
-    return [] if cancelled() else pictures
+    return WindowPictureSet(() if cancelled() else tuple(pictures), kept)
+
+
+def with_ground(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
+    """A window with the ground around it where it is small, and where it lies in that; beyond the mosaic too."""
+    left, top = (max(0, LEAST_SIDE_PX - side + 1) // 2 for side in (window.width, window.height))
+    shown = PixelWindow(window.column - left, window.row - top, window.width + 2 * left, window.height + 2 * top)
+    return shown, PixelWindow(left, top, window.width, window.height)
 
 
 def stretched(clips: Sequence[Clip]) -> list[np.ndarray]:
     """(rows, columns, 3) uint8 of each clip, all stretched in common."""
-    stretches = _stretches(clips)
-    return [_picture(clip, stretches) for clip in clips]
+    ranges = _own_ranges((_shown_bands(clip), clip.valid) for clip in clips)
+    return [brightness(_shown_bands(clip), ranges) for clip in clips]
 
 
 def bytes_picture(bands: np.ndarray, in_colour: bool, valid: np.ndarray) -> np.ndarray:
     """(rows, columns, 3) uint8 of bands (bands, rows, columns), stretched by its valid pixels; white elsewhere."""
     shown = bands[: 3 if in_colour else 1]
     low, high = np.percentile(shown[:, valid], (DARKEST, BRIGHTEST)) if valid.any() else (0.0, 1.0)
-    pixels = np.moveaxis(_bytes(shown, low, high if high > low else low + 1), 0, 2)
+    pixels = np.moveaxis(to_bytes(shown, low, high if high > low else low + 1), 0, 2)
     return np.where(valid[..., np.newaxis], pixels, np.uint8(255)).repeat(3 // len(shown), axis=2)
 
 
-def _clips(request: WindowRequest, cancelled: Callable[[], bool]) -> Iterator[tuple[Clip, bool]]:
-    """Clips and whether each is the mosaic's."""
-    if request.window is None:
-        return
-    refs: list[RasterRef] = [request.mosaic.ref, *(source.ref for source in request.sources)]
-    for i, ref in enumerate(refs):
+def _clips(
+    request: WindowRequest, shown: PixelWindow, inside: PixelWindow, cancelled: Callable[[], bool]
+) -> Iterator[tuple[OpenRaster, Clip]]:
+    """Those that have pixels in the window itself, be it a few."""
+    for ref in (request.mosaic.ref, *(source.ref for source in request.sources)):
         if cancelled():
             return
         with suppress(RasterError):
-            yield read_clip(OpenRaster(ref), request.mosaic, request.window), i == 0
+            source = OpenRaster(ref)
+            clip = read_clip(source, request.mosaic, shown, partly=True, holes=True)
+            if clip.valid is None or _part(clip.valid, inside).mean() > 1 - MAX_MISSING_SHARE:
+                yield source, clip
 
 
 def _shown_bands(clip: Clip) -> np.ndarray:
     return clip.bands[: 3 if clip.raster.has_luminance else 1]
 
 
-def _stretches(clips: Iterable[Clip]) -> _Stretches:
-    samples: dict[np.dtype, list[np.ndarray]] = {}
-    for clip in clips:
-        for band in _shown_bands(clip):
-            step = 1
-            while (band.shape[0] // step) * (band.shape[1] // step) > _MOST_SAMPLES:
-                step += 1
-            samples.setdefault(band.dtype, []).append(band[::step, ::step].ravel())
-    found = {}
-    for key, parts in samples.items():
-        low, high = np.percentile(np.concatenate(parts), (DARKEST, BRIGHTEST))
-        found[key] = (float(low), float(high)) if high > low else (float(low) - 0.5, float(low) + 0.5)
-    return found
+def _largest(clip: Clip) -> float:
+    """Filled pixels hold a mean and do no harm."""
+    return float(_shown_bands(clip).max())
 
 
-def _picture(clip: Clip, stretches: _Stretches) -> np.ndarray:
-    bands = _shown_bands(clip)
-    pixels = np.empty((*clip.bands.shape[1:], 3), np.uint8)
-    for i, band in enumerate(bands):
-        _stretch(band, *stretches[band.dtype], pixels[..., i])
-    if len(bands) == 1:
-        pixels[..., 1:] = pixels[..., :1]
-    return pixels
+def _own_ranges(
+    shown: Iterable[tuple[np.ndarray, np.ndarray | None]], inside: PixelWindow | None = None
+) -> GreyRanges:
+    """By what the clips hold in this window."""
+    samples: dict[str, list[np.ndarray]] = {}
+    for bands, valid in shown:
+        where = None if valid is None else _part(valid, inside)
+        samples.setdefault(str(bands.dtype), []).extend(thinned(_part(band, inside), where) for band in bands)
+    return {kind: cut_range(parts) for kind, parts in samples.items()}
 
 
-def _stretch(band: np.ndarray, low: float, high: float, out: np.ndarray) -> None:
-    table = None
-    if band.dtype.kind == "u" and band.dtype.itemsize <= 2:
-        table = _bytes(np.arange(np.iinfo(band.dtype).max + 1), low, high)
-    for top in range(0, len(band), _ROWS_AT_ONCE):
-        rows = slice(top, top + _ROWS_AT_ONCE)
-        out[rows] = _bytes(band[rows], low, high) if table is None else table[band[rows]]
+def _part(pixels: np.ndarray, inside: PixelWindow | None) -> np.ndarray:
+    if inside is None:
+        return pixels
+    return pixels[inside.row : inside.row + inside.height, inside.column : inside.column + inside.width]
 
 
-def _bytes(values: np.ndarray, low: float, high: float) -> np.ndarray:
-    scaled = (values.astype(np.float64) - low) * (255 / (high - low))
-    return np.rint(scaled).clip(0, 255).astype(np.uint8)
+def _mark_no_data(pixels: np.ndarray, valid: np.ndarray) -> None:
+    rows, columns = (np.arange(side) // _NO_DATA_SQUARE for side in valid.shape)
+    squares = np.array(_NO_DATA_GREYS, np.uint8)[(rows[:, np.newaxis] + columns) % 2]
+    np.copyto(pixels, squares[..., np.newaxis], where=~valid[..., np.newaxis])
 
 
 def _reduced(pixels: np.ndarray) -> Iterator[np.ndarray]:

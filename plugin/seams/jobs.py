@@ -9,7 +9,7 @@ from ..imagery.lines.seamlines import find_seams
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
 from ..toolkit.background_task import Cancelled, Job
-from .clip_pictures import make_pictures
+from .clip_pictures import PictureRequest, make_pictures
 from .measure.inspection import InspectionSettings, WindowRequest
 from .measure.nearest_seam import SeamIndex
 from .measure.window_placing import place_windows
@@ -53,6 +53,6 @@ def placing_job(
     return job
 
 
-def pictures_job(request: WindowRequest) -> Job:
-    """Reads the clips of one window as pictures; yields the list of them."""
+def pictures_job(request: PictureRequest) -> Job:
+    """Reads the clips of one window as pictures; yields the WindowPictureSet of them."""
     return lambda cancelled: iter([(1.0, make_pictures(request, cancelled))])

@@ -229,7 +229,7 @@ class Session(QObject):
         row = self.row(fid)
         return self._results.result(row.window_id) if row is not None else None
 
-    def pictures(self, fid: int) -> list[ClipPicture] | None:
+    def pictures(self, fid: int) -> tuple[ClipPicture, ...] | None:
         """The clips of a window as pictures; when they are not there yet they are read in the background."""
         return self._pictures.pictures(fid)
 

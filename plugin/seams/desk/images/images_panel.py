@@ -1,21 +1,22 @@
-"""The clips of the selected window side by side, to be judged by eye."""
+"""The clips of the selected window, to be judged by eye: one large that flips, or all side by side."""
 from __future__ import annotations
 
-from typing import Callable
+from collections.abc import Sequence
 
-from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QEvent, QSize, Qt
-from qgis.PyQt.QtGui import QHideEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtGui import QHideEvent, QResizeEvent, QShowEvent
+from qgis.PyQt.QtWidgets import QBoxLayout, QLabel, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
 
-from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.space_key import SpaceKey
 from ....toolkit.translation import tr
 from ...clip_pictures import ClipPicture
 from ..session import Session
+from .images_bar import ImagesBar
 from .picture_flow import GAP, PictureFlow
+from .picture_strip import PictureStrip
+from .picture_title import kind_of
 from .picture_view import PictureView
-from .viewport import BEST_ZOOM, Viewport
+from .viewport import Viewport
 
 
 class ImagesPanel(QWidget):
@@ -25,10 +26,11 @@ class ImagesPanel(QWidget):
         super().__init__(parent)
         self._session = session
         self._fid: int | None = None
-        self._pictures: list[ClipPicture] | None = None
+        self._pictures: Sequence[ClipPicture] | None = None
+        self._chosen = ""  # name of the picture that the large one flips to
         self.viewport = Viewport(self)
         self.views: list[PictureView] = []
-        """Those in use, the mosaic's first."""
+        """Those side by side, the mosaic's first."""
         self._space = SpaceKey(self)
         self._space.changed.connect(self._flip)
         self._build()
@@ -42,25 +44,8 @@ class ImagesPanel(QWidget):
     # Parts
 
     def _build(self) -> None:
-        self._status = ClippedLabel(1)
-        self._zoom = QLabel()
-        self._zoom.setToolTip(tr("Screen pixels per image pixel"))
-        self._zoom.setMinimumWidth(self.fontMetrics().horizontalAdvance("0.00x"))
-        self._zoom.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        zoom_out = self._button("/mActionZoomOut.svg", tr("Zoom all pictures out (wheel, -)"), self._zoom_out)
-        zoom_in = self._button("/mActionZoomIn.svg", tr("Zoom all pictures in (wheel, +)"), self._zoom_in)
-        self._zoom_to_all = self._button("/mActionZoomFullExtent.svg", tr("Show all of the window"), self._show_all)
-        self._zoom_to_best = self._button(
-            "", tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen"), self._reset
-        )
-        self._zoom_to_best.setText("2x")
-        for button in (self._zoom_to_all, self._zoom_to_best):
-            button.setCheckable(True)
-        top = QHBoxLayout()
-        top.setSpacing(GAP)
-        top.addWidget(self._status, 1)
-        for widget in (zoom_out, self._zoom, zoom_in, self._zoom_to_all, self._zoom_to_best):
-            top.addWidget(widget)
+        self.bar = ImagesBar(self._session, self.viewport)
+        self.bar.arrangementChanged.connect(self._rearrange)
         self._hint = QLabel()
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -72,25 +57,30 @@ class ImagesPanel(QWidget):
         self._scroll.setWidgetResizable(True)
         self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._scroll.setWidget(self._flow)
+        self._one = QWidget()
+        self.large = self._new_view(self._one)
+        self.strip = PictureStrip()
+        self.strip.chosen.connect(self._choose)
+        self._one_box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self._one)
+        self._one_box.setContentsMargins(0, 0, 0, 0)
+        self._one_box.setSpacing(GAP)
+        self._one_box.addWidget(self.large, 1)
+        self._one_box.addWidget(self.strip)
         self._pages = QStackedWidget()
-        self._pages.addWidget(self._hint)
-        self._pages.addWidget(self._scroll)
+        for page in (self._hint, self._scroll, self._one):
+            self._pages.addWidget(page)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(GAP)
-        box.addLayout(top)
+        box.addWidget(self.bar)
         box.addWidget(self._pages, 1)
         self._show_zoom()
 
-    def _button(self, icon: str, tip: str, slot: Callable[[], None]) -> QToolButton:
-        button = QToolButton()
-        button.setAutoRaise(True)
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
-        if icon:
-            button.setIcon(QgsApplication.getThemeIcon(icon))
-        button.clicked.connect(slot)
-        return button
+    def _new_view(self, parent: QWidget) -> PictureView:
+        view = PictureView(self.viewport, parent)
+        view.hovered.connect(self._space.set_hovered)
+        view.focused.connect(self._space.set_focused)
+        return view
 
     def minimumSizeHint(self) -> QSize:
         side = 10 * self.fontMetrics().height()
@@ -116,18 +106,20 @@ class ImagesPanel(QWidget):
             self._say(tr("No picture: neither the mosaic nor a source can be read in this window."))
         elif pictures is not self._pictures or not self._is_showing():
             self._show(pictures)
-        self._show_status()
+        self._show_status(pictures)
 
     def _arrived(self, fid: int) -> None:
         if fid == self._fid:
             self._refresh()
 
     def _is_showing(self) -> bool:
-        return self._pages.currentWidget() is self._scroll
+        return self._pages.currentWidget() is not self._hint
+
+    def _shown_views(self) -> list[PictureView]:
+        return self.views if self.bar.side_by_side.isChecked() else [self.large]
 
     def _say(self, hint: str) -> None:
         self._pictures = None
-        self._status.setText("")
         self._space.release()
         self._hint.setText(hint)
         self._pages.setCurrentWidget(self._hint)
@@ -136,19 +128,30 @@ class ImagesPanel(QWidget):
         """The pictures of the window before stay in place, dimmed, so that nothing flickers."""
         self._pictures = None
         if self._is_showing():
-            for view in self.views:
+            for view in self._shown_views():
                 view.set_reading()
         else:
             self._say(tr("Reading the pictures ..."))
 
-    def _show(self, pictures: list[ClipPicture]) -> None:
+    def _show(self, pictures: Sequence[ClipPicture]) -> None:
+        shown = len(self._pictures or ())
         self._pictures = pictures
         size = (pictures[0].pixels.shape[1], pictures[0].pixels.shape[0])
-        if size != self.viewport.window or len(pictures) != len(self.views):
+        if size != self.viewport.window or len(pictures) != shown:
             self.viewport.set_cursor(None)  # the mouse is somewhere else now
         self.viewport.window = size
+        if self.bar.side_by_side.isChecked():
+            self._show_all(pictures)
+        else:
+            self._show_one(pictures)
+        self._show_zoom()
+
+    def _show_all(self, pictures: Sequence[ClipPicture]) -> None:
         while len(self.views) < len(pictures):
-            self._add_view()
+            view = self._new_view(self._flow)
+            view.show()
+            self.setTabOrder(self.views[-1] if self.views else self.bar.zoom_to_best, view)
+            self.views.append(view)
         while len(self.views) > len(pictures):
             self._drop_view()
         mosaic = next((picture for picture in pictures if picture.is_mosaic), None)
@@ -156,15 +159,32 @@ class ImagesPanel(QWidget):
             view.set_pictures(picture, mosaic)
         self._flow.set_views(self.views)
         self._pages.setCurrentWidget(self._scroll)
-        self._show_zoom()
 
-    def _add_view(self) -> None:
-        view = PictureView(self.viewport, self._flow)
-        view.hovered.connect(self._space.set_hovered)
-        view.focused.connect(self._space.set_focused)
-        view.show()
-        self.setTabOrder(self.views[-1] if self.views else self._zoom_to_best, view)
-        self.views.append(view)
+    def _show_one(self, pictures: Sequence[ClipPicture]) -> None:
+        """The mosaic large, the others small; the one chosen before stays chosen where it is."""
+        large, *others = pictures
+        other = self._compared(pictures)
+        self.large.set_pictures(large, other)
+        self.strip.show_pictures(others, other.raster if other is not None else "")
+        self.strip.setVisible(bool(others))
+        self._pages.setCurrentWidget(self._one)
+
+    def _compared(self, pictures: Sequence[ClipPicture]) -> ClipPicture | None:
+        others = pictures[1:]
+        return next((one for one in others if one.raster == self._chosen), others[0] if others else None)
+
+    def _choose(self, name: str) -> None:
+        self._chosen = name
+        self.strip.mark(name)
+        if self._pictures:
+            self.large.set_pictures(self._pictures[0], self._compared(self._pictures))
+            self._show_status(self._pictures)
+
+    def _rearrange(self) -> None:
+        self._space.release()
+        if self._pictures and self._is_showing():
+            self._show(self._pictures)
+        self._refresh()
 
     def _drop_view(self) -> None:
         view = self.views.pop()
@@ -173,43 +193,36 @@ class ImagesPanel(QWidget):
         view.hide()
         view.deleteLater()
 
-    def _show_status(self) -> None:
+    def _show_status(self, pictures: Sequence[ClipPicture] | None) -> None:
         row = self._session.row(self._fid) if self._fid is not None else None
-        if row is None:
+        if row is None or pictures == () or (pictures is None and self._session.mosaic_layer() is None):
+            self.bar.status.setText("")
             return
-        if self._pictures is None:
+        if pictures is None:
             text = tr("{window}: reading ...")
-        elif len(self._pictures) == 1 and self._pictures[0].is_mosaic:
+        elif len(pictures) == 1 and pictures[0].is_mosaic:
             text = tr("{window}: no source covers it")
         else:
-            text = tr("{window} · Space: mosaic")
-        self._status.setText(text.format(window=tr("Window {number}").format(number=row.window_id)))
+            text = tr("{window} · Space: {name}")
+        self.bar.status.setText(
+            text.format(window=tr("Window {number}").format(number=row.window_id), name=self._flipped_to(pictures))
+        )
 
-    # Zoom
-
-    def _zoom_in(self) -> None:
-        self.viewport.zoom_by(1)
-
-    def _zoom_out(self) -> None:
-        self.viewport.zoom_by(-1)
-
-    def _show_all(self) -> None:
-        self.viewport.set_zoom(None)
-
-    def _reset(self) -> None:
-        self.viewport.set_zoom(BEST_ZOOM)
+    def _flipped_to(self, pictures: Sequence[ClipPicture] | None) -> str:
+        """What Space shows."""
+        other = self._compared(pictures) if pictures else None
+        if self.bar.side_by_side.isChecked() or other is None:
+            return tr("mosaic")
+        return kind_of(other) if other.is_composite else other.raster
 
     def _show_zoom(self) -> None:
-        """Unchecking by a click is no choice, so the buttons are set anew each time."""
-        self._zoom.setText(f"{self.viewport.scale:.2g}x" if self._is_showing() else "")
-        self._zoom_to_all.setChecked(self.viewport.zoom is None)
-        self._zoom_to_best.setChecked(self.viewport.zoom == BEST_ZOOM)
+        self.bar.show_zoom(self._is_showing())
 
     # Flipping
 
     def _flip(self) -> None:
         flipped = self._space.view
-        for view in self.views:
+        for view in (*self.views, self.large):
             view.set_flipped(view is flipped)
 
     # Coming and going
@@ -221,6 +234,14 @@ class ImagesPanel(QWidget):
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self._space.release()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The strip lies along the longer side."""
+        super().resizeEvent(event)
+        is_upright = self._pages.width() > 1.2 * self._pages.height()
+        ways = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+        self._one_box.setDirection(ways[0] if is_upright else ways[1])
+        self.strip.stand(is_upright)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

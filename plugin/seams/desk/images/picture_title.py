@@ -6,22 +6,30 @@ from qgis.PyQt.QtGui import QPainter, QPalette
 
 from ....toolkit.desk.theme import readable_on
 from ....toolkit.translation import tr
+from ...clip_pictures import ClipPicture
+
+
+def kind_of(picture: ClipPicture) -> str:
+    """Mosaic, source or composite, in a word."""
+    if picture.is_composite:
+        return tr("composite")
+    return tr("mosaic") if picture.is_mosaic else tr("source")
 
 
 def paint_title(
-    painter: QPainter, strip: QRect, palette: QPalette, is_mosaic: bool, name: str, is_flipped: bool
+    painter: QPainter, strip: QRect, palette: QPalette, picture: ClipPicture, name: str, is_flipped: bool
 ) -> None:
-    """A badge that says mosaic or source, and the name; a flipped view's strip is highlighted all over."""
+    """A badge that says mosaic, source or composite, and the name; a flipped view's strip is highlighted all over."""
     metrics = painter.fontMetrics()
     text, faint = palette.color(QPalette.ColorRole.WindowText), palette.color(QPalette.ColorRole.WindowText)
     faint.setAlphaF(0.2)
     bright = palette.color(QPalette.ColorRole.Highlight)
     on_bright = readable_on(bright, palette.color(QPalette.ColorRole.HighlightedText))
-    colours = (bright, on_bright) if is_mosaic else (faint, text)
+    colours = (bright, on_bright) if picture.is_mosaic else (faint, text)
     if is_flipped:
         painter.fillRect(strip, bright)
         colours, text = (on_bright, bright), on_bright
-    kind = tr("mosaic") if is_mosaic else tr("source")
+    kind = kind_of(picture)
     badge = QRectF(strip).adjusted(2, 2, -2, -2)
     badge.setWidth(metrics.horizontalAdvance(kind) + 0.8 * metrics.height())
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

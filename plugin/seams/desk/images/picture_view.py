@@ -16,6 +16,7 @@ from qgis.PyQt.QtGui import (
 )
 from qgis.PyQt.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from ....imagery.grids import PixelWindow
 from ....toolkit.desk.theme import readable_palette
 from ....toolkit.translation import tr
 from ...clip_pictures import ClipPicture
@@ -30,7 +31,7 @@ _ARROWS = {Qt.Key.Key_Left: (1, 0), Qt.Key.Key_Right: (-1, 0), Qt.Key.Key_Up: (0
 
 
 class PictureView(QWidget):
-    """Shows its picture, or the mosaic's while it is flipped."""
+    """Shows its picture, or another one while it is flipped."""
 
     hovered = pyqtSignal(object, bool)
     """The view, and whether the mouse came or went."""
@@ -41,7 +42,7 @@ class PictureView(QWidget):
         super().__init__(parent)
         self._viewport = viewport
         self._own: PictureImages | None = None
-        self._mosaic: PictureImages | None = None
+        self._other: PictureImages | None = None
         self._is_flipped = False
         self._is_reading = False
         self._dragged_from: QPoint | None = None
@@ -57,9 +58,10 @@ class PictureView(QWidget):
 
     # What is shown
 
-    def set_pictures(self, picture: ClipPicture, mosaic: ClipPicture | None) -> None:
+    def set_pictures(self, picture: ClipPicture, other: ClipPicture | None) -> None:
+        """Its own, and the one that is seen while the view is flipped."""
         self._own = PictureImages(picture)
-        self._mosaic = PictureImages(mosaic) if mosaic is not None and mosaic is not picture else None
+        self._other = PictureImages(other) if other is not None and other is not picture else None
         self._is_reading = False
         self.setAccessibleName(self._title())
         self.update()
@@ -81,15 +83,15 @@ class PictureView(QWidget):
 
     @property
     def shown(self) -> ClipPicture | None:
-        """The picture on the screen: the mosaic's while the view is flipped."""
+        """The picture on the screen: the other one while the view is flipped."""
         images = self._shown()
         return images.picture if images is not None else None
 
     def _is_flipped_now(self) -> bool:
-        return self._is_flipped and self._mosaic is not None
+        return self._is_flipped and self._other is not None
 
     def _shown(self) -> PictureImages | None:
-        return self._mosaic if self._is_flipped_now() else self._own
+        return self._other if self._is_flipped_now() else self._own
 
     def _title(self) -> str:
         shown = self.shown
@@ -137,9 +139,11 @@ class PictureView(QWidget):
         if self._is_reading:
             painter.setOpacity(_READING_OPACITY)
         strip = QRect(0, 0, self.width(), self._title_height())
-        paint_title(painter, strip, palette, images.picture.is_mosaic, self._title(), self._is_flipped_now())
+        paint_title(painter, strip, palette, images.picture, self._title(), self._is_flipped_now())
         painter.setClipRect(rect)
         self._paint_picture(painter, images)
+        if images.picture.inside is not None:
+            self._paint_outline(painter, images.picture.inside)
         if not self._is_reading:
             self._paint_marker(painter)
         if self._is_flipped_now():
@@ -168,6 +172,17 @@ class PictureView(QWidget):
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, scale < 1)
         painter.drawImage(target, image, source)
         painter.restore()
+
+    def _paint_outline(self, painter: QPainter, inside: PixelWindow) -> None:
+        """Of the window within the ground around it, outside of its pixels."""
+        scale, ratio, (left, top) = self._viewport.scale, self.devicePixelRatioF(), self._viewport.origin()
+        x, y = left + inside.column * scale, top + inside.row * scale
+        box = QRectF(x / ratio, y / ratio, inside.width * scale / ratio, inside.height * scale / ratio)
+        box.translate(self.image_rect().topLeft())
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for margin, colour in ((1.5, QColor(0, 0, 0, 170)), (0.5, QColor(255, 255, 255, 230))):
+            painter.setPen(QPen(colour, 1))
+            painter.drawRect(box.adjusted(-margin, -margin, margin, margin))
 
     def _frame(self, painter: QPainter, rect: QRect, colour: QColor) -> None:
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -272,7 +287,10 @@ class PictureView(QWidget):
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             # over the title only: a tooltip must not cover what is being looked at
             if event.pos().y() < self._title_height() and self.shown is not None:
-                text = tr("Drag to move, turn the wheel to zoom, hold Space to see the mosaic here.")
+                text = tr("Drag to move, turn the wheel to zoom.")
+                if self._other is not None:
+                    name = tr("the mosaic") if self._other.picture.is_mosaic else self._other.picture.raster
+                    text = tr("{text} Hold Space to see {name} here.").format(text=text, name=name)
                 QToolTip.showText(event.globalPos(), f"{self._title()}\n{text}", self)
             else:
                 QToolTip.hideText()

@@ -12,6 +12,7 @@ from ....imagery import limits as imagery_limits
 from ...measure import limits
 from ...measure.inspection import REFERENCES
 from ...measure.scan.scan_settings import DENSITIES
+from ...picture_stretch import Stretch
 
 _SCOPE, _KEY = "SeamInspector", "inputs"
 
@@ -48,6 +49,8 @@ class Inputs:
     """Metres of seam that a scan judges as one."""
     corridor_m: float = 0.0
     """Metres that a scan reads on either side of the seamlines; 0: the whole mosaic."""
+    stretch: str = Stretch.DELIVERED.value
+    """How pictures of windows are shown, the value of a ``Stretch``; no result depends on it."""
 
 
 def load_inputs(project: QgsProject) -> Inputs:
@@ -94,5 +97,6 @@ _READERS: dict[str, Callable[[object], Any]] = {
     "levels": _whole,
     "reference": partial(_word, REFERENCES),
     "density": partial(_word, DENSITIES),
+    "stretch": partial(_word, tuple(stretch.value for stretch in Stretch)),
 }
 """How each value is understood; what is another kind of thing is left out."""

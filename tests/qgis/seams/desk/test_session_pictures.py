@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams import jobs
-from seam_inspector.plugin.seams.clip_pictures import ClipPicture, make_pictures
+from seam_inspector.plugin.seams.clip_pictures import PictureRequest, WindowPictureSet, make_pictures
 from seam_inspector.plugin.seams.desk.images import window_pictures
-from seam_inspector.plugin.seams.measure.inspection import WindowRequest
 
 from tests.qgis.scenes import outline, windows
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, wait_for_tasks, wait_until
@@ -29,7 +29,8 @@ def test_pictures_arrive_and_are_dropped_when_the_window_moves(desk: Desk) -> No
     desk.layer().changeGeometry(fid, outline((200, 64, 64, 128)))
     assert desk.session.pictures(fid) is None
     wait_until(lambda: len(arrived) == 2)
-    assert desk.session.pictures(fid)[0].pixels.shape == (128, 64, 3)  # type: ignore[index]
+    assert desk.session.pictures(fid)[0].pixels.shape == (384, 384, 3)  # type: ignore[index]
+    assert desk.session.pictures(fid)[0].inside == PixelWindow(160, 128, 64, 128)  # type: ignore[index]
     desk.session.set_inputs(replace(desk.session.inputs, sources=desk.session.inputs.sources[:1]))
     assert desk.session.pictures(fid) is None
     wait_until(lambda: len(arrived) == 3)
@@ -54,8 +55,8 @@ def test_pictures_that_were_cancelled_midway_are_not_taken_for_none(
     fids = [desk.add(), desk.add(SHARP_WINDOW)]
     waiting: list[int] = []
 
-    def slow(request: WindowRequest, cancelled: Callable[[], bool]) -> list[ClipPicture]:
-        waiting.append(request.window_id)
+    def slow(request: PictureRequest, cancelled: Callable[[], bool]) -> WindowPictureSet:
+        waiting.append(request.window.window_id)
         while len(waiting) == 1 and not cancelled():
             time.sleep(0.001)
         return make_pictures(request, cancelled)
@@ -77,7 +78,21 @@ def test_pictures_that_cant_be_read_are_none(desk: Desk) -> None:
     desk.session.picturesArrived.connect(arrived.append)
     assert desk.session.pictures(1) is None
     wait_until(lambda: arrived == [1])
-    assert desk.session.pictures(1) == []
+    assert desk.session.pictures(1) == ()
+
+
+def test_another_stretch_makes_other_pictures(desk: Desk) -> None:
+    fid = desk.add()
+    wait_until(lambda: desk.session.pictures(fid))
+    delivered = desk.session.pictures(fid)
+    desk.session.set_inputs(replace(desk.session.inputs, stretch="common"))
+    assert desk.session.pictures(fid) is None
+    wait_until(lambda: desk.session.pictures(fid))
+    common = desk.session.pictures(fid)
+    assert common[0].pixels.std() > delivered[0].pixels.std()  # type: ignore[index]
+    assert not desk.session.row(fid).stale  # type: ignore[union-attr]
+    desk.session.set_inputs(replace(desk.session.inputs, stretch="delivered"))
+    assert desk.session.pictures(fid) is delivered
 
 
 def test_as_many_pictures_are_kept_as_there_is_room_for(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -91,7 +106,7 @@ def test_as_many_pictures_are_kept_as_there_is_room_for(desk: Desk, monkeypatch:
         return [_is_kept(desk, fid) for fid in range(1, 7)]
 
     assert kept() == [True] * 6
-    of_one = 3 * 64 * 64 * 3
+    of_one = 3 * (384 * 384 + 192 * 192) * 3
     monkeypatch.setattr(window_pictures, "_MOST_BYTES", 2 * of_one)
     desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))
     assert kept() == [False] * 4 + [True] * 2

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import numpy as np
+from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QEvent, QObject, QPoint, QPointF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QImage, QKeyEvent, QWheelEvent
 from qgis.PyQt.QtTest import QTest
@@ -16,6 +17,7 @@ from qgis.PyQt.QtWidgets import (
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
 from seam_inspector.plugin.seams.desk.images.picture_view import PictureView
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.desk.clipped_label import ClippedLabel
 
@@ -33,9 +35,10 @@ class Session(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.chosen: list[int] = []
-        self.ready: dict[int, list[ClipPicture]] = {}
+        self.ready: dict[int, tuple[ClipPicture, ...]] = {}
         self.asked: list[int] = []
         self.mosaic: object | None = object()
+        self.inputs = Inputs()
 
     def selected(self) -> list[int]:
         return self.chosen
@@ -47,14 +50,18 @@ class Session(QObject):
     def row(self, fid: int) -> WindowRecord:
         return WindowRecord(fid, (0.0, 0.0, 1.0, 1.0), fid=fid)
 
+    def set_inputs(self, inputs: Inputs) -> None:
+        self.inputs = inputs
+        self.inputsChanged.emit()
+
     def mosaic_layer(self) -> object | None:
         return self.mosaic
 
-    def pictures(self, fid: int) -> list[ClipPicture] | None:
+    def pictures(self, fid: int) -> tuple[ClipPicture, ...] | None:
         self.asked.append(fid)
         return self.ready.get(fid)
 
-    def arrive(self, fid: int, pictures: list[ClipPicture]) -> None:
+    def arrive(self, fid: int, pictures: tuple[ClipPicture, ...]) -> None:
         self.ready[fid] = pictures
         self.picturesArrived.emit(fid)
 
@@ -63,13 +70,14 @@ def noise(seed: int, side: int = SIDE) -> np.ndarray:
     return np.random.default_rng(seed).integers(0, 256, (side, side, 3), np.uint8)
 
 
-def make_pictures(sources: int = 2, side: int = SIDE, **options: float) -> list[ClipPicture]:
+def make_pictures(sources: int = 2, side: int = SIDE, **options: float) -> tuple[ClipPicture, ...]:
     mosaic = ClipPicture("mosaic.tif", True, noise(0, side))
-    return [mosaic, *(ClipPicture(f"strip_{i}.tif", False, noise(i, side), **options) for i in range(1, sources + 1))]
+    return mosaic, *(ClipPicture(f"strip_{i}.tif", False, noise(i, side), **options) for i in range(1, sources + 1))
 
 
-def open_desk(session: Session) -> QWidget:
+def open_desk(session: Session, side_by_side: bool = True) -> QWidget:
     """A window with a text field, a button that has the focus, and the panel."""
+    QgsSettings().setValue("SeamInspector/images_side_by_side", side_by_side)
     desk = QWidget()
     box = QVBoxLayout(desk)
     for widget in (QLineEdit(), QPushButton("button"), ImagesPanel(session)):

@@ -50,9 +50,11 @@ def test_a_missing_mosaic_is_named(desk: QWidget, session: Session) -> None:
 
 
 def test_a_window_without_any_picture_says_so(desk: QWidget, session: Session) -> None:
-    session.ready[1] = []
+    session.ready[1] = ()
     session.select([1])
-    assert "No picture" in text(desk.findChild(ImagesPanel))
+    panel = desk.findChild(ImagesPanel)
+    assert "No picture" in text(panel)
+    assert "reading" not in text(panel)
 
 
 def test_the_mosaic_alone(desk: QWidget, session: Session) -> None:

@@ -44,7 +44,7 @@ def test_a_pixel_is_a_square_on_the_screen(panel: ImagesPanel, session: Session,
 def test_all_of_a_large_window_is_drawn_from_means(panel: ImagesPanel, session: Session) -> None:
     pixels = noise(0, 1024)
     reduced = tuple(np.full((side, side, 3), 100, np.uint8) for side in (512, 256))
-    session.arrive(1, [ClipPicture("mosaic.tif", True, pixels, reduced=reduced)])
+    session.arrive(1, (ClipPicture("mosaic.tif", True, pixels, reduced=reduced),))
     panel.viewport.set_zoom(0.25)
     assert np.unique(painted(panel.views[0])[150:200, 300:350]).tolist() == [100]
 
@@ -52,7 +52,7 @@ def test_all_of_a_large_window_is_drawn_from_means(panel: ImagesPanel, session: 
 def test_a_sources_offset_is_drawn(panel: ImagesPanel, session: Session) -> None:
     """Half a pixel at 8x is four on the screen: flipping must not make the ground jump."""
     pixels = noise(7)
-    session.arrive(1, [ClipPicture("mosaic.tif", True, pixels), ClipPicture("a.tif", False, pixels, 0.5, -0.25)])
+    session.arrive(1, (ClipPicture("mosaic.tif", True, pixels), ClipPicture("a.tif", False, pixels, 0.5, -0.25)))
     panel.viewport.set_zoom(8.0)
     mosaic, source = (painted(view) for view in panel.views)
     assert np.array_equal(source[2:, :-4], mosaic[:-2, 4:])
@@ -73,6 +73,7 @@ def test_two_screen_pixels_at_twofold_desktop_scaling(repository: Path) -> None:
         "from qgis.core import QgsApplication\n"
         "app = QgsApplication([], True)\n"
         "from tests.qgis.seams.desk.images import images_desk as t\n"
+        "t.QgsSettings().setValue('SeamInspector/images_side_by_side', True)\n"
         "session = t.Session(); session.ready[1] = t.make_pictures(); session.chosen = [1]\n"
         "panel = t.ImagesPanel(session); panel.resize(500, 300); panel.show(); app.processEvents()\n"
         "assert panel.devicePixelRatioF() == 2\n"
@@ -144,7 +145,7 @@ def test_the_wheel_zooms_around_the_mouse(panel: ImagesPanel) -> None:
 
 
 def test_buttons(panel: ImagesPanel) -> None:
-    out, into, everything, best = panel.findChildren(QToolButton)
+    out, into, everything, best = panel.bar.findChildren(QToolButton)[1:]
     assert all(button.toolTip() for button in (out, into, everything, best))
     for button, scale in ((into, 4), (best, 2), (out, 1), (best, 2), (best, 2)):
         button.click()

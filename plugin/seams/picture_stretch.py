@@ -1,0 +1,125 @@
+"""Which grey values become black and white in pictures for the eye. Never band by band: colours stay as they are.
+
+What is measured is never touched.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from enum import Enum
+
+import numpy as np
+
+from ..imagery.grids import PixelWindow
+from ..imagery.open_raster import OpenRaster
+from ..imagery.value_ranges import is_range_known, value_range
+
+DARKEST, BRIGHTEST = 2.0, 98.0  # percentiles that become black and white: QGIS's own cumulative cut
+_MOST_SAMPLES = 1 << 18  # of one band: the percentiles of every fourth pixel of 1024 x 1024 are as good
+_SAMPLED_SIDE = 1024  # of a whole raster, px
+_MOST_DECODED = 16_000_000  # pixels of a raster that are decoded at once to sample it; beyond, pieces are read
+_PIECES, _PIECE_PX = 5, 256  # a side, and a side of each
+_ROWS_AT_ONCE = 256  # are stretched in one go: little memory, and the interface's thread gets its turn
+
+GreyRange = tuple[float, float]
+"""The values that become black and white, the same for all bands."""
+
+GreyRanges = Mapping[str, GreyRange]
+"""By data type, since numbers of two types can't be compared."""
+
+
+class Stretch(str, Enum):
+    """How grey values become brightness on the screen."""
+
+    DELIVERED = "delivered"
+    """8 bit as it is, 16 bit by the range of values that is in use: the same in all windows."""
+    COMMON = "common"
+    """The mosaic's darkest and brightest 2 % cut off: the same in all windows."""
+    WINDOW = "window"
+    """The window's own darkest and brightest 2 % cut off: contrast differs from window to window."""
+
+
+def ranges_with(known: GreyRanges, stretch: Stretch, sources: Iterable[tuple[OpenRaster, float]]) -> GreyRanges:
+    """The ranges known so far in a project, with those of more rasters, the mosaic's first.
+
+    ``sources``: open rasters, each with the largest value seen in it. A range grows when a larger value is seen, so
+    that nothing that was delivered is cut off; all other ranges stay as the first raster of their type gave them.
+    """
+    found = dict(known)
+    for source, largest in sources:
+        kind = source.raster.data_type
+        high = found[kind][1] if kind in found else 0.0
+        if stretch is not Stretch.DELIVERED or kind not in ("uint8", "uint16"):
+            if kind not in found:
+                found[kind] = cut_range([raster_sample(source)])
+        elif largest > high or kind not in found:
+            if kind not in found and not is_range_known(source.raster):
+                largest = max(largest, float(raster_sample(source).max(initial=0)))
+            own = value_range(source.raster, largest)
+            assert own is not None  # both types have one
+            found[kind] = own[0], max(own[1], high)
+    return found
+
+
+def cut_range(samples: Sequence[np.ndarray]) -> GreyRange:
+    """The range of values without the darkest and the brightest 2 %."""
+    values = np.concatenate([sample.ravel() for sample in samples])
+    if not values.size:
+        return 0.0, 1.0
+    low, high = (float(value) for value in np.percentile(values, (DARKEST, BRIGHTEST)))
+    return (low, high) if high > low else (low - 0.5, low + 0.5)
+
+
+def thinned(band: np.ndarray, valid: np.ndarray | None = None) -> np.ndarray:
+    """Some of the (valid) pixels of (rows, columns), enough to tell percentiles."""
+    step = 1
+    while (band.shape[0] // step) * (band.shape[1] // step) > _MOST_SAMPLES:
+        step += 1
+    some = band[::step, ::step]
+    return some.ravel() if valid is None else some[valid[::step, ::step]]
+
+
+def raster_sample(source: OpenRaster) -> np.ndarray:
+    """Valid values from all over a raster, all its shown bands; it need not be decoded as a whole."""
+    whole, first = source.raster.whole, source.dataset.GetRasterBand(1)
+    step = max(1, max(whole.width, whole.height) // _SAMPLED_SIDE)
+    if first.GetOverviewCount() or whole.width * whole.height <= _MOST_DECODED:
+        blocks = [source.thinned(whole, step)]
+    else:
+        blocks = [
+            source.read(PixelWindow(column, row, _PIECE_PX, _PIECE_PX).cut_to(whole.width, whole.height))
+            for row in _starts(whole.height)
+            for column in _starts(whole.width)
+        ]
+    shown = 3 if source.raster.has_luminance else 1
+    return np.concatenate([block.bands[:shown, block.valid].ravel() for block in blocks])
+
+
+def brightness(bands: np.ndarray, ranges: GreyRanges) -> np.ndarray:
+    """(rows, columns, 3) uint8 of one or three bands (bands, rows, columns)."""
+    low, high = ranges[str(bands.dtype)]
+    pixels = np.empty((*bands.shape[1:], 3), np.uint8)
+    for i, band in enumerate(bands):
+        _stretch(band, low, high, pixels[..., i])
+    if len(bands) == 1:
+        pixels[..., 1:] = pixels[..., :1]
+    return pixels
+
+
+def to_bytes(values: np.ndarray, low: float, high: float) -> np.ndarray:
+    """0 at ``low`` and below, 255 at ``high`` and above."""
+    scaled = (values.astype(np.float64) - low) * (255 / (high - low))
+    return np.rint(scaled).clip(0, 255).astype(np.uint8)
+
+
+def _starts(length: int) -> list[int]:
+    """Where pieces begin that lie evenly along a side."""
+    return sorted({int((length - _PIECE_PX) * i / (_PIECES - 1)) if length > _PIECE_PX else 0 for i in range(_PIECES)})
+
+
+def _stretch(band: np.ndarray, low: float, high: float, out: np.ndarray) -> None:
+    table = None
+    if band.dtype.kind == "u" and band.dtype.itemsize <= 2:
+        table = to_bytes(np.arange(np.iinfo(band.dtype).max + 1), low, high)
+    for top in range(0, len(band), _ROWS_AT_ONCE):
+        rows = slice(top, top + _ROWS_AT_ONCE)
+        out[rows] = to_bytes(band[rows], low, high) if table is None else table[band[rows]]
