@@ -54,4 +54,5 @@ def verdict_colour(verdict: str) -> str:
 
 def observer_word(observer: str) -> str:
     """The observer's word for the user."""
-    return {"visible": tr("visible"), "invisible": tr("invisible")}.get(observer, observer)
+    words = {"visible": tr("visible"), "invisible": tr("invisible"), "unsure": tr("not sure")}
+    return words.get(observer, observer)

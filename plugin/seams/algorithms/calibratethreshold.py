@@ -13,6 +13,7 @@ from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
+from ..measure.observers import UNSURE
 from ..measure.window_records import WindowRecord, contrast_of
 
 if TYPE_CHECKING:
@@ -24,7 +25,6 @@ VISIBLE_COUNT, INVISIBLE_COUNT, WANTED_COUNT = "VISIBLE_COUNT", "INVISIBLE_COUNT
 
 _KEPT, _COMPOSITE_RATIO, _CONTRAST, _RATIO = "kept_1", "composite_ratio_1", "contrast_1", "ratio_1"
 _MEASURES = (_KEPT, _COMPOSITE_RATIO, _CONTRAST, _RATIO)
-_KINDS = ("visible", "invisible")
 _HIGHEST_RATIO = 1.0  # a ratio that is a limit stays below it
 
 _Values = list[tuple[WindowRecord, Optional[float]]]
@@ -51,8 +51,8 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [table]),
             tr(
                 "Windows that were inspected and judged: the field 'observer' with the words 'visible' (a loss was "
-                "seen at 2x) and 'invisible', and the measures 'kept_1', 'composite_ratio_1', 'contrast_1' and "
-                "'ratio_1', as far as they are there."
+                "seen at 2x) and 'invisible' ('unsure' is no verdict), and the measures 'kept_1', "
+                "'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
             ),
         )
         self.addDescribed(
@@ -128,9 +128,10 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         if "observer" not in names:
             raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="observer"))
         found = [window for window in read_windows(layers.features(windows), names) if window.observer]
-        judged = [window for window in found if window.observer in _KINDS]
-        if len(judged) < len(found):
-            run.tell(messages.VERDICTS_UNKNOWN(count=len(found) - len(judged)))
+        judged = [window for window in found if window.is_judged]
+        unsure = sum(window.observer == UNSURE for window in found)
+        if len(judged) + unsure < len(found):
+            run.tell(messages.VERDICTS_UNKNOWN(count=len(found) - len(judged) - unsure))
         without = sum(window.extent is None for window in judged)
         if without:
             run.tell(messages.VERDICTS_WITHOUT_OUTLINE(count=without))

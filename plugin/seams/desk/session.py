@@ -1,7 +1,7 @@
 """The one model behind the dock, the map tool and all panels: inputs, windows, results, and work in the background."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
@@ -18,6 +18,7 @@ from ...toolkit.translation import sentence
 from ..clip_pictures import ClipPicture
 from ..measure import messages
 from ..measure.inspection import Block, WindowRequest, WindowResult
+from ..measure.observers import FIRST, Operator
 from ..measure.window_records import WindowRecord
 from ..scan_job import ScanOrder
 from ..tables import window_layer
@@ -186,12 +187,16 @@ class Session(QObject):
             if self._watch.layer is not None and fids:
                 window_layer.remove_windows(self._watch.layer, fids)
 
-    def judge(self, fids: Sequence[int], observer: str) -> None:
-        """Write what the operator saw: ``visible``, ``invisible`` or nothing."""
+    def judge(self, fids: Sequence[int], word: str, operator: Operator = FIRST) -> None:
+        """Write what an operator saw: ``visible``, ``invisible``, ``unsure`` or nothing."""
+        self.note(fids, {operator.observer: word or None})
+
+    def note(self, fids: Sequence[int], values: Mapping[str, object]) -> None:
+        """Write what an operator says of windows, by his fields' names; None takes it back."""
         with self._raised():
             if self._watch.layer is not None and fids:
-                fids = self._watch.prepare(fids, self.inputs.levels)
-                window_layer.write_observer(self._watch.layer, fids, observer)
+                fids = self._watch.prepare(fids, self.inputs.levels, values)
+                window_layer.write_judgement(self._watch.layer, fids, values)
 
     # Work in the background
 

@@ -139,6 +139,9 @@ PAIRS_WITHOUT_CONTRAST = Message(
     "The table of pairs has no field 'contrast_1', so the absolute contrast is not judged; inspect the windows anew to "
     "have it.", WARNING
 )
+FIELD_NOT_HELD = Message(
+    "The file of the layer {name} can't hold a field '{field}': save the windows as a GeoPackage and use that layer."
+)
 # the threshold that an observer's verdicts support
 VERDICTS_UNKNOWN = Message(
     "Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows.", WARNING

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from ...imagery.band_names import judged_band
 from ...imagery.grids import NumberedWindow
+from .observers import DECIDED
 
 COMPOSITE = "composite"
 """The hard-cut composite of the sources, where a source's name or a clip's role would stand."""
@@ -33,7 +34,18 @@ class WindowRecord(NumberedWindow):
     """ratio_1..ratio_R."""
     background_ratio: float | None = None
     observer: str = ""
-    """``visible``, ``invisible`` or empty."""
+    """``visible``, ``invisible``, ``unsure`` or empty."""
+    confidence: int | None = None
+    """How sure the observer is, 0 to 100."""
+    remark: str = ""
+    observer_2: str = ""
+    """A second operator's word."""
+    confidence_2: int | None = None
+    remark_2: str = ""
+    seam_id: int | None = None
+    """Which seam it was placed on."""
+    station: float | None = None
+    """How far along that seam, m."""
     composite_ratios: tuple[float | None, ...] = ()
     """composite_ratio_1..composite_ratio_R."""
     expected_ratios: tuple[float | None, ...] = ()
@@ -67,6 +79,11 @@ class WindowRecord(NumberedWindow):
     """Feature id; changes when a new feature is saved."""
     stale: bool = False
     """Whether it or the inputs changed after it was inspected, as far as the desk knows."""
+
+    @property
+    def is_judged(self) -> bool:
+        """Whether the observer said that a loss is to be seen or not; who is not sure did neither."""
+        return self.observer in DECIDED
 
     @property
     def is_compared(self) -> bool:

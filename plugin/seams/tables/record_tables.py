@@ -13,12 +13,15 @@ from ...imagery.errors import SettingsError
 from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
 from ..measure import messages
+from ..measure.observers import JUDGING_FIELDS, OPERATORS
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from .result_tables import WINDOW_COLUMNS
 
 _BACKGROUND = 0
 _IN_RECORDS = {"contrast_1": "contrast", "sharpness_1": "sharpness", "added_1": "added", "kept": "kept"}
 """What a record calls columns whose names it does not have; of other columns by level it has the plural."""
+_BESIDES = {**JUDGING_FIELDS, "seam_id": "integer", "station": "real"}
+"""What a window layer may hold beside what is measured, and its kind."""
 
 
 def check_inspected(names: Iterable[str]) -> None:
@@ -45,13 +48,14 @@ def read_windows(
     single = [
         (_IN_RECORDS.get(one.name, one.name), one.name, read[one.kind]) for one in WINDOW_COLUMNS if not one.by_level
     ]
+    single += [(name, name, read[kind]) for name, kind in _BESIDES.items() if name in names and name != "observer"]
     found = []
     for row in attributes(rows, names):
         values: dict[str, Any] = {name: value(row[field]) for name, field, value in single}
         values.update((name, tuple([number(row[field]) for field in fields])) for name, fields in levels)
         if values["window_id"] is None:
             values["window_id"] = unnumbered
-        values["observer"] = values["observer"].lower()
+        values.update((one.observer, values[one.observer].lower()) for one in OPERATORS if one.observer in values)
         found.append(WindowRecord(extent=outline_extent(row.feature, transform), fid=row.feature.id(), **values))
     return found
 

@@ -29,8 +29,10 @@ from ...toolkit.layer_editing import edit_step
 from ...toolkit.resources import style_path
 from ...toolkit.table_fields import column_fields, column_values
 from ...toolkit.translation import tr
+from ...toolkit.version_differences import field
 from ..measure import messages
 from ..measure.inspection import WindowResult
+from ..measure.observers import FIRST, JUDGING_FIELDS
 from ..measure.window_records import WindowRecord
 from .record_tables import level_names, read_windows
 from .result_tables import WINDOW_COLUMNS, window_fields
@@ -82,13 +84,14 @@ def read_layer(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list
     return read_windows(layer.getFeatures(request), layer.fields().names(), unnumbered=UNNUMBERED)
 
 
-def complete_fields(layer: QgsVectorLayer, levels: int) -> dict[int, int]:
+def complete_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] = ()) -> dict[int, int]:
     """Give a layer that was drawn or placed elsewhere the fields it lacks, as one step of undo.
 
+    ``besides``: fields of what operators say that are used from now on.
     Returns the new ids of features that had to be replaced: QGIS 3.22 saves one that was added before a field
     without that field's value.
     """
-    missing = _missing_fields(layer, levels)
+    missing = _missing_fields(layer, levels, besides)
     if not missing:
         return {}
     with edit_step(layer, tr("Add fields")):
@@ -106,17 +109,19 @@ def complete_fields(layer: QgsVectorLayer, levels: int) -> dict[int, int]:
     return renewed
 
 
-def _missing_fields(layer: QgsVectorLayer, levels: int) -> list[QgsField]:
+def _missing_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str]) -> list[QgsField]:
     is_shapefile, missing = layer.storageType() == _SHAPEFILE, []
-    for column in WINDOW_COLUMNS:
-        for field in column_fields([column], levels):
-            if layer.fields().indexOf(field.name()) >= 0 or (is_shapefile and len(field.name()) > _SHAPEFILE_NAME):
-                continue
-            if is_shapefile:  # QGIS does not save a field whose length comes out as another one
-                length, precision = _SHAPEFILE_LENGTHS[column.kind]
-                field.setLength(length)
-                field.setPrecision(precision)
-            missing.append(field)
+    wanted = [(name, column.kind) for column in WINDOW_COLUMNS for name in column.names(levels)]
+    wanted += [(name, JUDGING_FIELDS[name]) for name in besides if name != FIRST.observer]
+    for name, kind in wanted:
+        if layer.fields().indexOf(name) >= 0 or (is_shapefile and len(name) > _SHAPEFILE_NAME):
+            continue
+        made = field(name, kind)
+        if is_shapefile:  # QGIS does not save a field whose length comes out as another one
+            length, precision = _SHAPEFILE_LENGTHS[kind]
+            made.setLength(length)
+            made.setPrecision(precision)
+        missing.append(made)
     return missing
 
 
@@ -167,11 +172,17 @@ def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) ->
             _change(layer, fid, {**nothing, **dict(values)})
 
 
-def write_observer(layer: QgsVectorLayer, fids: Iterable[int], observer: str) -> None:
-    """Write what the operator saw as one step of undo; empty takes it back."""
+def write_judgement(layer: QgsVectorLayer, fids: Iterable[int], values: Mapping[str, object]) -> None:
+    """Write what an operator says, by the fields' names, as one step of undo; None takes it back.
+
+    Raises WindowLayerError when the layer has no such field.
+    """
     with edit_step(layer, tr("Judge windows")):
+        for name in values:
+            if layer.fields().indexOf(name) < 0:
+                raise WindowLayerError(messages.FIELD_NOT_HELD(name=layer.name(), field=name))
         for fid in fids:
-            _change(layer, fid, {"observer": observer or None})
+            _change(layer, fid, values)
 
 
 def remove_windows(layer: QgsVectorLayer, fids: Iterable[int]) -> None:

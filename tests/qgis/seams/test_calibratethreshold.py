@@ -186,6 +186,17 @@ def test_only_judged_and_measured_windows_count() -> None:
     assert any("ratio_1: left out because nothing was measured there: 1" in one for one in outcome.log.warnings)
 
 
+def test_who_is_not_sure_did_not_judge() -> None:
+    """No number changes, and nobody is warned of a word that the desk itself writes."""
+    windows = judged((*VISIBLE, 0.9), INVISIBLE)
+    index = windows.fields().names().index("observer")
+    windows.dataProvider().changeAttributeValues({len(VISIBLE) + 1: {index: "unsure"}})
+    found, without = (run("calibratethreshold", WINDOWS=one) for one in (windows, judged()))
+    assert found.results["VISIBLE_COUNT"] == len(VISIBLE)
+    assert found.results["MAX_RATIO"] == without.results["MAX_RATIO"]
+    assert not any("neither" in warning for warning in found.log.warnings)
+
+
 def test_a_csv_file_will_do(tmp_path: Path) -> None:
     path = str(tmp_path / "windows.csv")
     options = QgsVectorFileWriter.SaveVectorOptions()

@@ -9,6 +9,7 @@ import pytest
 from qgis.core import NULL, QgsVectorLayer
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.inspection import ClipResult, PairResult, WindowResult
+from seam_inspector.plugin.seams.measure.observers import JUDGING_FIELDS
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_layer
@@ -27,7 +28,7 @@ def record_of(found: WindowResult) -> WindowRecord:
     window_layer.complete_fields(drawn, 3)
     window_layer.write_numbers(drawn, {1: found.window_id})
     window_layer.write_results(drawn, {1: found})
-    window_layer.write_observer(drawn, [1], "visible")
+    window_layer.write_judgement(drawn, [1], {"observer": "visible"})
     (record,) = window_layer.read_layer(drawn)
     return record
 
@@ -38,7 +39,8 @@ def test_a_record_has_what_the_columns_hold(project: object) -> None:
         other.get(column.name, f"{column.name}s" if column.by_level else column.name)
         for column in result_tables.WINDOW_COLUMNS
     }
-    assert known | {"extent", "fid", "stale"} == {field.name for field in fields(WindowRecord)}
+    besides = {"seam_id", "station", *JUDGING_FIELDS}  # read where a layer has them
+    assert known | besides | {"extent", "fid", "stale"} == {field.name for field in fields(WindowRecord)}
 
 
 def test_what_is_written_of_a_window_is_read_again(project: object) -> None:

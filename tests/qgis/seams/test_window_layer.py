@@ -110,7 +110,7 @@ def test_what_is_written_is_saved_whatever_the_format(project: QgsProject, tmp_p
     fids = sorted(row.fid for row in window_layer.read_layer(drawn))
     window_layer.write_numbers(drawn, {fid: number for number, fid in enumerate(fids, 1)})
     window_layer.write_results(drawn, {fid: result(number) for number, fid in enumerate(fids, 1)})
-    window_layer.write_observer(drawn, fids[:1], "visible")
+    window_layer.write_judgement(drawn, fids[:1], {"observer": "visible"})
     before = {row.window_id: row for row in window_layer.read_layer(drawn)}
     assert drawn.commitChanges(), drawn.commitErrors()
     after = {row.window_id: row for row in window_layer.read_layer(drawn)}
@@ -204,7 +204,7 @@ def test_a_layer_that_cant_be_edited_is_told(project: QgsProject) -> None:
     locked.setReadOnly(True)
     for change in (
         lambda: window_layer.complete_fields(locked, 3),
-        lambda: window_layer.write_observer(locked, [1], "visible"),
+        lambda: window_layer.write_judgement(locked, [1], {"observer": "visible"}),
         lambda: window_layer.remove_windows(locked, [1]),
         lambda: list(window_layer.add_windows(locked, [outline(BLURRED)], 2)),
     ):
@@ -212,3 +212,44 @@ def test_a_layer_that_cant_be_edited_is_told(project: QgsProject) -> None:
             change()
         assert_sentence(str(raised.value), "can't be edited")
     assert locked.featureCount() == 1
+
+
+@pytest.mark.parametrize("kind", ["memory", "GPKG"])
+def test_what_operators_say_is_kept_and_survives_another_inspection(
+    project: QgsProject, tmp_path: Path, kind: str
+) -> None:
+    """The fields come when they are used, in a layer with a feature that is not saved yet, too."""
+    drawn = drawn_layer(kind, tmp_path)
+    drawn.startEditing()
+    window_layer.complete_fields(drawn, 3)
+    unsaved = QgsFeature(drawn.fields())
+    unsaved.setGeometry(outline(BLURRED))
+    assert drawn.addFeature(unsaved)
+    assert "observer_2" not in drawn.fields().names()
+    said = {"observer_2": "unsure", "confidence_2": 70, "remark_2": "by the kerb"}
+    window_layer.complete_fields(drawn, 3, said)
+    assert "confidence" not in drawn.fields().names()
+    rows = window_layer.read_layer(drawn)
+    window_layer.write_numbers(drawn, {row.fid: number for number, row in enumerate(rows, 1)})
+    window_layer.write_judgement(drawn, [row.fid for row in rows], said)
+    assert drawn.commitChanges(False), drawn.commitErrors()
+    fids = [row.fid for row in window_layer.read_layer(drawn)]
+    window_layer.write_results(drawn, {fid: result(number) for number, fid in enumerate(fids, 1)})
+    assert drawn.commitChanges(), drawn.commitErrors()
+    for row in window_layer.read_layer(drawn):
+        assert (row.observer_2, row.confidence_2, row.remark_2) == ("unsure", 70, "by the kerb")
+        assert (row.verdict, row.observer, row.is_judged) == ("reduced", "", False)
+
+
+def test_a_field_that_a_file_cant_hold_is_told(project: QgsProject, tmp_path: Path) -> None:
+    drawn = drawn_layer("ESRI Shapefile", tmp_path)
+    drawn.startEditing()
+    window_layer.complete_fields(drawn, 3, ["confidence_2"])
+    with pytest.raises(WindowLayerError, match="confidence_2"):
+        window_layer.write_judgement(drawn, [1], {"confidence_2": 70})
+
+
+def test_where_a_window_stands_on_its_seam_is_read(project: QgsProject) -> None:
+    placed = windows(SHARP, seam_id=("integer", [4]), station=("double", [12.5]))
+    (row,) = window_layer.read_layer(placed)
+    assert (row.seam_id, row.station) == (4, 12.5)

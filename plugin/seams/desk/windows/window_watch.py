@@ -108,15 +108,17 @@ class WindowWatch(QObject):
         self._windows()
         return self._last_number + 1
 
-    def prepare(self, fids: Iterable[int], levels: int) -> list[int]:
+    def prepare(self, fids: Iterable[int], levels: int, besides: Iterable[str] = ()) -> list[int]:
         """See to it that the layer can be edited and has all fields, and these windows their numbers in it.
+
+        ``besides``: fields of what operators say that are to be written.
 
         Returns their feature ids, some of which may be new ones. Raises WindowLayerError when it can't be edited.
         """
         assert self._layer is not None
         layer_editing.start_editing(self._layer)
         selected = self._layer.selectedFeatureIds()
-        renewed = window_layer.complete_fields(self._layer, levels)
+        renewed = window_layer.complete_fields(self._layer, levels, besides)
         if renewed:
             self._layer.selectByIds([renewed.get(fid, fid) for fid in selected])
         rows, now = self._windows(), [renewed.get(fid, fid) for fid in fids]
