@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from ..toolkit.translation import percent, shown_number, tr
 from .cause_words import cause_clause, causes_words, judged_change
+from .judged_value import judged_kept
 from .measure.window_records import SEAM
-from .verdict_words import verdict_sentence
+from .verdict_words import verdict_sentence, verdict_word
 
 if TYPE_CHECKING:
     from .measure.explanation import Explanation
@@ -16,10 +17,12 @@ if TYPE_CHECKING:
 
 _APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it
 _AS_SHARP = 0.03  # of the sharpness: less is not told
+_THIN = 0.6  # a strip takes less than this part of its own loss from the window
 _UNEXPLAINED = 0.005  # of the pixels
 _TOLD_BEFORE = ("", "none", "missing source")  # causes that have no sentence of their own beside the seam's
 _NOT_COMPARABLE = "not_comparable"
 _LOSSES = ("significant", "reduced")
+_SEVERITY = (*_LOSSES, "preserved")
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
@@ -76,7 +79,8 @@ def cause_numbers(found: Explanation) -> list[str]:
 def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
     """The verdict, what it was taken by, and the causes."""
     if row.reference == SEAM:
-        return " ".join([verdict_sentence(row.verdict), *_along_the_seam(row), *_what_happened(row, found)])
+        said = [*_along_the_seam(row), *_what_happened(row, found), *_by_the_paper(row)]
+        return " ".join([verdict_sentence(row.verdict), *said])
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
     because = cause_clause(row.cause, found, row.verdict in _LOSSES)
     if ratio is None:
@@ -99,7 +103,7 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
     """What is kept beside the seam and in the whole, and what could not be compared."""
     said = []
     kept, low, high = row.kept_1, row.kept_low, row.kept_high
-    is_whole = row.verdict == "significant" and high is not None and high >= 1  # a seam as wide as the window
+    is_whole = row.verdict == "significant" and judged_kept(row) is None  # a seam as wide as the window, or a blur
     if kept is None or low is None or high is None or is_whole:
         if not is_whole:
             said.append(row.reason or tr("There is no seam in the window to be judged."))
@@ -126,6 +130,34 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
         text = tr("{percent} % of the pixels are from none of the given sources and took no part.")
         said.append(text.format(percent=percent(1 - row.explained)))
     return said
+
+
+def _by_the_paper(row: WindowRecord) -> list[str]:
+    """What the paper's rule says where that is something else, and why as far as the figures tell.
+
+    The ratio to the least detailed source is the one to the hard cut times what the hard cut has of that source's.
+    """
+    ratio, composite, kept = row.ratio, row.composite_ratio, judged_kept(row)
+    if ratio is None or row.paper_verdict not in _SEVERITY or row.verdict not in _SEVERITY:
+        return []
+    milder = _SEVERITY.index(row.paper_verdict) - _SEVERITY.index(row.verdict)
+    content = ratio / composite if composite else None
+    reasons = []
+    if content and (row.sources or 0) > 1:
+        if milder > 0 and content > 1 + _APART:
+            text = tr("another source has more detail here: cut hard, the window would have {percent} %")
+            reasons.append(text.format(percent=percent(content)))
+        if milder < 0 and content < 1 - _APART:
+            text = tr("the sources differ here: cut hard, the window would have no more than {percent} %")
+            reasons.append(text.format(percent=percent(content)))
+    if milder > 0 and kept is not None and composite and row.band_width and 1 - composite < _THIN * (1 - kept):
+        text = tr("the strip is thin in the window, all of which has {percent} % of a hard cut's")
+        reasons.append(text.format(percent=percent(composite)))
+    if not reasons and (row.paper_verdict in _LOSSES) == (row.verdict in _LOSSES):
+        return []  # the same, or two limits and no more
+    text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source")
+    said = text.format(verdict=verdict_word(row.paper_verdict), percent=percent(ratio))
+    return ["; ".join([said, *reasons]) + "."]
 
 
 def _whole(sharpness: float | None) -> str:

@@ -10,6 +10,7 @@ from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams import cause_words
 from seam_inspector.plugin.seams.cause_words import CAUSES, cause_sentence, cause_word
+from seam_inspector.plugin.seams.judged_value import judged_kept
 from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.changes import Change
 from seam_inspector.plugin.seams.measure.explanation import Explanation
@@ -44,7 +45,8 @@ def row(cause: str, verdict: str = "significant", **values: Any) -> WindowRecord
 def seam_row(verdict: str = "significant", **values: Any) -> WindowRecord:
     """Judged by its seam: a feather 2 m wide."""
     found: dict[str, Any] = {
-        "reference": "seam", "paper_verdict": "reduced", "kept": (0.56, 0.81, 0.97), "kept_low": 0.51,
+        "reference": "seam", "paper_verdict": values.get("verdict", verdict),
+        "kept": (0.56, 0.81, 0.97), "kept_low": 0.51,
         "kept_high": 0.62, "band_width": 2.0, "sharpness": 1.0, "explained": 1.0, "cause": "feathering",
         "causes": "feathering", "sources": 2, **values,
     }
@@ -191,6 +193,63 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
     qgis_app: QgsApplication, values: dict[str, Any], sentence: str
 ) -> None:
     assert window_sentence(seam_row(**values)) == sentence
+
+
+@pytest.mark.parametrize(
+    ("values", "sentence"),
+    [
+        (  # 1.35 = 0.92 x 1.47
+            {"paper_verdict": "preserved", "ratios": (1.35,), "composite_ratios": (0.92,)},
+            ("By the paper's rule it is preserved, with 135 % of the detail of the least detailed source; another "
+            "source has more detail here: cut hard, the window would have 147 %; the strip is thin in the window, all "
+            "of which has 92 % of a hard cut's."),
+        ),
+        (
+            {"paper_verdict": "preserved", "ratios": (1.35,), "composite_ratios": (0.6,)},
+            ("By the paper's rule it is preserved, with 135 % of the detail of the least detailed source; another "
+            "source has more detail here: cut hard, the window would have 225 %."),
+        ),
+        (
+            {"paper_verdict": "reduced", "ratios": (0.93,), "composite_ratios": (0.93,), "sources": 1},
+            ("By the paper's rule it is reduced, with 93 % of the detail of the least detailed source; the strip is "
+            "thin in the window, all of which has 93 % of a hard cut's."),
+        ),
+        (
+            {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0,
+             "paper_verdict": "reduced", "ratios": (0.8,), "composite_ratios": (1.0,)},
+            ("By the paper's rule it is reduced, with 80 % of the detail of the least detailed source; the sources "
+            "differ here: cut hard, the window would have no more than 80 %."),
+        ),
+        (  # two limits, no more
+            {"paper_verdict": "reduced", "ratios": (0.6,), "composite_ratios": (0.6,)}, "Images are feathered.",
+        ),
+        ({"ratios": (1.35,), "composite_ratios": (0.92,)}, "Images are feathered."),
+    ],
+)
+def test_where_the_papers_rule_differs_the_sentence_says_why(
+    qgis_app: QgsApplication, values: dict[str, Any], sentence: str
+) -> None:
+    said = window_sentence(seam_row(**values))
+    assert said.endswith(f" {sentence}")
+
+
+@pytest.mark.parametrize(
+    ("values", "kept"),
+    [
+        ({}, 0.56),
+        ({"kept": (0.93,), "kept_high": 1.01, "sharpness": 0.3}, None),  # the window lies within a feather
+        ({"kept": (0.93,), "kept_high": 0.97, "sharpness": 0.38}, None),
+        ({"kept": (0.93,), "kept_high": 0.97, "sharpness": 0.8}, None),  # mixed: 0.64 of the variance
+        ({"verdict": "reduced", "kept": (0.85,), "kept_high": 0.93, "sharpness": 0.9}, 0.85),
+        ({"verdict": "reduced", "kept": (0.99,), "kept_high": 1.05, "sharpness": 0.9}, None),
+        ({"verdict": "preserved", "kept": (0.99,), "kept_high": 1.05}, 0.99),
+        ({"verdict": "not_comparable"}, None),
+        ({"reference": "sources"}, None),
+        ({"kept": (None,), "kept_low": None, "kept_high": None}, None),
+    ],
+)
+def test_kept_is_told_where_the_verdict_was_taken_by_it(values: dict[str, Any], kept: float | None) -> None:
+    assert judged_kept(seam_row(**values)) == kept
 
 
 def test_what_is_known_is_told_where_it_is_too_little_for_a_verdict(qgis_app: QgsApplication) -> None:

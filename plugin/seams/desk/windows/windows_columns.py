@@ -10,6 +10,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, Qt
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.translation import percent, shown_number, tr
 from ...cause_words import cause_sentence, cause_word
+from ...judged_value import judged_kept
 from ...verdict_words import VERDICTS, observer_word, verdict_word
 from ...window_summary import cause_numbers, explanation_of
 from .verdict_chips import window_tip
@@ -65,7 +66,7 @@ class TableColumn(NamedTuple):
 
 def columns_of(levels: int) -> tuple[TableColumn, ...]:
     """From left to right, for ratios at levels 1..R."""
-    return WINDOW_ID, _VERDICT, _KEPT, *map(_ratio_column, range(1, levels + 1)), CAUSE, *_LAST
+    return WINDOW_ID, _VERDICT, _KEPT, *map(_ratio_column, range(1, levels + 1)), PAPER, CAUSE, *_LAST
 
 
 def _verdict_text(row: WindowRecord) -> str:
@@ -99,9 +100,19 @@ _VERDICT = TableColumn(
 _KEPT = TableColumn(
     "kept", QT_TRANSLATE_NOOP("@default", "kept"),
     QT_TRANSLATE_NOOP(
-        "@default", "Share of the finest detail that is kept along the seam, relative to the ground around it."
+        "@default",
+        "Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the "
+        "verdict was not taken by it.",
     ),
-    lambda row: "" if row.kept_1 is None else f"{percent(row.kept_1)} %", lambda row: row.kept_1, _ALIGNED_RIGHT,
+    lambda row: "" if (kept := judged_kept(row)) is None else f"{percent(kept)} %", judged_kept, _ALIGNED_RIGHT,
+)  # fmt: skip
+PAPER = TableColumn(
+    "paper_verdict", QT_TRANSLATE_NOOP("@default", "paper"),
+    QT_TRANSLATE_NOOP(
+        "@default", "The paper's own flag, by ratio 1 against whole sources, whatever the verdict was taken by."
+    ),
+    lambda row: verdict_word(row.paper_verdict) if row.paper_verdict else "",
+    lambda row: _SEVERITY.get(row.paper_verdict),
 )  # fmt: skip
 CAUSE = TableColumn(
     "cause", QT_TRANSLATE_NOOP("@default", "cause"),

@@ -12,7 +12,7 @@ from ....toolkit.translation import tr
 from ...cause_words import cause_word
 from ...measure.causes import Cause
 from ...verdict_words import VERDICTS, observer_word, verdict_word
-from .windows_columns import CAUSE, TableColumn
+from .windows_columns import CAUSE, PAPER, TableColumn
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 
@@ -113,11 +113,11 @@ class WindowsTable(QTableView):
     def _choose(self, metrics: QFontMetrics, room: int) -> tuple[set[int], bool, list[Widths]]:
         """Which columns are hidden, whether headings are short, and the columns' widths.
 
-        Reasons give way first, then the ratios beyond level 1, then the causes.
+        Reasons give way first, then the ratios beyond level 1 and the paper's flag, then the causes.
         """
         columns = self._windows.columns
         reason, cause = len(columns) - 1, columns.index(CAUSE)
-        coarser = {section for section, column in enumerate(columns) if column.level > 1}
+        coarser = {section for section, column in enumerate(columns) if column.level > 1 or column == PAPER}
         long, brief = ([self._widths(column, metrics, short) for column in columns] for short in (False, True))
 
         def needed(widths: list[Widths], size: int, without: set[int]) -> int:
@@ -191,6 +191,9 @@ class WindowsTable(QTableView):
         elif column.name == "cause":
             natural = width(*(cause_word(cause.value) for cause in Cause))
             least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
+        elif column == PAPER:
+            natural = width(*(verdict_word(verdict) for verdict in VERDICTS))
+            least, airy = natural, natural + em
         elif column.name == "observer":
             natural = width(observer_word("visible"), observer_word("invisible"))
             least, airy = natural, natural + em

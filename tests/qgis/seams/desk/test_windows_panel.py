@@ -20,14 +20,14 @@ ROWS = [
     window(1, "reduced", (0.83, 0.95, 0.99), sources=3, kept=(0.9, 0.95, 1.0)),
     window(
         2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2, composite_ratio=0.6, cause="feathering",
-        kept=(0.557, 0.8, 0.97),
+        kept=(0.557, 0.8, 0.97), paper_verdict="reduced",
     ),
     window(3),
     window(4, "not_comparable", reason="No source covers <window> in west_12.tif.", sources=0),
     window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10, cause="none", kept=(1.02,)),
     window(12, "significant", (0.45, 0.7, 0.9), sources=1, stale=True),
 ]
-ID, VERDICT, KEPT, RATIO_1, RATIO_2, RATIO_3, CAUSE, SOURCES, OBSERVER, REASON = range(10)
+ID, VERDICT, KEPT, RATIO_1, RATIO_2, RATIO_3, PAPER, CAUSE, SOURCES, OBSERVER, REASON = range(11)
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
 
 Show = Callable[[QWidget], QWidget]
@@ -96,15 +96,15 @@ def top_window(panel: WindowsPanel) -> int:
 
 
 def test_cells(panel: WindowsPanel) -> None:
-    texts = [cell(panel, 2, column) for column in range(10)]
-    assert texts == ["2", "significant", "56 %", "0.38", "0.52", "0.88", "feathering", "2", "visible", ""]
+    texts = [cell(panel, 2, column) for column in range(11)]
+    assert texts == ["2", "significant", "56 %", "0.38", "0.52", "0.88", "reduced", "feathering", "2", "visible", ""]
     assert "0.3812" in str(cell(panel, 2, RATIO_1, Qt.ItemDataRole.ToolTipRole))
-    assert [cell(panel, 3, column) for column in range(2, 9)] == [""] * 7
+    assert [cell(panel, 3, column) for column in range(2, 10)] == [""] * 8
     assert cell(panel, 3, VERDICT) == "not inspected"
 
 
 def test_reason_is_the_tooltip_of_a_row_that_is_not_comparable(panel: WindowsPanel) -> None:
-    for column in range(10):
+    for column in range(11):
         assert "No source covers &lt;window&gt;" in str(cell(panel, 4, column, Qt.ItemDataRole.ToolTipRole))
 
 
@@ -126,6 +126,7 @@ def test_changed_windows_are_marked(panel: WindowsPanel) -> None:
         (KEPT, DESCENDING, [10, 1, 2, 3, 4, 12]),
         (RATIO_1, ASCENDING, [2, 12, 1, 10, 3, 4]),
         (RATIO_1, DESCENDING, [10, 1, 12, 2, 3, 4]),
+        (PAPER, ASCENDING, [2, 1, 3, 4, 10, 12]),
         (RATIO_3, DESCENDING, [1, 12, 2, 3, 4, 10]),
         (CAUSE, ASCENDING, [2, 10, 1, 3, 4, 12]),
         (CAUSE, DESCENDING, [10, 2, 1, 3, 4, 12]),
@@ -204,7 +205,7 @@ def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) 
     panel.table.sortByColumn(RATIO_3, ASCENDING)
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])
     titles = [column.title() for column in panel._windows.columns]
-    assert titles == ["id", "verdict", "kept", "ratio 1", "2", "cause", "sources", "observer", "reason"]
+    assert titles == ["id", "verdict", "kept", "ratio 1", "2", "paper", "cause", "sources", "observer", "reason"]
     assert panel._windows.sorted_by == WINDOW_ID
     assert panel.table.horizontalHeader().sortIndicatorSection() == ID
 
@@ -410,17 +411,17 @@ def bar(session: WindowsSession, panel: WindowsPanel, show: Show) -> JudgeBar:
     ("fids", "sentence"),
     [
         ([], "Select a window to judge it."),
-        ([1], "Reduced. Detail at level 1 is 83 % of the sources'."),
+        ([1], "Reduced. Beside the seam 10.0 % of the finest detail is lost (5.0 to 15 %)."),
         (
             [2],
-            (
-                "Significant loss. Detail at level 1 is 38 % of the sources' and 60 % of their composite's; feathering "
-                "explains it."
-            ),
+            "Significant loss. Beside the seam 44 % of the finest detail is lost (39 to 49 %). Images are feathered.",
         ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
-        ([10], "Preserved. Detail at level 1 is 104 % of the sources'."),
+        (
+            [10],
+            "Preserved. Along the seam as much of the finest detail is left as around it (102 %, 97 to 107 %).",
+        ),
         ([12], "Significant loss. Detail at level 1 is 45 % of the source's. Changed since: inspect it again."),
         ([1, 2, 12], "3 windows selected: 2 significant, 1 reduced, 1 changed since."),
     ],

@@ -81,10 +81,13 @@ def window(
     composite_ratio: float | None = None,
     cause: str = "",
     kept: tuple[float | None, ...] = (),
+    paper_verdict: str = "",
 ) -> WindowRecord:
     """A window whose number is its feature id."""
     return WindowRecord(
         fid, (0.0, 0.0, 1.0, 1.0), verdict, reason, sources, ratios, observer=observer,
         composite_ratios=(composite_ratio,), cause=cause, kept=kept, fid=fid,
-        stale=stale,
+        reference="seam" if kept else "", kept_low=kept[0] - 0.05 if kept and kept[0] is not None else None,
+        kept_high=kept[0] + 0.05 if kept and kept[0] is not None else None,
+        stale=stale, paper_verdict=paper_verdict,
     )  # fmt: skip
