@@ -68,8 +68,8 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     Raises RasterError when the mosaic can't be read.
     """
     source, grid = OpenRaster(mosaic.ref), mosaic.grid
-    left, right = ((x - grid.left) / grid.pixel_width for x in (extent[0], extent[2]))
-    top, bottom = ((grid.top - y) / grid.pixel_height for y in (extent[3], extent[1]))
+    left, right = (grid.column_at(x) for x in (extent[0], extent[2]))
+    top, bottom = (grid.row_at(y) for y in (extent[3], extent[1]))
     left, right = max(math.floor(left), 0), min(math.ceil(right), grid.columns)
     top, bottom = max(math.floor(top), 0), min(math.ceil(bottom), grid.rows)
     if right <= left or bottom <= top:
@@ -88,8 +88,8 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
 
 def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, partly: bool, holes: bool) -> Clip:
     grid, (xmin, ymin, xmax, ymax) = source.raster.grid, extent
-    column = ((xmin + xmax) / 2 - grid.left) / grid.pixel_width - window.width / 2
-    row = (grid.top - (ymin + ymax) / 2) / grid.pixel_height - window.height / 2
+    column = grid.column_at((xmin + xmax) / 2) - window.width / 2
+    row = grid.row_at((ymin + ymax) / 2) - window.height / 2
     own = replace(window, column=round(column), row=round(row))
     bands, invalid_share, valid = _read_valid(source, own, partly, holes)
     # Six decimals: below that it is rounding of coordinates of millions of metres.

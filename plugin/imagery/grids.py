@@ -3,12 +3,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
 
 from . import limits, messages
 from .errors import SettingsError, WindowError
 
 Extent = tuple[float, float, float, float]
 """xmin, ymin, xmax, ymax in map units."""
+
+_Places = TypeVar("_Places", float, np.ndarray)
 
 
 @dataclass(frozen=True)
@@ -38,6 +43,14 @@ class PixelWindow:
         left, top = max(self.column, 0), max(self.row, 0)
         right, bottom = min(self.column + self.width, columns), min(self.row + self.height, rows)
         return PixelWindow(left, top, max(right - left, 0), max(bottom - top, 0))
+
+    def with_margin(self, px: int) -> PixelWindow:
+        """It and as many pixels on all sides."""
+        return PixelWindow(self.column - px, self.row - px, self.width + 2 * px, self.height + 2 * px)
+
+    def moved_by(self, columns: int, rows: int) -> PixelWindow:
+        """One of its size so far to the right and down."""
+        return PixelWindow(self.column + columns, self.row + rows, self.width, self.height)
 
     def margins_of(self, part: PixelWindow) -> tuple[tuple[int, int], tuple[int, int]]:
         """What lies around a part of it, as numpy pads: rows above and below, columns to the left and to the right."""
@@ -82,6 +95,18 @@ class Grid:
         """The shorter side of a pixel on the ground, metres."""
         return min(self.pixel_width * self.metres_x, self.pixel_height * self.metres_y)
 
+    def column_at(self, x: _Places) -> _Places:
+        """Columns from the left edge to a place on the map; 0.5 is the middle of the first one."""
+        return (x - self.left) / self.pixel_width
+
+    def row_at(self, y: _Places) -> _Places:
+        """Rows from the upper edge down to a place on the map; 0.5 is the middle of the first one."""
+        return (self.top - y) / self.pixel_height
+
+    def to_pixels(self, points: np.ndarray) -> np.ndarray:
+        """Columns and rows of places on the map, both (n, 2)."""
+        return np.column_stack([self.column_at(points[:, 0]), self.row_at(points[:, 1])])
+
     def window_extent(self, window: PixelWindow) -> Extent:
         """The rectangle of a pixel window on the map."""
         return (
@@ -118,8 +143,7 @@ def standard_side_px(grid: Grid, side_m: float = limits.STANDARD_SIDE_M) -> int:
 
 def standard_window(grid: Grid, x: float, y: float, side_px: int) -> PixelWindow:
     """The square window of ``side_px`` pixels whose centre lies nearest to the map point (x, y)."""
-    column = round((x - grid.left) / grid.pixel_width - side_px / 2)
-    row = round((grid.top - y) / grid.pixel_height - side_px / 2)
+    column, row = round(grid.column_at(x) - side_px / 2), round(grid.row_at(y) - side_px / 2)
     return PixelWindow(column, row, side_px, side_px)
 
 
@@ -135,8 +159,8 @@ def snap_window(grid: Grid, extent: Extent, levels: int = limits.DEFAULT_LEVELS)
     if not all(map(math.isfinite, extent)):
         raise WindowError(messages.WINDOW_OUTSIDE())
     xmin, ymin, xmax, ymax = extent
-    left, right = round((xmin - grid.left) / grid.pixel_width), round((xmax - grid.left) / grid.pixel_width)
-    top, bottom = round((grid.top - ymax) / grid.pixel_height), round((grid.top - ymin) / grid.pixel_height)
+    left, right = round(grid.column_at(xmin)), round(grid.column_at(xmax))
+    top, bottom = round(grid.row_at(ymax)), round(grid.row_at(ymin))
     if right <= 0 or bottom <= 0 or left >= grid.columns or top >= grid.rows:
         raise WindowError(messages.WINDOW_OUTSIDE())
     left, right, top, bottom = max(left, 0), min(right, grid.columns), max(top, 0), min(bottom, grid.rows)

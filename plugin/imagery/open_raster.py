@@ -91,6 +91,11 @@ class OpenRaster:
         """The first band's nodata value; None without one."""
         return self.dataset.GetRasterBand(1).GetNoDataValue()
 
+    @property
+    def is_all_valid(self) -> bool:
+        """Whether the file says nothing of pixels that are no measurements."""
+        return bool(self.dataset.GetRasterBand(1).GetMaskFlags() == gdal.GMF_ALL_VALID)
+
     def band_index(self, number: int) -> int:
         """Where a band of the file, from 1 on, stands among those that are measured.
 

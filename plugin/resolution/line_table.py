@@ -72,9 +72,7 @@ def line_on_map(segment: Segment, grid: Grid) -> QgsGeometry:
 
 def pixel_segment(points: Sequence[QgsPointXY], grid: Grid) -> Segment:
     """A line between two points of the map in pixels of the raster."""
-    start, end = (
-        ((point.x() - grid.left) / grid.pixel_width, (grid.top - point.y()) / grid.pixel_height) for point in points
-    )
+    start, end = ((grid.column_at(point.x()), grid.row_at(point.y())) for point in points)
     return Segment(start, end)
 
 

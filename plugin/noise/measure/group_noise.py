@@ -146,8 +146,8 @@ def _seen_from(part: Part, other: Part, invalid: np.ndarray) -> np.ndarray:
     assert there is not None  # the window came over the same way
     columns = np.linspace(there[0], there[2], part.window.width + 1)
     rows = np.linspace(there[3], there[1], part.window.height + 1)
-    columns = (columns - grid.left) / grid.pixel_width - other.window.column
-    rows = (grid.top - rows) / grid.pixel_height - other.window.row
+    columns = grid.column_at(columns) - other.window.column
+    rows = grid.row_at(rows) - other.window.row
     counts = np.pad(invalid.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     (top, bottom), (left, right) = (_covered(edges, size) for edges, size in zip((rows, columns), invalid.shape))
     found = (

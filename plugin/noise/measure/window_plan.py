@@ -173,8 +173,8 @@ def _shared_region(image: Raster, others: Sequence[Raster]) -> PixelWindow:
         shared += [] if box is None else [box]
     xmin, ymin = (min(box[i] for box in shared) for i in (0, 1))
     xmax, ymax = (max(box[i] for box in shared) for i in (2, 3))
-    left, right = (round((x - image.grid.left) / image.grid.pixel_width) for x in (xmin, xmax))
-    top, bottom = (round((image.grid.top - y) / image.grid.pixel_height) for y in (ymax, ymin))
+    left, right = (round(image.grid.column_at(x)) for x in (xmin, xmax))
+    top, bottom = (round(image.grid.row_at(y)) for y in (ymax, ymin))
     return PixelWindow(left, top, max(right - left, 1), max(bottom - top, 1))
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...imagery.grids import Grid, PixelWindow
+from ...imagery.lines.paths import vertex_stations
 from ...imagery.lines.seamlines import Seam
 from ...imagery.open_raster import OpenRaster
 from . import limits
@@ -52,7 +53,7 @@ def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Points one pixel apart along a seam, (n, 2) column and row, and the unit normals to the left, run by run."""
     vertices = _on_grid(seam.vertices, grid)
     lengths = np.hypot(*np.diff(vertices, axis=0).T)
-    ends = np.concatenate([[0.0], lengths.cumsum()])
+    ends = vertex_stations(vertices)
     for first in range(0, int(ends[-1]), _RUN):
         along = np.arange(first, min(first + _RUN, int(ends[-1]))) + 0.5
         piece = np.clip(np.searchsorted(ends, along, side="right") - 1, 0, len(lengths) - 1)
@@ -96,8 +97,6 @@ def _stations(
 
 def _on_grid(vertices: np.ndarray, grid: Grid) -> np.ndarray:
     """Map coordinates (n, 2) as columns and rows; repeated points are dropped."""
-    places = np.column_stack([
-        (vertices[:, 0] - grid.left) / grid.pixel_width, (grid.top - vertices[:, 1]) / grid.pixel_height
-    ])
+    places = grid.to_pixels(vertices)
     kept = np.concatenate([[True], np.hypot(*np.diff(places, axis=0).T) > 0])
     return np.asarray(places[kept])

@@ -19,6 +19,7 @@ from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from ...imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
+from ...imagery.lines.paths import points_at, vertex_stations
 from ...imagery.lines.seamlines import Seam
 from ...imagery.message import Message
 from . import limits, messages
@@ -209,23 +210,17 @@ class _Track:
     def __init__(self, seam: Seam, grid: Grid, side_px: int) -> None:
         self.side_px = side_px
         self._grid = grid
-        self._x, self._y = seam.vertices.T
-        step = np.diff(seam.vertices, axis=0) * (grid.metres_x, grid.metres_y)
-        self._station = np.append(0.0, np.cumsum(np.hypot(*step.T)))
-        self._pixels = self._to_pixels(self._x, self._y)
+        self._vertices = seam.vertices
+        self._station = vertex_stations(seam.vertices * (grid.metres_x, grid.metres_y))
+        self._pixels = grid.to_pixels(seam.vertices)
 
-    def _to_pixels(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """(n, 2) columns and rows of map points; pixel (0, 0) reaches from 0 to 1."""
-        grid = self._grid
-        return np.column_stack([(x - grid.left) / grid.pixel_width, (grid.top - y) / grid.pixel_height])
-
-    def _points(self, stations: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """x and y on the map."""
-        return np.interp(stations, self._station, self._x), np.interp(stations, self._station, self._y)
+    def _points(self, stations: np.ndarray) -> np.ndarray:
+        """(n, 2) on the map."""
+        return points_at(self._vertices, self._station, stations)
 
     def windows(self, stations: np.ndarray) -> list[PixelWindow]:
         """The window centred at each station."""
-        return [standard_window(self._grid, x, y, self.side_px) for x, y in zip(*self._points(stations))]
+        return [standard_window(self._grid, x, y, self.side_px) for x, y in self._points(stations)]
 
     def nearby(self, fitting: np.ndarray, station: float, first: float, last: float) -> np.ndarray:
         """Stations from first to last that lie in the stretches (k, 2), an eighth of a window apart, nearest first."""
@@ -236,7 +231,7 @@ class _Track:
 
     def pixels_along(self, stretches: np.ndarray) -> np.ndarray:
         """(n, 2) columns and rows along stretches, an eighth of a window apart."""
-        return self._to_pixels(*self._points(np.concatenate(self._spaced(stretches))))
+        return self._grid.to_pixels(self._points(np.concatenate(self._spaced(stretches))))
 
     def _spaced(self, stretches: Iterable[tuple[float, float]]) -> list[np.ndarray]:
         """Stations along each stretch, an eighth of a window apart."""

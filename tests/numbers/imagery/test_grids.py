@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -176,6 +177,13 @@ def test_a_window_that_memory_could_not_hold_is_refused() -> None:
 # --- the grid --------------------------------------------------------------------------------------------------
 
 
+def test_places_on_the_map_are_columns_and_rows() -> None:
+    points = np.array([[LEFT, TOP], [LEFT + 0.5, TOP - 0.25], [LEFT - 1, TOP + 2]])
+    np.testing.assert_allclose(grid(0.1).to_pixels(points), [[0, 0], [5, 2.5], [-10, -20]], atol=1e-6)
+    assert grid(0.1).column_at(LEFT + 7) == pytest.approx(70)
+    assert grid(0.1).row_at(TOP - 7) == pytest.approx(70)
+
+
 def test_a_window_lies_where_its_pixels_lie() -> None:
     assert grid().window_extent(PixelWindow(10, 20, 30, 40)) == pytest.approx(
         (500001.0, 4999994.0, 500004.0, 4999998.0)
@@ -197,6 +205,13 @@ def test_a_window_lies_where_its_pixels_lie() -> None:
 def test_shared_pixels(other: PixelWindow, shared: int) -> None:
     window = PixelWindow(10, 20, 30, 40)
     assert window.shared_pixels(other) == other.shared_pixels(window) == shared
+
+
+def test_a_window_with_its_margin_lies_around_it_and_moved_has_its_size() -> None:
+    window = PixelWindow(10, 20, 30, 40)
+    assert window.with_margin(5) == PixelWindow(5, 15, 40, 50)
+    assert window.with_margin(5).margins_of(window) == ((5, 5), (5, 5))
+    assert window.moved_by(-3, 4) == PixelWindow(7, 24, 30, 40)
 
 
 @pytest.mark.parametrize(

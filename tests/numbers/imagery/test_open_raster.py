@@ -135,3 +135,11 @@ def test_the_range_of_values(
     image = Raster(RasterRef("x"), 9, 9, None, "", ("band_1",), data_type, bits)
     assert value_range(image, largest) == expected
     assert is_range_known(image) == (data_type == "uint8" or bits is not None)
+
+
+@pytest.mark.parametrize(("nodata", "all_valid"), [(None, True), (0, False)])
+def test_a_file_that_says_nothing_of_missing_pixels_is_all_valid(
+    make_raster: MakeRaster, nodata: float | None, all_valid: bool
+) -> None:
+    pixels = np.ones((1, 8, 8), np.uint8)
+    assert OpenRaster(RasterRef(make_raster("a.tif", pixels, nodata=nodata))).is_all_valid is all_valid

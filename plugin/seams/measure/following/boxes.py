@@ -1,4 +1,4 @@
-"""Sums and borders in the square around every sample, from runs that double: a few additions whatever the side."""
+"""Samples and the squares around them: sums and borders, from runs that double, a few additions whatever the side."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -52,6 +52,11 @@ def widened(mask: np.ndarray, reach: int) -> np.ndarray:
 def opened(mask: np.ndarray, side: int) -> np.ndarray:
     """What squares of ``side`` samples that are wholly set cover, (rows, columns) bool."""
     return _dilated(runs(runs(mask, side, 0, np.logical_and), side, 1, np.logical_and), side, side, side - 1)
+
+
+def enlarged(samples: np.ndarray, times: int) -> np.ndarray:
+    """Each sample (rows, columns) as a square of as many along both sides."""
+    return samples.repeat(times, axis=1).repeat(times, axis=0)  # whole rows last are faster
 
 
 def runs(values: np.ndarray, length: int, axis: int, together: np.ufunc) -> np.ndarray:

@@ -13,6 +13,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..tone import coarse_means
+from .boxes import enlarged
 
 LEVELS = 3
 SQUARE_PX = 2**LEVELS
@@ -133,7 +134,7 @@ def _near_means(values: np.ndarray, patch: int) -> np.ndarray:
     for axis in (0, 1):
         firsts = np.arange(0, values.shape[axis], patch)
         sums, counts = (np.add.reduceat(one, firsts, axis=axis) for one in (sums, counts))
-    means = (sums / counts).repeat(patch, axis=0).repeat(patch, axis=1)
+    means = enlarged(sums / counts, patch)
     return np.asarray(means[: values.shape[0], : values.shape[1]])
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..profile.energy_response import EnergyResponse, fit_response, log_energies, sampled
-from .boxes import box_means, near_border, opened
+from .boxes import box_means, enlarged, near_border, opened
 from .followed_source import CELL_PX, sums_over_cells
 
 MIN_UNEXPLAINED = 0.4  # of the way from what a source leaves over elsewhere to what a stranger would
@@ -133,7 +133,7 @@ def likely_source(
     unexplained = without_islands(unexplained.view(np.uint8), sampling.squares(SMALLEST_PART_PX)) > 0
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
-    return LikelySource(_to_pixels(found, step), _to_pixels(unexplained, step))
+    return LikelySource(enlarged(found, step), enlarged(unexplained, step))
 
 
 def _strange(rest: np.ndarray, wide: np.ndarray, side: int, least: float) -> np.ndarray:
@@ -240,7 +240,3 @@ def _sums(a: np.ndarray, b: np.ndarray) -> np.ndarray:
         down = product[0::2] + product[1::2]
         np.add(down[:, 0::2], down[:, 1::2], out=sums[start // 2 : (start + _PIECE_PX) // 2])
     return sums
-
-
-def _to_pixels(squares: np.ndarray, side: int) -> np.ndarray:
-    return np.asarray(squares.repeat(side, axis=1).repeat(side, axis=0))

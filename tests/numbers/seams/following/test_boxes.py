@@ -6,7 +6,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.following.boxes import box_means, near_border, opened, runs, widened
+from seam_inspector.plugin.seams.measure.following.boxes import (
+    box_means,
+    enlarged,
+    near_border,
+    opened,
+    runs,
+    widened,
+)
 
 SHAPES = st.tuples(st.integers(9, 40), st.integers(9, 40))
 
@@ -50,3 +57,11 @@ def test_runs_put_their_samples_together(length: int, axis: int, seed: int) -> N
     windows = np.lib.stride_tricks.sliding_window_view(values, length, axis)
     np.testing.assert_array_equal(runs(values, length, axis, np.add), windows.sum(axis=-1))
     np.testing.assert_array_equal(runs(values, length, axis, np.maximum), windows.max(axis=-1))
+
+
+@pytest.mark.parametrize("times", [1, 2, 5])
+def test_every_sample_becomes_a_square(times: int) -> None:
+    samples = np.arange(6, dtype=np.uint8).reshape(2, 3)
+    found = enlarged(samples, times)
+    np.testing.assert_array_equal(found, np.kron(samples, np.ones((times, times), np.uint8)))
+    assert found.dtype == samples.dtype

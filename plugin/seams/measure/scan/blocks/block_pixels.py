@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from osgeo import gdal
 
 from .....imagery.band_curves import judged_plane
 from .....imagery.band_names import LUMINANCE, measured_bands
@@ -69,10 +68,7 @@ class BlockPixels:
         self._absent: set[int] = set()
         self._factors: dict[int, float] = {}
         self._margin, self._factor = margin_px, grey_factor
-        self._around = PixelWindow(
-            window.column - margin_px, window.row - margin_px, window.width + 2 * margin_px,
-            window.height + 2 * margin_px,
-        )
+        self._around = window.with_margin(margin_px)
         self._held = self._read(self._around, range(min(len(refs), MOST_HELD))) if whole else None
 
     @property
@@ -184,8 +180,7 @@ def thin_valid(mosaic: Raster, window: PixelWindow) -> np.ndarray | None:
     Raises RasterError where it can't be read.
     """
     opened = open_raster(mosaic.ref)
-    band = opened.dataset.GetRasterBand(1)
-    if band.GetMaskFlags() == gdal.GMF_ALL_VALID:
+    if opened.is_all_valid:
         return None
     size = -(-window.width // UNIT_PX), -(-window.height // UNIT_PX)
     invalid = opened.read(window, size).invalid

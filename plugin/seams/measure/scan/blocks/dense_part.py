@@ -10,6 +10,7 @@ from scipy import ndimage
 from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import detail_components
 from ...compared_image import ComparedImage
+from ...following.boxes import enlarged
 from ...following.expected_mosaic import Filters, expected_mosaic
 from ...following.followed_source import follow, high_pass
 from ...following.likely_source import QUICK, filled_in
@@ -56,9 +57,7 @@ def measure_part(
 
     Raises RasterError where the mosaic can't be read.
     """
-    around = PixelWindow(
-        window.column - MARGIN_PX, window.row - MARGIN_PX, window.width + 2 * MARGIN_PX, window.height + 2 * MARGIN_PX
-    )
+    around = window.with_margin(MARGIN_PX)
     planes = pixels.part(around, numbers)
     own = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
     present = tuple(planes.sources)
@@ -123,7 +122,7 @@ def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
         parts, count = ndimage.label(coarse == number)
         shares = [1.0, *ndimage.mean(sure, parts, np.arange(1, count + 1))]
         unsure |= (np.array(shares) < MIN_SURE)[parts]
-    return unsure.repeat(LABEL_PX, axis=0).repeat(LABEL_PX, axis=1)
+    return enlarged(unsure, LABEL_PX)
 
 
 def _follow_filtered(image: ComparedImage, images: Sequence[ComparedImage], filters: Filters) -> PlacedSources:

@@ -11,6 +11,7 @@ import numpy as np
 from scipy import ndimage
 
 from .....imagery.wavelets import detail_components
+from ...following.boxes import enlarged
 from ...following.expected_mosaic import Filters, mosaic_of
 from ...following.followed_source import (
     MIN_LEFT_FACTOR,
@@ -147,8 +148,9 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
 def spread_out(look: SquareLook, shape: tuple[int, int], every: int) -> SquareLook:
     """A look at ``every`` so many-th square as one at all: each stands for those around it."""
     source, doubtful, empty = (
-        np.pad(one, [(0, max(0, -(-length // every) - have)) for length, have in zip(shape, one.shape)], mode="edge")
-        .repeat(every, axis=0).repeat(every, axis=1)[: shape[0], : shape[1]]
+        enlarged(np.pad(
+            one, [(0, max(0, -(-length // every) - have)) for length, have in zip(shape, one.shape)], mode="edge"
+        ), every)[: shape[0], : shape[1]]
         for one in (look.source, look.doubtful, look.empty)
     )
     looked = [np.isin(np.arange(length), _every(np.arange(length), every)) for length in shape]
@@ -287,7 +289,7 @@ def _cells(
     shape = followed.shape
     inside = np.zeros(PATCH_PX, bool)
     inside[6:-6] = True
-    labels = followed.repeat(PATCH_PX, axis=0).repeat(PATCH_PX, axis=1)
+    labels = enlarged(followed, PATCH_PX)
     within = np.outer(np.tile(inside, shape[0]), np.tile(inside, shape[1]))
     mosaic = planes.mosaic[chosen]
     present = np.unique(followed[followed != UNKNOWN]).tolist()

@@ -1,10 +1,12 @@
 """The ground of a block between its seams, all of it: which source is followed there is known from its patches."""
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import detail_components
+from ...following.boxes import enlarged
 from ...following.expected_mosaic import Filters
 from ...following.levelling import SQUARE_PX as TONE_PX
 from ...following.levelling import gain_field, square_means
@@ -28,13 +30,13 @@ def measure_plain(
     """
     own = pixels.window
     rows, columns = -(-own.height // SQUARE_PX) * SQUARE_PX, -(-own.width // SQUARE_PX) * SQUARE_PX
-    window = PixelWindow(own.column - MARGIN_PX, own.row - MARGIN_PX, columns + 2 * MARGIN_PX, rows + 2 * MARGIN_PX)
+    window = replace(own, width=columns, height=rows).with_margin(MARGIN_PX)
     source = np.where(np.isin(look.source, list(look.learned_of)), look.source, np.uint8(UNKNOWN))
     numbers = np.unique(source[source != UNKNOWN]).tolist()
     if not numbers or look.filters is None:
         return CellTable.empty(levels)
     planes = pixels.part(window, numbers)
-    labels = np.pad(source.repeat(SQUARE_PX, axis=0).repeat(SQUARE_PX, axis=1), MARGIN_PX, mode="edge")
+    labels = np.pad(enlarged(source, SQUARE_PX), MARGIN_PX, mode="edge")
     for number in numbers:
         if number not in planes.sources:
             labels[labels == number] = UNKNOWN
@@ -45,8 +47,7 @@ def measure_plain(
     made, gain = _composite(planes, labels, list(planes.sources), look.filters)
     inside = np.s_[MARGIN_PX:-MARGIN_PX, MARGIN_PX:-MARGIN_PX]
     known = _by_cell((labels[inside] != UNKNOWN).astype(np.float32), CELL_PX) == CELL_PX**2
-    times = UNIT_PX // CELL_PX
-    measured = dense.repeat(times, axis=0).repeat(times, axis=1)
+    measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
     sums = np.zeros((3, levels, *known.shape), np.float32)
     for level, one in enumerate(detail_components(np.stack([planes.mosaic, made]), wavelet, levels)):

@@ -10,7 +10,7 @@ from .....imagery.grids import PixelWindow
 from .....imagery.message import Message
 from .....imagery.rasters import Raster
 from .....imagery.remote_files import remote_settings
-from ...following.boxes import widened
+from ...following.boxes import enlarged, widened
 from ...profile.detail_cells import CELL_PX
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
@@ -165,17 +165,14 @@ def called_for(
 
 def _in_units(squares: np.ndarray) -> np.ndarray:
     """Squares, and a unit around them."""
-    per_square = SQUARE_PX // UNIT_PX
-    return widened(squares.repeat(per_square, axis=0).repeat(per_square, axis=1), 1)
+    return widened(enlarged(squares, SQUARE_PX // UNIT_PX), 1)
 
 
 def _measured(
     pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
 ) -> DensePart:
     """A rectangle by the sources that are followed around it; by all where they leave something over."""
-    placed = PixelWindow(
-        request.window.column + window.column, request.window.row + window.row, window.width, window.height
-    )
+    placed = window.moved_by(request.window.column, request.window.row)
     settings, everyone = request.settings, pixels.numbers
     if look is not None:
         reach = request.look_every
@@ -212,7 +209,7 @@ class _Block:
         self._squares[:rows, :columns] = look.source
         side = SQUARE_PX // LABEL_PX
         source = np.where(look.looked, look.source, np.uint8(UNKNOWN))
-        self._labels[: rows * side, : columns * side] = source.repeat(side, axis=0).repeat(side, axis=1)
+        self._labels[: rows * side, : columns * side] = enlarged(source, side)
         cells, window = look.cells, self._request.window
         sides = UNIT_PX // CELL_PX
         kept = ~wanted[cells.row // sides, cells.column // sides]
@@ -251,8 +248,7 @@ class _Block:
         """Units, as far as there are some, in which the mosaic has pixels."""
         if valid is not None:
             self._outside[: valid.shape[0], : valid.shape[1]] = ~valid
-            times = LABELS // UNITS
-            self._labels[self._outside.repeat(times, axis=0).repeat(times, axis=1)] = UNKNOWN
+            self._labels[enlarged(self._outside, LABELS // UNITS)] = UNKNOWN
 
     def leave_out(self, valid: np.ndarray | None) -> None:
         """Where the mosaic has no pixels nothing is followed."""

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 import numpy as np
 from scipy import ndimage
 
+from .....imagery.lines.paths import points_at, vertex_stations
 from ..lines.seam_pieces import SidedLine
 from .block_grid import UNIT_PX, UNITS, BlockGrid, BlockKey, place_of
 
@@ -25,8 +26,7 @@ class SeamSquares:
         self.dense = np.zeros((blocks.rows * UNITS, blocks.columns * UNITS), bool)
         """bool: those that a seam runs through, or near by."""
         for seam in seams:
-            x, y = seam.vertices.T
-            points = _along((x - grid.left) / grid.pixel_width, (grid.top - y) / grid.pixel_height)
+            points = _spaced(grid.to_pixels(seam.vertices))
             reach = np.unique([*np.arange(-beside_px, beside_px, UNIT_PX), beside_px])
             for by in reach:
                 for to in reach:
@@ -53,8 +53,7 @@ class SeamSquares:
         self.dense[row[inside], column[inside]] = True
 
 
-def _along(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """(n, 2) points along a line, ``_STEP_PX`` apart at most."""
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(columns), np.diff(rows)))])
-    stations = np.linspace(0, along[-1], int(np.ceil(along[-1] / _STEP_PX)) + 1)
-    return np.column_stack([np.interp(stations, along, one) for one in (columns, rows)])
+def _spaced(path: np.ndarray) -> np.ndarray:
+    """(n, 2) points along a path, ``_STEP_PX`` apart at most."""
+    along = vertex_stations(path)
+    return points_at(path, along, np.linspace(0, along[-1], int(np.ceil(along[-1] / _STEP_PX)) + 1))

@@ -53,7 +53,7 @@ class PieceIndex:
         number = np.repeat(np.arange(len(held)), [len(piece.vertices) for piece in held])
         within = number[1:] == number[:-1]
         x, y = places.T
-        line = (x - grid.left) / grid.pixel_width + 1j * ((grid.top - y) / grid.pixel_height)
+        line = grid.column_at(x) + 1j * grid.row_at(y)
         metres = np.where(within, np.hypot(np.diff(x) * grid.metres_x, np.diff(y) * grid.metres_y), 0)
         # Metres since the first vertex of all, less those up to the piece's own first vertex.
         passed = np.append(0, np.cumsum(metres))

@@ -7,11 +7,13 @@ from dataclasses import replace
 import numpy as np
 
 from .....imagery.grids import Grid
+from .....imagery.lines.paths import points_at, vertex_stations
 from .label_cleaning import NONE
 from .seam_pieces import SeamPiece, Side
 
 _STATIONS = 6  # along a piece
 _OFFSETS_PX = (10.0, 20.0)  # to either side: beyond the errors of labels at a seam, and within narrow parts
+_TINY = np.finfo(float).tiny
 _LEAST_SHARE = 0.5  # of the samples on a side that have to agree
 
 
@@ -36,20 +38,20 @@ def sides_of(
 
 def _places(pieces: Sequence[SeamPiece], grid: Grid, label_px: int) -> tuple[np.ndarray, np.ndarray]:
     """Columns and rows of labels, (pieces, left and right, samples) each."""
-    places = np.empty((len(pieces), 2, _STATIONS * len(_OFFSETS_PX)), dtype=complex)
+    places = np.empty((len(pieces), 2, _STATIONS, len(_OFFSETS_PX), 2))
     shares = (np.arange(_STATIONS) + 0.5) / _STATIONS
-    offsets = np.array(_OFFSETS_PX)
+    offsets = np.array(_OFFSETS_PX)[:, np.newaxis]
     for i, piece in enumerate(pieces):
-        x, y = piece.vertices.T
-        line = (x - grid.left) / grid.pixel_width + 1j * ((grid.top - y) / grid.pixel_height)
-        along = np.append(0, np.cumsum(abs(np.diff(line))))
-        stations = shares * along[-1]
-        at = np.interp(stations, along, line.real) + 1j * np.interp(stations, along, line.imag)
-        step = np.diff(line)[np.searchsorted(along, stations).clip(1, len(line) - 1) - 1]
-        left = -1j * step / np.maximum(abs(step), np.finfo(float).tiny)  # rows run down
-        places[i, 0] = (at[:, np.newaxis] + left[:, np.newaxis] * offsets).ravel()
-        places[i, 1] = (at[:, np.newaxis] - left[:, np.newaxis] * offsets).ravel()
-    return np.floor(places.real / label_px).astype(np.int64), np.floor(places.imag / label_px).astype(np.int64)
+        path = grid.to_pixels(piece.vertices)
+        along = vertex_stations(path)
+        wanted = shares * along[-1]
+        middle = points_at(path, along, wanted)[:, np.newaxis]
+        across, down = np.diff(path, axis=0)[np.searchsorted(along, wanted).clip(1, len(path) - 1) - 1].T
+        left = np.column_stack([down, -across])  # rows run down
+        aside = (left / np.maximum(np.hypot(across, down), _TINY)[:, np.newaxis])[:, np.newaxis] * offsets
+        places[i] = middle + aside, middle - aside
+    found = np.floor(places / label_px).astype(np.int64).reshape(len(pieces), 2, _STATIONS * len(_OFFSETS_PX), 2)
+    return found[..., 0], found[..., 1]
 
 
 def _looked_up(columns: np.ndarray, rows: np.ndarray, strips: Iterable[np.ndarray]) -> np.ndarray:

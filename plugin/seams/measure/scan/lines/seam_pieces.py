@@ -10,6 +10,7 @@ import numpy as np
 
 from .....imagery.errors import SettingsError
 from .....imagery.grids import Grid
+from .....imagery.lines.paths import points_at, vertex_stations
 from .....imagery.message import Message
 from ... import messages
 
@@ -66,10 +67,10 @@ def cut_in_pieces(seams: Iterable[SidedLine], piece_m: float, grid: Grid) -> lis
     pieces = []
     for seam_id, seam in enumerate(seams, start=1):
         for part, station in _inside(seam.vertices * scale, grid):
-            along = _stations(part)
+            along = vertex_stations(part)
             count = max(1, round(along[-1] / piece_m))
             cuts = np.linspace(0, along[-1], count + 1)
-            places = np.column_stack([np.interp(cuts, along, part[:, axis]) for axis in (0, 1)])
+            places = points_at(part, along, cuts)
             # Vertices strictly between two cuts are the piece's own.
             first = np.searchsorted(along, cuts, side="right")
             last = np.searchsorted(along, cuts, side="left")
@@ -84,14 +85,9 @@ def cut_in_pieces(seams: Iterable[SidedLine], piece_m: float, grid: Grid) -> lis
 def cut_off(seams: Iterable[SidedLine], pieces: Sequence[SeamPiece], grid: Grid) -> Message | None:
     """How many metres of the seams lie outside the mosaic; None where that is less than a metre."""
     scale = np.array([grid.metres_x, grid.metres_y])
-    given = sum(float(_stations(seam.vertices * scale)[-1]) for seam in seams)
+    given = sum(float(vertex_stations(seam.vertices * scale)[-1]) for seam in seams)
     outside = given - sum(piece.length_m for piece in pieces)
     return messages.SEAMS_CUT_OFF(outside=outside, given=given) if outside > TOLD_OUTSIDE_M else None
-
-
-def _stations(path: np.ndarray) -> np.ndarray:
-    """Length of the path up to each vertex."""
-    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
 
 
 def _inside(path: np.ndarray, grid: Grid) -> Iterator[tuple[np.ndarray, float]]:
@@ -100,7 +96,7 @@ def _inside(path: np.ndarray, grid: Grid) -> Iterator[tuple[np.ndarray, float]]:
     low = np.array([xmin * grid.metres_x, ymin * grid.metres_y])
     high = np.array([xmax * grid.metres_x, ymax * grid.metres_y])
     shortest = grid.ground_sample_distance
-    along = _stations(path)
+    along = vertex_stations(path)
     if ((path >= low) & (path <= high)).all():
         if along[-1] >= shortest:
             yield path, 0.0
@@ -121,5 +117,5 @@ def _inside(path: np.ndarray, grid: Grid) -> Iterator[tuple[np.ndarray, float]]:
         head = start[run[0]] + enter[run[0]] * step[run[0]]
         tail = start[run[-1]] + leave[run[-1]] * step[run[-1]]
         part = np.concatenate([head[np.newaxis], path[run[1:]], tail[np.newaxis]])
-        if _stations(part)[-1] >= shortest:
+        if vertex_stations(part)[-1] >= shortest:
             yield part, float(along[run[0]] + enter[run[0]] * np.hypot(*step[run[0]]))

@@ -59,9 +59,7 @@ def scan_lone_block(request: LoneRequest) -> LoneScan:
     """The cells along the seams of a block. What can't be read is told in its notices."""
     tables, notices = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)], []
     for part in rectangles(request.wanted):
-        window = PixelWindow(
-            request.window.column + part.column, request.window.row + part.row, part.width, part.height
-        )
+        window = part.moved_by(request.window.column, request.window.row)
         try:
             with remote_settings({}):
                 tables.append(_cells(request, window))
@@ -73,9 +71,7 @@ def scan_lone_block(request: LoneRequest) -> LoneScan:
 
 
 def _cells(request: LoneRequest, window: PixelWindow) -> LoneTable:
-    around = PixelWindow(
-        window.column - MARGIN_PX, window.row - MARGIN_PX, window.width + 2 * MARGIN_PX, window.height + 2 * MARGIN_PX
-    )
+    around = window.with_margin(MARGIN_PX)
     clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
     bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
     plane = judged_plane(bands, clip.raster.band_names)

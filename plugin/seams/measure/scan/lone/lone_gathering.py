@@ -9,6 +9,7 @@ from typing import Callable
 
 import numpy as np
 
+from .....imagery.lines.paths import points_at, vertex_stations
 from .....imagery.rasters import Raster
 from ..blocks.block_grid import BLOCK_PX, BlockGrid, BlockKey
 from ..journal.scan_journal import ScanJournal
@@ -105,8 +106,8 @@ class LoneGathering:
 
     def _keys(self, vertices: np.ndarray) -> list[BlockKey]:
         grid = self._mosaic.grid
-        columns = (vertices[:, 0] - grid.left) / grid.pixel_width // BLOCK_PX
-        rows = (grid.top - vertices[:, 1]) / grid.pixel_height // BLOCK_PX
+        columns = grid.column_at(vertices[:, 0]) // BLOCK_PX
+        rows = grid.row_at(vertices[:, 1]) // BLOCK_PX
         last = self._blocks.rows - 1, self._blocks.columns - 1
         return [(min(max(int(row), 0), last[0]), min(max(int(column), 0), last[1]))
                 for row, column in zip(rows, columns)]
@@ -127,6 +128,5 @@ def _judged(piece: SeamPiece, told: LoneJudgement, pixel_m: float, levels: int) 
 
 def _filled_in(vertices: np.ndarray, step: float) -> np.ndarray:
     """The vertices of a line, and points between those that lie far apart."""
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
-    stations = np.union1d(along, np.arange(0, along[-1], step))
-    return np.column_stack([np.interp(stations, along, vertices[:, axis]) for axis in (0, 1)])
+    along = vertex_stations(vertices)
+    return points_at(vertices, along, np.union1d(along, np.arange(0, along[-1], step)))

@@ -11,6 +11,7 @@ from scipy import ndimage
 
 from .....imagery.message import Message
 from ... import messages
+from ...following.boxes import enlarged
 from ...seam_cells import UNKNOWN
 from ...verdicts import Verdict
 from ...window_placing import PlacedWindow
@@ -210,15 +211,14 @@ def filled(scan: BlockScan) -> np.ndarray:
     distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
     nearest = np.where(distance <= FARTHEST_FILLED_PX / LABEL_PX / step, labels[row, column], UNKNOWN).astype(np.uint8)
     nearest[scan.dense | scan.outside] = UNKNOWN
-    spread = nearest.repeat(step, axis=0).repeat(step, axis=1)
-    return np.where(scan.labels == UNKNOWN, spread, scan.labels)
+    return np.where(scan.labels == UNKNOWN, enlarged(nearest, step), scan.labels)
 
 
 def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
     """A block with what was looked at once more."""
     labels_px, cells_px = len(first.labels) // UNITS, len(first.mixture) // UNITS
     labels, mixture, clear = (
-        np.where(second.dense.repeat(times, axis=0).repeat(times, axis=1), new, old)
+        np.where(enlarged(second.dense, times), new, old)
         for times, new, old in (
             (labels_px, second.labels, first.labels), (cells_px, second.mixture, first.mixture),
             (cells_px, second.clear, first.clear),

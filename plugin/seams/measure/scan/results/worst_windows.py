@@ -6,11 +6,11 @@ from dataclasses import replace
 from typing import Callable
 
 import numpy as np
-from osgeo import gdal
 
 from .....imagery import limits as imagery_limits
 from .....imagery.errors import RasterError
 from .....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
+from .....imagery.lines.paths import points_at, vertex_stations
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster
 from ...window_placing import PlacedWindow, WindowIndex
@@ -67,9 +67,7 @@ def valid_in(mosaic: Raster) -> Callable[[PixelWindow], bool]:
         opened = open_raster(mosaic.ref)
     except RasterError:
         return lambda window: True
-    if opened.dataset.GetRasterBand(1).GetMaskFlags() == gdal.GMF_ALL_VALID:
-        return lambda window: True
-    return opened.is_valid
+    return (lambda window: True) if opened.is_all_valid else opened.is_valid
 
 
 def _fitting(
@@ -80,7 +78,7 @@ def _fitting(
         window = standard_window(grid, x, y, side)
         by = side * 3 // 8
         for down, across in ((0, 0), *((i, j) for i in (0, -by, by) for j in (0, -by, by) if i or j)):
-            moved = _inside(replace(window, column=window.column + across, row=window.row + down), grid)
+            moved = _inside(window.moved_by(across, down), grid)
             if is_valid(moved):
                 return moved
         side //= 2
@@ -89,8 +87,8 @@ def _fitting(
 
 
 def _middle(vertices: np.ndarray) -> tuple[float, float]:
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
-    x, y = (float(np.interp(along[-1] / 2, along, vertices[:, axis])) for axis in (0, 1))
+    along = vertex_stations(vertices)
+    x, y = points_at(vertices, along, along[-1:] / 2)[0].tolist()
     return x, y
 
 
