@@ -18,13 +18,8 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.explanation import Change
-from seam_inspector.plugin.seams.measure.inspection import (
-    InspectionSettings,
-    WindowRequest,
-    WindowResult,
-    inspect_window,
-    make_block,
-)
+from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest, inspect_window, make_block
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from skimage.measure import blur_effect
 from skimage.metrics import structural_similarity
 

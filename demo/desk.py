@@ -223,6 +223,12 @@ class Desk:
             return False
         return bool(panel._export._results == [result])
 
+    def first_curves_of(self, fid: int) -> bool:
+        """Whether the chart shows the curves of a window's clips, drawn, whatever else is still to come."""
+        clips, panel = self.session.clips(fid), self.dock.panels["curves"]
+        chart = panel._chart
+        return bool(clips is not None and chart is not None and chart.is_drawn and panel.shown == [clips])
+
     def noise_of(self, fid: int) -> bool:
         """Whether the noise tab shows what was measured in a window, drawn."""
         request, panel = self.session.request(fid), self.dock.panels["noise"]

@@ -8,18 +8,29 @@ from concurrent.futures import ThreadPoolExecutor
 from ..imagery.lines.seamlines import find_seams
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
-from ..toolkit.background_task import Cancelled, Job
+from ..imagery.reading.readings import ReadEach, one_by_one
+from ..toolkit.background_task import Ahead, Cancelled, Job
 from .clip_pictures import PictureRequest, make_pictures
 from .measure.inspection import InspectionSettings, WindowRequest
 from .measure.nearest_seam import SeamIndex
+from .measure.window.window_result import WindowClips
 from .measure.window_placing import place_windows
-from .measure.window_runs import inspect_windows
+from .measure.window_runs import inspect_one, inspect_windows
 
 
-def inspection_job(requests: Iterable[WindowRequest], count: int) -> Job:
-    """Inspects ``count`` windows; yields a WindowResult each, in their order."""
+def inspection_job(requests: Iterable[WindowRequest], count: int, read_each: ReadEach = one_by_one) -> Job:
+    """Inspects ``count`` windows; yields a WindowResult each, in their order.
+
+    Of a single window, for which somebody waits, the WindowClips come ahead, and ``read_each`` reads its rasters.
+    """
 
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        if count == 1:
+            for found in inspect_one(next(iter(requests)), read_each):
+                yield (0.0, Ahead(found)) if isinstance(found, WindowClips) else (1.0, found)
+                if cancelled():
+                    return
+            return
         # One core is left to the interface.
         workers = max(1, (os.cpu_count() or 1) - 1)
         with ThreadPoolExecutor(workers, thread_name_prefix="seam-inspector") as executor:

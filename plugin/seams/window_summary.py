@@ -12,7 +12,7 @@ from .verdict_words import verdict_sentence, verdict_word
 
 if TYPE_CHECKING:
     from .measure.explanation import Explanation
-    from .measure.inspection import WindowResult
+    from .measure.window.window_result import WindowResult
     from .measure.window_records import WindowRecord
 
 _APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
-from typing import Callable
+from typing import Callable, NamedTuple
 
 from qgis.core import QgsTask
 from qgis.PyQt.QtCore import pyqtSignal
@@ -16,6 +16,12 @@ from .interface_first import interface_first
 
 Cancelled = Callable[[], bool]
 Job = Callable[[Cancelled], Iterator[tuple[float, object]]]
+
+
+class Ahead(NamedTuple):
+    """What a job yields ahead of a result that counts as a step."""
+
+    result: object
 
 
 class End(Enum):

@@ -14,10 +14,10 @@ from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,
     Source,
-    WindowResult,
     inspect_window,
     window_request,
 )
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.toolkit.executors import measuring_modules
 
 from tests.numbers.conftest import MakeRaster

@@ -12,10 +12,10 @@ from ..measure.window_records import COMPOSITE, REFERENCES
 from .chart_curves import ChartCurve, least_of_sources, share_text
 
 if TYPE_CHECKING:
-    from ..measure.inspection import ClipResult, WindowResult
+    from ..measure.window.window_result import ClipResult, WindowCurves
 
 
-def bands_of(results: Iterable[WindowResult]) -> list[str]:
+def bands_of(results: Iterable[WindowCurves]) -> list[str]:
     """The bands of the mosaics, luminance and colours first."""
     names = {name: None for result in results for clip in result.clips[:1] for name in clip.curves}
     known = [name for name in BAND_ORDER if name in names]
@@ -23,7 +23,7 @@ def bands_of(results: Iterable[WindowResult]) -> list[str]:
 
 
 def window_curves(
-    result: WindowResult, band: str, colours: Mapping[str, int], reference: str = REFERENCES[0]
+    result: WindowCurves, band: str, colours: Mapping[str, int], reference: str = REFERENCES[0]
 ) -> list[ChartCurve]:
     """The curves of one window and band, the mosaic's first, the sources' composite last.
 
@@ -47,7 +47,7 @@ def window_curves(
     return curves
 
 
-def mean_curves(results: Sequence[WindowResult], band: str) -> list[ChartCurve]:
+def mean_curves(results: Sequence[WindowCurves], band: str) -> list[ChartCurve]:
     """Mean and range of the mosaics of many windows, and of all their sources.
 
     Windows measured with other levels than most are left out.

@@ -17,8 +17,9 @@ from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence
 from ..clip_pictures import ClipPicture
 from ..measure import messages
-from ..measure.inspection import Block, WindowRequest, WindowResult
+from ..measure.inspection import Block, WindowRequest
 from ..measure.observers import FIRST, Operator
+from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..scan_job import ScanOrder
 from ..tables import window_layer
@@ -40,6 +41,7 @@ class Session(QObject):
     inputsChanged = pyqtSignal()
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
+    curvesArrived = pyqtSignal(int)
     resultArrived = pyqtSignal(int)
     picturesArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
@@ -67,6 +69,7 @@ class Session(QObject):
         self._background = BackgroundTasks(self)
         self._background.failed.connect(self._tell)
         self._results = WindowResults(self._block, self._watch, self._background, self)
+        self._results.curvesArrived.connect(self.curvesArrived)
         self._results.arrived.connect(self.resultArrived)
         self._results.progressChanged.connect(self.progressChanged)
         self._results.failed.connect(self._tell)
@@ -230,9 +233,14 @@ class Session(QObject):
         self._background.stop()
 
     def result(self, fid: int) -> WindowResult | None:
-        """The curves of a window, as far as they were measured in this session."""
+        """All that was measured in a window in this session; None until it is complete."""
         row = self.row(fid)
         return self._results.result(row.window_id) if row is not None else None
+
+    def clips(self, fid: int) -> WindowCurves | None:
+        """The curves of a window, which ``curvesArrived`` tells before the rest; its result once that is there."""
+        row = self.row(fid)
+        return self._results.clips(row.window_id) if row is not None else None
 
     def pictures(self, fid: int) -> tuple[ClipPicture, ...] | None:
         """The clips of a window as pictures; when they are not there yet they are read in the background."""

@@ -8,8 +8,10 @@ from typing import Callable, TypeVar
 
 from ...imagery.errors import WorkersLostError
 from ...imagery.message import Message
+from ...imagery.reading.readings import ReadEach
 from . import messages
-from .inspection import WindowRequest, WindowResult, inspect_window, not_comparable
+from .inspection import WindowRequest, inspect_in_stages, inspect_window
+from .window.window_result import WindowClips, WindowResult, not_comparable
 
 Request = TypeVar("Request")
 Result = TypeVar("Result")
@@ -22,6 +24,14 @@ def inspect_windows(
 ) -> Iterator[WindowResult]:
     """``inspect_window`` for many; one that fails in a way nobody foresaw is ``not_comparable`` for that reason."""
     return in_order(requests, inspect_window, not_comparable, executor, ahead, cancelled)
+
+
+def inspect_one(request: WindowRequest, read_each: ReadEach) -> Iterator[WindowClips | WindowResult]:
+    """``inspect_in_stages`` for a window that somebody waits for; what nobody foresaw becomes the reason likewise."""
+    try:
+        yield from inspect_in_stages(request, read_each)
+    except Exception as error:  # as an executor keeps it for ``in_order``
+        yield not_comparable(request, _unforeseen(error))
 
 
 def in_order(
@@ -70,6 +80,10 @@ def _ready(
     if error is None:
         yield future.result()
     elif isinstance(error, Exception) and not isinstance(error, WorkersLostError):
-        yield failed(request, messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}"))
+        yield failed(request, _unforeseen(error))
     else:
         raise error
+
+
+def _unforeseen(error: Exception) -> Message:
+    return messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}")

@@ -10,7 +10,8 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProject
 from ...imagery.band_names import judged_band
 from ...toolkit import layers
 from ...toolkit.background_task import Cancelled, Job
-from ..measure.inspection import Block, WindowResult
+from ..measure.inspection import Block
+from ..measure.window.window_result import WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from .inspection_report import ReportRequest, write_report
 

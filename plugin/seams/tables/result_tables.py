@@ -15,10 +15,10 @@ from ...imagery.wavelets import DIRECTIONS, Curve
 from ...toolkit.table_fields import Column, column_features, column_fields, column_values, feature
 from ...toolkit.translation import sentence
 from ..measure.changes import Change
-from ..measure.inspection import ClipResult, PairResult, WindowResult
 from ..measure.loss_forecast import Forecast, ForecastPair
 from ..measure.profile.seam_profile import ProfileBin
 from ..measure.tone import Tone
+from ..measure.window.window_result import ClipResult, PairResult, WindowResult
 from ..measure.window_placing import PlacedWindow
 
 

@@ -31,8 +31,8 @@ from ...toolkit.table_fields import column_fields, column_values
 from ...toolkit.translation import tr
 from ...toolkit.version_differences import field
 from ..measure import messages
-from ..measure.inspection import WindowResult
 from ..measure.observers import FIRST, JUDGING_FIELDS
+from ..measure.window.window_result import WindowResult
 from ..measure.window_records import WindowRecord
 from .record_tables import level_names, read_windows
 from .result_tables import WINDOW_COLUMNS, window_fields

@@ -8,7 +8,7 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.message import Message
-from ..background_task import BackgroundTask, Job, Outcome
+from ..background_task import Ahead, BackgroundTask, Job, Outcome
 
 
 @dataclass(frozen=True)
@@ -18,7 +18,7 @@ class _Request:
     key: object
     """What the task is for, so that nothing is asked for twice."""
     steps: int
-    """How many results count in the progress; 0 for work that goes unseen."""
+    """How many results count in the progress, those that come ahead left out; 0 for work that goes unseen."""
 
 
 class BackgroundTasks(QObject):
@@ -93,6 +93,9 @@ class BackgroundTasks(QObject):
         task = self.sender()
         request = self._tasks.get(task)
         if request is None or (task.isCanceled() and not request.steps):  # what was cancelled midway is not whole
+            return
+        if isinstance(result, Ahead):
+            request.take(result.result)
             return
         request.take(result)
         if request.steps and self._asked:

@@ -12,12 +12,12 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,
-    WindowResult,
     inspect_window,
     make_block,
     window_request,
 )
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 MakeRaster = Callable[..., str]
 SIZE = (256, 256)

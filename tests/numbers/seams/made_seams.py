@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.measure.inspection import WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of
 from tests.numbers.synthetic import texture

@@ -16,11 +16,11 @@ from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,
     WindowRequest,
-    WindowResult,
     inspect_window,
     window_request,
 )
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
 
 from tests.numbers.seams.inspecting import (

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 from qgis.core import NULL, QgsVectorLayer
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.measure.inspection import ClipResult, PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.observers import JUDGING_FIELDS
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_layer
 from seam_inspector.plugin.seams.verdict_words import VERDICTS, verdict_sentence, verdict_word

@@ -14,10 +14,10 @@ from seam_inspector.plugin.seams.judged_value import judged_kept
 from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.changes import Change
 from seam_inspector.plugin.seams.measure.explanation import Explanation
-from seam_inspector.plugin.seams.measure.inspection import WindowResult
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.window_summary import cause_numbers, explanation_of, window_sentence
 

@@ -16,9 +16,9 @@ from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
     Source,
     WindowRequest,
-    WindowResult,
     inspect_window,
 )
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
 from seam_inspector.plugin.toolkit import watched_executor
 from seam_inspector.plugin.toolkit.executors import open_executor

@@ -14,7 +14,7 @@ from ...charts.curve_chart import draw_curves
 from ...tables.result_tables import curve_features
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
+    from ...measure.window.window_result import WindowResult
     from .curves_chart import Chart
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # isort: skip

@@ -15,7 +15,7 @@ from ....toolkit.translation import tr
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ...measure.inspection import WindowResult
+    from ...measure.window.window_result import WindowResult
     from .curves_chart import Chart
 
 

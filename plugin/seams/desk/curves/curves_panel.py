@@ -14,10 +14,12 @@ from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve, significance_limit
 from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
 from .curves_export import CurvesExport
-from .curves_selection import selected_results, title
+from .curves_selection import selected_windows, title
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
+    from collections.abc import Sequence
+
+    from ...measure.window.window_result import WindowCurves
     from ..session import Session
     from .curves_chart import CurvesChart
     from .curves_legend import CurvesLegend
@@ -41,6 +43,8 @@ class CurvesPanel(ChartPanel):
         self._idle_text = ""
         self._chart: CurvesChart | None = None
         self._legend: CurvesLegend | None = None
+        self.shown: Sequence[WindowCurves] = ()
+        """What the chart is asked to draw."""
         self._legend_width = 0
         self._border_moved = False
         self._build()
@@ -48,6 +52,7 @@ class CurvesPanel(ChartPanel):
         session.inputsChanged.connect(self._refresh_now)
         session.windowsChanged.connect(self._refresh_soon)
         session.progressChanged.connect(self._on_progress)
+        session.curvesArrived.connect(self._on_result)
         session.resultArrived.connect(self._on_result)
 
     # widgets
@@ -125,7 +130,7 @@ class CurvesPanel(ChartPanel):
         """Only changes are drawn."""
         if not self.isVisible():
             return
-        results, missing = selected_results(self._session)
+        results, missing = selected_windows(self._session)
         if not results:
             self._show_text(missing)
             return
@@ -149,7 +154,7 @@ class CurvesPanel(ChartPanel):
                 self._bands.addItem(band_title(name), name)
         self._bands.setCurrentIndex(max(self._bands.findData(self._band), 0))
 
-    def _curves(self, results: list[WindowResult]) -> tuple[ChartCurve, ...]:
+    def _curves(self, results: list[WindowCurves]) -> tuple[ChartCurve, ...]:
         band = self._bands.currentData()
         if len(results) > 1:
             return tuple(mean_curves(results, band))
@@ -157,7 +162,8 @@ class CurvesPanel(ChartPanel):
             self._colours.setdefault(clip.raster, len(self._colours))
         return tuple(window_curves(results[0], band, self._colours, self._session.inputs.reference))
 
-    def _draw(self, results: list[WindowResult], curves: tuple[ChartCurve, ...]) -> None:
+    def _draw(self, results: list[WindowCurves], curves: tuple[ChartCurve, ...]) -> None:
+        from ...measure.window.window_result import WindowResult
         from .curves_chart import Chart, chart_style
 
         assert self._chart is not None
@@ -170,12 +176,15 @@ class CurvesPanel(ChartPanel):
         self._fit_legend()
         self._pages.setCurrentWidget(self._splitter)
         self._chart.show_chart(chart, style)
-        self._export.offer(results, chart, self._idle_text, self._bands.currentData())
+        self.shown = results
+        complete = [result for result in results if isinstance(result, WindowResult)]
+        self._export.offer(complete, chart, self._idle_text, self._bands.currentData())
         self._show_point()
 
     def _show_text(self, text: str) -> None:
         self._text.setText(text)
         self._pages.setCurrentWidget(self._text)
+        self.shown = []
         self._idle_text = ""
         self._export.offer([], None, "", "")
         self._show_point()

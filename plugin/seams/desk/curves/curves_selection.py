@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING
 from ....toolkit.translation import sentence, tr
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
+    from ...measure.window.window_result import WindowCurves
     from ..session import Session
 
 
-def selected_results(session: Session) -> tuple[list[WindowResult], str]:
-    """The selected windows' results that can be compared; without any, why not."""
+def selected_windows(session: Session) -> tuple[list[WindowCurves], str]:
+    """What there is of the selected windows that can be compared; without any, why not."""
     selected = session.selected()
-    found = [result for result in map(session.result, selected) if result is not None]
+    found = [result for result in map(session.clips, selected) if result is not None]
     usable = [result for result in found if result.is_compared and result.clips]
-    return usable, "" if usable else _why_nothing(session, selected, found)
+    return usable, "" if usable else _why_nothing(session, selected)
 
 
-def title(session: Session, results: Sequence[WindowResult]) -> str:
+def title(session: Session, results: Sequence[WindowCurves]) -> str:
     """Which windows are drawn."""
     selected = session.selected()
     if len(results) > 1 and len(results) < len(selected):
@@ -34,9 +34,10 @@ def title(session: Session, results: Sequence[WindowResult]) -> str:
     return text
 
 
-def _why_nothing(session: Session, selected: Sequence[int], found: Sequence[WindowResult]) -> str:
+def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     if not selected:
         return tr("Select a window in the table or on the map, or draw one.")
+    found = [result for result in map(session.result, selected) if result is not None]
     if found and len(selected) > 1:
         return tr("None of the selected windows can be compared.")
     if found:

@@ -15,7 +15,7 @@ from ...verdict_words import VERDICTS, verdict_colour, verdict_word
 from ...window_summary import cause_numbers, explanation_of, window_sentence
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
+    from ...measure.window.window_result import WindowResult
     from ...measure.window_records import WindowRecord
 
 _CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one and scales it down

@@ -12,7 +12,7 @@ from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
-from ...measure.inspection import WindowResult
+from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
 from .window_watch import Version, WindowWatch
@@ -25,6 +25,8 @@ class WindowResults(QObject):
 
     arrived = pyqtSignal(int)
     """Feature id of a window that has its result now."""
+    curvesArrived = pyqtSignal(int)
+    """Feature id of a window whose curves are there, and the rest is not yet."""
     failed = pyqtSignal(object)
     """The Message why results could not be written."""
     progressChanged = pyqtSignal(int, int)
@@ -36,6 +38,7 @@ class WindowResults(QObject):
         self._watch = watch
         self._background = background
         self._results: dict[int, WindowResult] = {}
+        self._clips: dict[int, WindowClips] = {}  # of windows whose results are still to come
         self._unwritten: dict[int, tuple[WindowResult, Version]] = {}
         self._waiting: dict[int, Version] = {}
         self._writer = single_shot(self, self.write, _WRITE_MS)
@@ -44,6 +47,10 @@ class WindowResults(QObject):
     def result(self, window_id: int) -> WindowResult | None:
         """What was measured in this session."""
         return self._results.get(window_id)
+
+    def clips(self, window_id: int) -> WindowCurves | None:
+        """The curves of its clips, which are there before the rest of the result."""
+        return self._results.get(window_id) or self._clips.get(window_id)
 
     def is_pending(self, window_id: int) -> bool:
         """Whether a window is being inspected, or its result not written yet."""
@@ -68,6 +75,7 @@ class WindowResults(QObject):
             self._waiting.update(asked)
             for number in asked:
                 self._results.pop(number, None)
+                self._clips.pop(number, None)
             job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows))
             self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
 
@@ -94,7 +102,7 @@ class WindowResults(QObject):
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
-        for kept in (self._results, self._unwritten, self._waiting):
+        for kept in (self._results, self._clips, self._unwritten, self._waiting):
             kept.clear()
 
     def forget_asked(self) -> None:
@@ -109,6 +117,12 @@ class WindowResults(QObject):
 
     def _take(self, asked: dict[int, Version], result: Any) -> None:
         number = result.window_id
+        if isinstance(result, WindowClips):
+            self._clips[number] = result
+            if (fid := self._watch.fid(number)) is not None:
+                self.curvesArrived.emit(fid)
+            return
+        self._clips.pop(number, None)
         self._results[number] = result
         self._unwritten[number] = result, asked[number]
         if self._waiting.get(number) == asked[number]:

@@ -16,7 +16,7 @@ from ...window_summary import cause_numbers, explanation_of
 from .verdict_chips import window_tip
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
+    from ...measure.window.window_result import WindowResult
     from ...measure.window_records import WindowRecord
 
 _ALIGNED_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)

@@ -12,7 +12,7 @@ from .verdict_chips import verdict_chip
 from .windows_columns import ALIGNED_LEFT, WINDOW_ID, columns_of
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
+    from ...measure.window.window_result import WindowResult
     from ...measure.window_records import WindowRecord
 
 _DISPLAY = Qt.ItemDataRole.DisplayRole  # found faster than by way of Qt: each cell asks for seven roles

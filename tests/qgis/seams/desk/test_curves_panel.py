@@ -24,8 +24,8 @@ from seam_inspector.plugin.seams.charts.window_curves import point_words
 from seam_inspector.plugin.seams.desk.curves.curves_chart import CurvesChart
 from seam_inspector.plugin.seams.desk.curves.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.inspection import ClipResult, WindowResult
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict, judge
+from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowClips, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
 from seam_inspector.plugin.toolkit.desk.theme import contrast
@@ -49,6 +49,7 @@ class FakeSession(QObject):
     inputsChanged = pyqtSignal()
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
+    curvesArrived = pyqtSignal(int)
     resultArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
     messageRaised = pyqtSignal(str, int)
@@ -58,6 +59,7 @@ class FakeSession(QObject):
         self.inputs = Inputs()
         self.is_busy = False
         self.results: dict[int, WindowResult] = {}
+        self.first: dict[int, WindowClips] = {}
         self.rows_by_fid: dict[int, WindowRecord] = {}
         self.fids: list[int] = []
 
@@ -75,6 +77,9 @@ class FakeSession(QObject):
 
     def result(self, fid: int) -> WindowResult | None:
         return self.results.get(fid)
+
+    def clips(self, fid: int) -> WindowCurves | None:
+        return self.results.get(fid) or self.first.get(fid)
 
     def is_pending(self, fid: int) -> bool:
         return self.is_busy

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from qgis.core import QgsApplication, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop
-from seam_inspector.plugin.seams.desk.curves.curves_selection import selected_results
+from seam_inspector.plugin.seams.desk.curves.curves_selection import selected_windows
 from seam_inspector.plugin.seams.desk.windows.judge_bar import JudgeBar
 
 from tests.qgis.runs import run
@@ -40,6 +40,23 @@ def test_a_new_window_is_inspected_in_the_background(desk: Desk) -> None:
     assert pixel_box(desk.layer().getFeature(fid).geometry()) == BLURRED
     assert not row.stale
     assert desk.messages == []
+
+
+def test_the_curves_come_ahead_of_the_rest(desk: Desk) -> None:
+    told: list[tuple[str, int, bool]] = []
+    session = desk.session
+    session.curvesArrived.connect(lambda fid: told.append(("curves", fid, session.result(fid) is None)))
+    session.resultArrived.connect(lambda fid: told.append(("result", fid, session.clips(fid) is session.result(fid))))
+    first = []
+    session.curvesArrived.connect(lambda fid: first.append(session.clips(fid)))
+    session.add_window(BLURRED_WINDOW)
+    desk.wait()
+    fid = desk.rows()[1].fid
+    assert told == [("curves", fid, True), ("result", fid, True)]
+    result = session.result(fid)
+    assert result is not None
+    assert first[0].clips == result.clips
+    assert first[0].paper.verdict == result.paper_verdict
 
 
 def test_undo_takes_back_the_result_then_the_window(desk: Desk) -> None:
@@ -268,7 +285,7 @@ def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None
     for fid in (1, 2):
         desk.session.select([fid])
         settle(0.01)  # fields were added, and windows are told before what is selected of them
-        said[fid] = (selected_results(desk.session)[1], bar.sentence())
+        said[fid] = (selected_windows(desk.session)[1], bar.sentence())
     assert said == {1: ("Measuring ...", "Measuring ..."), 2: ("Not inspected yet", "Not inspected yet.")}
     desk.session.select([1])
     desk.wait()

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
-from seam_inspector.plugin.seams.measure.inspection import WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 

@@ -1,0 +1,101 @@
+"""The second half of an inspection: why contrast was lost, what is kept along the seam, and the verdict that counts."""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from ....imagery.band_curves import correlation
+from ....imagery.wavelets import Curve
+from .. import messages
+from ..causes import Cause
+from ..changes import Change
+from ..compared_image import MeasuredClip
+from ..explanation import Explanation, explain
+from ..seam_cells import UNKNOWN, cell_labels
+from ..verdicts import Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
+from ..window_records import COMPOSITE, SEAM
+from .measured_window import MeasuredWindow
+from .window_result import PairResult, WindowResult
+
+if TYPE_CHECKING:
+    from ..inspection import WindowRequest
+
+
+def explain_window(measured: MeasuredWindow) -> WindowResult:
+    """All that is known of a window; why it can't be compared where nothing could be explained."""
+    request, mosaic, band = measured.request, measured.mosaic, measured.band
+    notices, paper, clips = list(measured.notices), measured.paper, measured.clips.clips
+    if not measured.is_explicable:
+        pairs = [pair for one in measured.sources for pair in _pairs(mosaic, one, {})]
+        return WindowResult(
+            request.window_id, request.window, paper, paper.verdict, clips, tuple(pairs),
+            notices=tuple(notices), ground_sample_distance=request.mosaic.ground_sample_distance,
+            reference=request.settings.reference,
+        )
+    judged = measured.judged
+    found = _explain(request, mosaic, judged)
+    notices += [
+        messages.SOURCE_IN_PART(name=one.clip.raster.ref.name, share=100 * (1 - one.clip.invalid_share))
+        for one in judged
+        if one.clip.valid is not None
+    ]
+    pairs = [pair for one, changes in zip(judged, found.changes) for pair in _pairs(mosaic, one, changes)]
+    pairs += [pair for one in measured.only_shown for pair in _pairs(mosaic, one, {})]
+    judgement = _judged(paper, mosaic.curves[band], found, band, request)
+    if Cause.MISSING_SOURCE in found.causes and judgement.reason is None:
+        judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - found.explained)))
+    if judged[0].clip.resampled and judgement.reason is None:
+        judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
+    return WindowResult(
+        request.window_id, request.window, judgement, paper.verdict, clips, tuple(pairs), found,
+        tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
+    )
+
+
+def _explain(request: WindowRequest, mosaic: MeasuredClip, sources: Sequence[MeasuredClip]) -> Explanation:
+    labels = None
+    if request.cells and request.window is not None:
+        names = [one.clip.raster.ref.name for one in sources]
+        known = cell_labels(request.cells, names, request.mosaic.grid, request.window)
+        labels = known if (known != UNKNOWN).any() else None
+    return explain(mosaic, sources, request.settings.wavelet, request.settings.levels, labels)
+
+
+def _judged(
+    paper: Judgement, mosaic: Curve, found: Explanation, band: str, request: WindowRequest
+) -> Judgement:
+    """The verdict by what the settings say; the ratios stay those against the sources."""
+    settings = request.settings
+    if settings.reference == SEAM:
+        verdict, reason = judge_by_seam(
+            found.profile, found.has_seam, found.sharpness, settings.min_kept, found.mixed_share, found.explained
+        )
+        return replace(paper, verdict=verdict, reason=reason)
+    if settings.reference == COMPOSITE:
+        # What the mosaic does not follow is cut at random, unless the cells say how.
+        if found.cause is Cause.UNCLEAR and not request.cells:
+            return replace(paper, verdict=Verdict.NOT_COMPARABLE, reason=messages.COMPOSITE_UNCLEAR())
+        against = judge(mosaic, [found.curves[band]], settings.max_ratio)
+        return replace(paper, verdict=against.verdict, reason=against.reason)
+    return paper
+
+
+def _pairs(mosaic: MeasuredClip, source: MeasuredClip, changes: Mapping[str, Change]) -> list[PairResult]:
+    levels = len(next(iter(mosaic.curves.values())).detail)
+    nothing = Ratios((None,) * levels, None)
+    is_part = source.clip.valid is not None
+    return [
+        PairResult(
+            source.clip.raster.ref.name,
+            name,
+            nothing if is_part else curve_ratios(mosaic.curves[name], source.curves[name]),
+            None if is_part else correlation(mosaic.coarse[name], source.coarse[name]),
+            source.clip.offset_x,
+            source.clip.offset_y,
+            source.clip.resampled,
+            changes.get(name),
+        )
+        for name in (changes if is_part else source.curves)
+        if name in mosaic.curves
+    ]

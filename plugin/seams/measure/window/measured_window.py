@@ -1,0 +1,128 @@
+"""The first half of an inspection: the clips of a window, their curves, and the paper's verdict."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import TYPE_CHECKING
+
+from ....imagery import limits as imagery_limits
+from ....imagery.band_curves import measure_clip, measure_directions
+from ....imagery.band_names import measured_bands
+from ....imagery.clips import read_clip
+from ....imagery.errors import NotCoveredError, RasterError
+from ....imagery.message import Message
+from ....imagery.open_raster import OpenRaster
+from ....imagery.reading.readings import ReadEach, one_by_one
+from .. import messages
+from ..compared_image import MeasuredClip
+from ..verdicts import Judgement, Verdict, judge
+from .window_result import ClipResult, WindowClips
+
+if TYPE_CHECKING:
+    from ..inspection import InspectionSettings, WindowRequest
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredWindow:
+    """The pixels of a window that can be compared, and what was measured in each raster by itself."""
+
+    request: WindowRequest
+    mosaic: MeasuredClip
+    judged: tuple[MeasuredClip, ...]
+    """The sources that the verdict is taken against: those read as they are, or the resampled where all are."""
+    only_shown: tuple[MeasuredClip, ...]
+    """The other sources that can be compared."""
+    sources: tuple[MeasuredClip, ...]
+    """Both, in their order."""
+    paper: Judgement
+    notices: tuple[Message, ...]
+    """Why a source that could not be read or compared does not take part, or is only shown."""
+
+    @cached_property
+    def clips(self) -> WindowClips:
+        """The curves, without the pixels."""
+        settings = self.request.settings
+        named = ((self.mosaic, "mosaic"), *((source, "source") for source in self.sources if source.curves))
+        clips = tuple(_clip_result(one, role, settings) for one, role in named)
+        return WindowClips(self.request.window_id, self.request.window, clips, self.paper)
+
+    @property
+    def band(self) -> str:
+        """The one that the verdict looks at."""
+        return self.mosaic.clip.raster.judged_band
+
+    @property
+    def is_explicable(self) -> bool:
+        """Whether there is anything that sources could explain."""
+        all_whole = all(one.clip.valid is None for one in self.judged)
+        has_no_detail = all_whole and self.paper.verdict is Verdict.NOT_COMPARABLE
+        return bool(self.judged) and self.mosaic.curves[self.band].variance > 0 and not has_no_detail
+
+
+def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> MeasuredWindow | Message | None:
+    """Read and measure the clips of a window; why there are none where there is no window or no mosaic.
+
+    ``read_each`` opens the rasters, and may read them side by side.
+    """
+    if request.window is None:
+        return request.reason
+    readings = [(request.mosaic.ref, partial(_measured, request=request, partly=False))]
+    readings += [(source.ref, partial(_measured, request=request, partly=True)) for source in request.sources]
+    mosaic, *others = read_each(readings)
+    if isinstance(mosaic, RasterError):
+        return mosaic.message
+    band = mosaic.clip.raster.judged_band
+    sources, notices, not_covering = _comparable(others, band)
+    judged = [one for one in sources if not one.clip.resampled] or sources
+    shown = [one for one in sources if one not in judged]
+    notices += [messages.SOURCE_RESAMPLED(name=one.clip.raster.ref.name) for one in shown]
+    whole = [one.curves[band] for one in judged if one.clip.valid is None]
+    paper = judge(mosaic.curves[band], whole, request.settings.max_ratio)
+    refused = (*notices, *not_covering)
+    if not judged and refused and mosaic.curves[band].variance > 0:
+        why = refused[: imagery_limits.MAX_REASONS]
+        paper = replace(paper, reason=messages.NO_SOURCE_COMPARABLE(why=why))
+    return MeasuredWindow(request, mosaic, tuple(judged), tuple(shown), tuple(sources), paper, tuple(notices))
+
+
+def _measured(raster: OpenRaster, request: WindowRequest, partly: bool) -> MeasuredClip:
+    assert request.window is not None
+    clip = read_clip(raster, request.mosaic, request.window, partly)
+    if clip.valid is not None:
+        return MeasuredClip(clip, {}, {})
+    return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
+
+
+def _clip_result(measured: MeasuredClip, role: str, settings: InspectionSettings) -> ClipResult:
+    clip = measured.clip
+    directions = measure_directions(clip, settings.wavelet, settings.levels) if settings.directions else {}
+    return ClipResult(clip.raster.ref.name, role, measured.curves, directions)
+
+
+def _comparable(
+    found: Iterable[MeasuredClip | RasterError], band: str
+) -> tuple[list[MeasuredClip], list[Message], list[Message]]:
+    """Sources that can be compared, why others can't, and which do not cover the window at all."""
+    sources: list[MeasuredClip] = []
+    notices: list[Message] = []
+    not_covering: list[Message] = []
+    for one in found:
+        if isinstance(one, NotCoveredError):
+            not_covering.append(one.message.as_warning())
+        elif isinstance(one, RasterError):
+            notices.append(one.message.as_warning())
+        elif (why_not := _incomparable(one, band)) is not None:
+            notices.append(why_not.as_warning())
+        else:
+            sources.append(one)
+    return sources, notices, not_covering
+
+
+def _incomparable(source: MeasuredClip, band: str) -> Message | None:
+    raster = source.clip.raster
+    if band not in measured_bands(raster.band_names):
+        return messages.BANDS_DIFFER(name=raster.ref.name, band=band, bands=", ".join(raster.band_names))
+    if source.curves and source.curves[band].variance == 0:
+        return messages.SOURCE_CONSTANT(name=raster.ref.name)
+    return None

@@ -1,0 +1,167 @@
+"""What is known of one window: the curves of its clips, which come first, and all that was measured."""
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Union
+
+from ....imagery.band_curves import Directions
+from ....imagery.grids import PixelWindow
+from ....imagery.message import Message
+from ....imagery.wavelets import Curve
+from ..causes import Cause
+from ..changes import Change
+from ..explanation import Explanation
+from ..profile.loss_picture import LossPicture
+from ..profile.seam_profile import SeamProfile
+from ..verdicts import Judgement, Ratios, Verdict
+from ..window_records import COMPOSITE, REFERENCES
+
+if TYPE_CHECKING:
+    from ..inspection import WindowRequest
+
+
+@dataclass(frozen=True)
+class ClipResult:
+    """The curves of one raster in one window."""
+
+    raster: str
+    """File name without its folder."""
+    role: str
+    """``mosaic``, ``source`` or ``composite``."""
+    curves: dict[str, Curve]
+    """By band name, ``luminance`` first where there is one."""
+    directions: dict[str, Directions] = field(default_factory=dict)
+    """The same by direction; empty where that was not asked for."""
+
+
+@dataclass(frozen=True)
+class PairResult:
+    """The mosaic against one source in one window and band."""
+
+    source: str
+    """File name without its folder, or ``composite``."""
+    band: str
+    ratios: Ratios
+    similarity: float | None
+    """Correlation of the coarse components at level R; None where one of them is constant."""
+    offset_x: float
+    """Sub-pixel offset of the source's pixel grid, px."""
+    offset_y: float
+    resampled: bool
+    """Whether the source was warped to the mosaic's grid."""
+    change: Change | None = None
+    """What became of its grey values in the mosaic."""
+
+
+@dataclass(frozen=True)
+class WindowClips:
+    """What the pixels of each raster say by themselves, which is known before they are compared pixel by pixel."""
+
+    window_id: int
+    window: PixelWindow | None
+    """The pixels of the mosaic that were measured."""
+    clips: tuple[ClipResult, ...]
+    """The mosaic first, then the sources that take part with the whole window."""
+    paper: Judgement
+    """By the paper's rule."""
+
+    @property
+    def is_compared(self) -> bool:
+        """Whether there is a source to compare with so far."""
+        return len(self.clips) > 1
+
+    @property
+    def with_composite(self) -> tuple[ClipResult, ...]:
+        """The clips; there is no composite of the sources yet."""
+        return self.clips
+
+
+@dataclass(frozen=True)
+class WindowResult:
+    """What was measured in one window."""
+
+    window_id: int
+    window: PixelWindow | None
+    """The pixels of the mosaic that were measured."""
+    judgement: Judgement
+    """The verdict that counts, and the ratios of the paper."""
+    paper_verdict: Verdict
+    """By the paper's rule, whatever the verdict was taken by."""
+    clips: tuple[ClipResult, ...] = ()
+    """The mosaic first, then the sources that took part."""
+    pairs: tuple[PairResult, ...] = ()
+    explanation: Explanation | None = None
+    """Why contrast was lost; None where nothing could be compared."""
+    notices: tuple[Message, ...] = field(default=(), compare=False)
+    """Why a source that could not be read or compared did not take part, or only in part."""
+    ground_sample_distance: float = 0.0
+    """The mosaic's pixel size, m."""
+    reference: str = REFERENCES[0]
+    """What the verdict was taken by."""
+
+    @property
+    def profile(self) -> SeamProfile | None:
+        """What is kept along the seam; None without one, or where it can't be told."""
+        return self.explanation.profile if self.explanation else None
+
+    @property
+    def loss(self) -> LossPicture | None:
+        """The picture of where detail was lost; None where that can't be told."""
+        return self.explanation.loss if self.explanation else None
+
+    @property
+    def band_width_m(self) -> float | None:
+        """Full width of the band along the seam in which detail was lost."""
+        return self.profile.band_width_px * self.ground_sample_distance if self.profile else None
+
+    @property
+    def causes(self) -> tuple[Cause, ...]:
+        """All that were found, strongest first."""
+        return self.explanation.causes if self.explanation else ()
+
+    @property
+    def explained(self) -> float | None:
+        """Share of the window whose fine detail the given sources explain."""
+        return self.explanation.explained if self.explanation else None
+
+    @property
+    def is_compared(self) -> bool:
+        """Whether a source took part; what is known then is shown even where it is too little for a verdict."""
+        return self.judgement.verdict is not Verdict.NOT_COMPARABLE or self.explanation is not None
+
+    @property
+    def with_composite(self) -> tuple[ClipResult, ...]:
+        """The clips, last the sources' composite where there is one."""
+        found = self.explanation
+        return self.clips if found is None else (*self.clips, ClipResult(COMPOSITE, COMPOSITE, found.curves))
+
+    @property
+    def composite_pairs(self) -> tuple[PairResult, ...]:
+        """The mosaic against the composite, band by band."""
+        found = self.explanation
+        if found is None:
+            return ()
+        resampled = any(pair.resampled for pair in self.pairs)
+        return tuple(
+            PairResult(COMPOSITE, name, ratios, found.similarity[name], 0.0, 0.0, resampled, found.changes[-1][name])
+            for name, ratios in found.ratios.items()
+        )
+
+    @property
+    def source_count(self) -> int:
+        """How many sources took part, wholly or in part."""
+        if self.explanation is None:
+            return sum(clip.role == "source" for clip in self.clips)
+        return len(self.explanation.changes) - 1  # the last is against the composite
+
+
+WindowCurves = Union[WindowClips, WindowResult]
+"""What a chart draws of a window: the curves that are there first, or with all else."""
+
+
+def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
+    """The result of a window that could not be measured."""
+    nothing = Ratios((None,) * request.settings.levels, None)
+    judgement = Judgement(Verdict.NOT_COMPARABLE, nothing, reason)
+    reference = request.settings.reference
+    return WindowResult(request.window_id, request.window, judgement, judgement.verdict, reference=reference)
