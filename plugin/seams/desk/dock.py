@@ -15,7 +15,7 @@ from qgis.core import (
 )
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import QSize, Qt
-from qgis.PyQt.QtGui import QIcon, QKeySequence, QResizeEvent
+from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
     QGridLayout,
@@ -45,6 +45,7 @@ from .scan.scan_group import show_layer
 from .scan.scan_message import ScanMessage
 from .session import Session
 from .windows.judge_bar import JudgeBar
+from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
 
 _SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
@@ -77,6 +78,10 @@ class InspectionDock(ToolDock):
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
         self.scans.found.connect(self._tell_findings)
         self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
+        self.steps = UndoActions(self.session, iface.mainWindow(), self)
+        self.steps.take_keys_in(self)
+        self.steps.take_keys_while(self.tool, self._canvas)
+        self.visibilityChanged.connect(self.steps.set_in_sight)
         self._make_actions()
         self._lay_out()
         self.session.progressChanged.connect(self._show_progress)
@@ -92,6 +97,7 @@ class InspectionDock(ToolDock):
 
     def close_desk(self) -> None:
         super().close_desk()
+        self.steps.close()
         self.reports.close()
         self._worst_inspector.stop()
         self._findings.close()
@@ -176,9 +182,6 @@ class InspectionDock(ToolDock):
             "NewReport", tr("Report"), tr("Write a report of the inspected windows, one HTML page that opens anywhere"),
             self.reports.ask,
         )  # fmt: skip
-        self.undo = self._action("Undo", tr("Undo"), tr("Undo the last change of the windows (Ctrl+Z)"), self._undo)
-        self.undo.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
-        self.undo.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
 
     def _action(self, icon: str, text: str, tip: str, slot: Callable[..., None]) -> QAction:
         action = QAction(QgsApplication.getThemeIcon(f"/mAction{icon}.svg"), text, self)
@@ -192,7 +195,7 @@ class InspectionDock(ToolDock):
         toolbar.setIconSize(QSize(size, size))
         toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         texts = (self.place, self.inspect, self.scan)
-        toolbar.addActions([self.draw, *texts, self.inspect_selected, self.undo, self.report])
+        toolbar.addActions([self.draw, *texts, self.inspect_selected, self.steps.undo, self.steps.redo, self.report])
         for action in toolbar.actions():
             toolbar.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
             if action not in texts:  # the others are known by their icons, to save width
@@ -223,7 +226,7 @@ class InspectionDock(ToolDock):
         layout.addWidget(toolbar)
         layout.addWidget(self._splitter, 1)
         layout.addWidget(self._progress_row())
-        body.addActions([*self.judge.actions_for_dock(), self.undo])
+        body.addActions(self.judge.actions_for_dock())
         self.setWidget(ScrollBody(body))
 
     def _progress_row(self) -> QWidget:
@@ -260,18 +263,12 @@ class InspectionDock(ToolDock):
     def _tell_findings(self, done: ScanDone) -> None:
         self._findings.show(done, self.scans.notes)
 
-    def _undo(self) -> None:
-        layer = self.session.window_layer()
-        if layer is not None and layer.isEditable():
-            layer.undoStack().undo()
-
     def _enable_actions(self) -> None:
         """Grey what can't be done now, and say why."""
         problem, windows = self.session.problem(), self.session.windows()
         unset = sentence(problem) if problem is not None else ""
-        layer, is_line = self.session.window_layer(), bool(self.session.inputs.seamlines)
+        is_line = bool(self.session.inputs.seamlines)
         no_windows = "" if windows else tr("There is no window yet: draw one, or place them along the seamlines.")
-        can_undo = layer is not None and layer.isEditable() and layer.undoStack().canUndo()
         allow(self.draw, unset)
         allow(self.place, unset or ("" if is_line else sentence(messages.NO_SEAMLINES())))
         allow(self.inspect, unset or no_windows)
@@ -282,7 +279,6 @@ class InspectionDock(ToolDock):
         self._offer_stop(self.session.is_busy)
         judged = any(row.verdict for row in windows)
         allow(self.report, "" if judged else no_windows or tr("No window has been inspected yet."))
-        allow(self.undo, "" if can_undo else tr("There is no change of the windows to take back."))
 
     def _repaint_windows(self) -> None:
         """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""

@@ -13,8 +13,9 @@ from ...imagery.errors import SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.message import Message
 from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.layer_editing import edit_step
 from ...toolkit.message_bar import bar_level
-from ...toolkit.translation import sentence
+from ...toolkit.translation import sentence, tr
 from ..clip_pictures import ClipPicture
 from ..measure import messages
 from ..measure.inspection import Block, WindowRequest
@@ -197,9 +198,13 @@ class Session(QObject):
     def note(self, fids: Sequence[int], values: Mapping[str, object]) -> None:
         """Write what an operator says of windows, by his fields' names; None takes it back."""
         with self._raised():
-            if self._watch.layer is not None and fids:
-                fids = self._watch.prepare(fids, self.inputs.levels, values)
-                window_layer.write_judgement(self._watch.layer, fids, values)
+            if (layer := self._watch.layer) is None:
+                return
+            others = window_layer.not_judged_so(layer, fids, values)  # the same again is no step
+            if others:
+                with edit_step(layer, tr("Judge windows")):
+                    prepared = self._watch.prepare(others, self.inputs.levels, values)
+                    window_layer.write_judgement(layer, prepared, values)
 
     # Work in the background
 

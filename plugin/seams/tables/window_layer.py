@@ -25,7 +25,8 @@ from qgis.core import (
 
 from ...imagery.errors import WindowLayerError
 from ...toolkit import messages as toolkit_messages
-from ...toolkit.layer_editing import edit_step
+from ...toolkit.attribute_values import is_known
+from ...toolkit.layer_editing import change_quietly, edit_step
 from ...toolkit.resources import style_path
 from ...toolkit.table_fields import column_fields, column_values
 from ...toolkit.translation import tr
@@ -82,6 +83,11 @@ def read_layer(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list
     """Some windows, or all of them; where ``window_id`` is not filled in it is UNNUMBERED. None is stale yet."""
     request = QgsFeatureRequest() if fids is None else QgsFeatureRequest().setFilterFids(list(fids))
     return read_windows(layer.getFeatures(request), layer.fields().names(), unnumbered=UNNUMBERED)
+
+
+def lacks_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] = ()) -> bool:
+    """Whether ``complete_fields`` has something to do."""
+    return bool(_missing_fields(layer, levels, besides))
 
 
 def complete_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] = ()) -> dict[int, int]:
@@ -158,18 +164,33 @@ def write_numbers(layer: QgsVectorLayer, numbers: Mapping[int, int]) -> None:
 
 
 def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) -> None:
-    """Write results, by feature id, as one step of undo. The observer's word stays.
+    """Write results, by feature id. The observer's word stays; ratios of more levels, left by another inspection, go.
 
-    Ratios of more levels, left by another inspection, go.
+    They are no step of undo: they come by themselves, between what the operator does and wants to take back.
     """
     measured = [column for column in WINDOW_COLUMNS if column.name not in ("window_id", "observer")]
     names = layer.fields().names()
     nothing = {name: None for column in measured if column.by_level for name in level_names(column.name, names)}
-    with edit_step(layer, tr("Inspect windows")):
-        for fid, result in results.items():
-            levels = len(result.judgement.ratios.detail)
-            values = zip(column_fields(measured, levels).names(), column_values(measured, result, levels))
-            _change(layer, fid, {**nothing, **dict(values)})
+    changes = {}
+    for fid, result in results.items():
+        levels = len(result.judgement.ratios.detail)
+        values = zip(column_fields(measured, levels).names(), column_values(measured, result, levels))
+        changes[fid] = {**nothing, **dict(values)}
+    change_quietly(layer, changes, tr("Inspect windows"))
+
+
+def not_judged_so(layer: QgsVectorLayer, fids: Iterable[int], values: Mapping[str, object]) -> list[int]:
+    """Those windows of which an operator said something else so far."""
+    names, asked = layer.fields().names(), list(fids)
+    if not set(names).issuperset(values):
+        return asked
+    held = layer.getFeatures(QgsFeatureRequest().setFilterFids(asked).setFlags(QgsFeatureRequest.Flag.NoGeometry))
+    same = {
+        feature.id()
+        for feature in held
+        if all((feature[name] if is_known(feature[name]) else None) == value for name, value in values.items())
+    }
+    return [fid for fid in asked if fid not in same]
 
 
 def write_judgement(layer: QgsVectorLayer, fids: Iterable[int], values: Mapping[str, object]) -> None:

@@ -139,8 +139,9 @@ class NewWindows(QObject):
         layer = self._watch.layer
         assert layer is not None
         outlines = self._block.outlines(block, layer, windows)
-        self._watch.prepare([], self._block.inputs.levels)
-        yield from window_layer.add_windows(layer, outlines, self._watch.next_number, at_once)
+        with layer_editing.edit_step(layer, tr("Add windows")):
+            self._watch.prepare([], self._block.inputs.levels)
+            yield from window_layer.add_windows(layer, outlines, self._watch.next_number, at_once)
 
     def _take(self, mosaic: str, placement: Any) -> None:
         self._start(self._placing(mosaic, placement))

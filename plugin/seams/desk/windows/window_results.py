@@ -17,7 +17,7 @@ from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
 from .window_watch import Version, WindowWatch
 
-_WRITE_MS = 1000  # results of a long run are written together, so that undo does not take them back one by one
+_WRITE_MS = 1000  # results of a long run are written together: all that show windows follow each time
 
 
 class WindowResults(QObject):
@@ -39,10 +39,12 @@ class WindowResults(QObject):
         self._background = background
         self._results: dict[int, WindowResult] = {}
         self._clips: dict[int, WindowClips] = {}  # of windows whose results are still to come
+        self._versions: dict[int, Version] = {}  # of the results
         self._unwritten: dict[int, tuple[WindowResult, Version]] = {}
         self._waiting: dict[int, Version] = {}
         self._writer = single_shot(self, self.write, _WRITE_MS)
         background.progressChanged.connect(self._progress)
+        watch.windowsChanged.connect(self._bring_back)
 
     def result(self, window_id: int) -> WindowResult | None:
         """What was measured in this session."""
@@ -80,7 +82,7 @@ class WindowResults(QObject):
             self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
 
     def write(self) -> None:
-        """Write what has come as one step of undo. What is outdated by now is written too, and stale."""
+        """Write what has come; it is no step of undo. What is outdated by now is written too, and stale."""
         layer, unwritten = self._watch.layer, self._unwritten
         if layer is None or not unwritten:
             return
@@ -89,7 +91,6 @@ class WindowResults(QObject):
             return
         self._unwritten = {}
         try:
-            self._watch.prepare([], max(len(result.judgement.ratios.detail) for result, _ in unwritten.values()))
             fids = {number: self._watch.fid(number) for number in unwritten}
             found = {fid: unwritten[number][0] for number, fid in fids.items() if fid is not None}
             if found:
@@ -102,7 +103,7 @@ class WindowResults(QObject):
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
-        for kept in (self._results, self._clips, self._unwritten, self._waiting):
+        for kept in (self._results, self._versions, self._clips, self._unwritten, self._waiting):
             kept.clear()
 
     def forget_asked(self) -> None:
@@ -123,7 +124,7 @@ class WindowResults(QObject):
                 self.curvesArrived.emit(fid)
             return
         self._clips.pop(number, None)
-        self._results[number] = result
+        self._results[number], self._versions[number] = result, asked[number]
         self._unwritten[number] = result, asked[number]
         if self._waiting.get(number) == asked[number]:
             del self._waiting[number]
@@ -131,6 +132,16 @@ class WindowResults(QObject):
             self._writer.start()
         if (fid := self._watch.fid(number)) is not None:
             self.arrived.emit(fid)
+
+    def _bring_back(self) -> None:
+        """What undo and redo bring back comes without what was not written by a step of theirs."""
+        for row in self._watch.take_bereft():
+            number = row.window_id
+            version = self._versions.get(number)
+            if version is not None and version.extent == row.extent and not self.is_pending(number):
+                self._unwritten[number] = self._results[number], version
+        if self._unwritten and not self._writer.isActive():
+            self._writer.start()
 
     def _progress(self, done: int, asked: int) -> None:
         if not asked:

@@ -12,6 +12,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery.grids import Extent
 from ....toolkit import layer_editing
 from ....toolkit.desk.timers import single_shot
+from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
 from ...tables import window_layer
 from ...tables.window_layer import UNNUMBERED
@@ -56,6 +57,7 @@ class WindowWatch(QObject):
         self._first_state: int | None = None
         self._unnumbered: set[int] = set()
         self._given: dict[int | Extent | None, int] = {}  # numbers of windows that have none, by feature id and place
+        self._bereft: set[int] = set()  # numbers of windows that went, or whose fields did, and with them their values
         self._last_number = 0  # a number is not used again, or an old result would be taken for a new window's
 
     @property
@@ -117,15 +119,26 @@ class WindowWatch(QObject):
         """
         assert self._layer is not None
         layer_editing.start_editing(self._layer)
-        selected = self._layer.selectedFeatureIds()
-        renewed = window_layer.complete_fields(self._layer, levels, besides)
-        if renewed:
-            self._layer.selectByIds([renewed.get(fid, fid) for fid in selected])
-        rows, now = self._windows(), [renewed.get(fid, fid) for fid in fids]
-        numbers = {fid: rows[fid].window_id for fid in now if fid in self._unnumbered and fid in rows}
-        if numbers:
+        self._windows()
+        asked, besides = list(fids), tuple(besides)
+        if not window_layer.lacks_fields(self._layer, levels, besides) and self._unnumbered.isdisjoint(asked):
+            return asked
+        with layer_editing.edit_step(self._layer, tr("Add fields")):
+            selected = self._layer.selectedFeatureIds()
+            renewed = window_layer.complete_fields(self._layer, levels, besides)
+            if renewed:
+                self._layer.selectByIds([renewed.get(fid, fid) for fid in selected])
+            rows, now = self._windows(), [renewed.get(fid, fid) for fid in asked]
+            numbers = {fid: rows[fid].window_id for fid in now if fid in self._unnumbered and fid in rows}
             window_layer.write_numbers(self._layer, numbers)
         return now
+
+    def take_bereft(self) -> list[WindowRecord]:
+        """Windows that undo or redo brought back without the values that were written since they first came."""
+        rows = self._windows()
+        back = [rows[self._fids[number]] for number in self._bereft if number in self._fids]
+        self._bereft.difference_update(row.window_id for row in back)
+        return [row for row in back if not row.verdict]
 
     def _windows(self) -> dict[int, WindowRecord]:
         """By feature id, in the order of their numbers, as they are now."""
@@ -235,11 +248,11 @@ class WindowWatch(QObject):
             (layer.featureDeleted, self._feature_deleted),
             (layer.attributeValueChanged, self._feature_changed),
             (layer.geometryChanged, self._feature_changed),
-            (layer.updatedFields, self._all_changed),
+            (layer.updatedFields, self._fields_changed),
             (layer.subsetStringChanged, self._all_changed),
             (layer.beforeCommitChanges, self._about_to_be_saved),
             (layer.afterCommitChanges, self._was_saved),
-            (layer.afterRollBack, self._all_changed),
+            (layer.afterRollBack, self._was_rolled_back),
             (layer.dataChanged, self._all_changed),
             (layer.dataSourceChanged, self.replaced),
             (layer.selectionChanged, self._selection_changed),
@@ -254,9 +267,19 @@ class WindowWatch(QObject):
         row = self._rows.pop(fid, None)
         if row is not None and self._fids.get(row.window_id) == fid:
             del self._fids[row.window_id]
+            self._bereft.add(row.window_id)
         if self._unread is not None:
             self._unread.discard(fid)
         self._notifier.start()
+
+    def _fields_changed(self) -> None:
+        self._bereft.update(self._fids)
+        self._all_changed()
+
+    def _was_rolled_back(self) -> None:
+        if self._layer is not None:
+            layer_editing.forget_quiet_changes(self._layer)
+        self._all_changed()
 
     def _all_changed(self, *_: object) -> None:
         self._unread = None
@@ -267,6 +290,8 @@ class WindowWatch(QObject):
 
     def _was_saved(self) -> None:
         """A format may round numbers and cut texts, and the ids are others now; the windows are what they were."""
+        if self._layer is not None:
+            layer_editing.forget_quiet_changes(self._layer)
         self._all_changed()
         for row in self.rows():
             before = self._saved.get(row.window_id, row)

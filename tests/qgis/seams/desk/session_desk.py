@@ -119,6 +119,11 @@ class Desk:
         assert found is not None
         return found
 
+    def steps(self) -> list[str]:
+        """What undo and redo would take back and do again, from the first."""
+        stack = self.layer().undoStack()
+        return [stack.text(index) for index in range(stack.count())]
+
     def undo(self) -> None:
         self.layer().undoStack().undo()
 

@@ -234,13 +234,12 @@ def test_no_behaviour_hangs_on_the_order_of_connections(reordered: Desk) -> None
     desk.session.judge([fid], "visible")
     desk.undo()
     desk.undo()
-    desk.undo()
-    assert [(row.verdict, row.stale) for row in desk.session.windows()] == [("significant", False)]
+    assert [(row.verdict, row.stale) for row in desk.session.windows()] == [("preserved", True)]
     listener.take()
     assert desk.layer().commitChanges()
     saved = desk.rows()[1].fid
     assert saved != fid
-    assert listener.take("windowsChanged", "selectionChanged")[-1] == (["significant"], [saved])
+    assert listener.take("windowsChanged", "selectionChanged")[-1] == (["preserved"], [saved])
     desk.session.remove([saved])
     assert listener.take("windowsChanged", "selectionChanged") == [([], []), ([], [])]
     assert listener.outdated == []
