@@ -67,7 +67,7 @@ benchmark-calibration: link ## Measure how often the calibration's range covers 
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.calibration
 
 translate: link ## Collect new texts into the translations, then compile them
-	$(PYTHON) tools/template_texts.py resources/reports > build/template_texts.py
+	$(PYTHON) tools/template_texts.py resources > build/template_texts.py
 	pylupdate5 -noobsolete -tr-function Message $$(find plugin build/template_texts.py -name '*.py') \
 		-ts i18n/seam_inspector_pl.ts
 	$(MAKE) link

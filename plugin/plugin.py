@@ -118,7 +118,7 @@ class Desk:
 
     def _shown(self, visible: bool) -> None:
         if self.dock is not None:
-            self.action.setChecked(self.dock.isVisible())
+            self.action.setChecked(self.dock.isUserVisible())  # which one behind another dock is not
 
 
 def _inspection_dock(iface: QgisInterface) -> QgsDockWidget:

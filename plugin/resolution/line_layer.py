@@ -19,7 +19,7 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import WindowLayerError
 from ..toolkit import messages as toolkit_messages
 from ..toolkit.layer_editing import edit_step
-from ..toolkit.resources import style_path
+from ..toolkit.layer_styles import load_style
 from ..toolkit.table_fields import table_fields
 from ..toolkit.translation import tr
 from .line_table import DIRECTION, GROUP
@@ -45,7 +45,7 @@ def create_bar_layer(crs: QgsCoordinateReferenceSystem, folder: Path) -> QgsVect
     layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Bar groups"), "ogr")
     if failed or not layer.isValid():
         raise WindowLayerError(messages.BAR_LAYER_NOT_CREATED(folder=folder))
-    layer.loadNamedStyle(style_path("bar_groups"))
+    load_style(layer, "bar_groups")
     return layer
 
 

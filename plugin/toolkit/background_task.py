@@ -13,6 +13,8 @@ from ..imagery.errors import SeamInspectorError
 from ..imagery.message import Message
 from . import messages
 from .interface_first import interface_first
+from .quiet_tasks import hush_end
+from .version_differences import SILENT_TASK
 
 Cancelled = Callable[[], bool]
 Job = Callable[[Cancelled], Iterator[tuple[float, object]]]
@@ -48,7 +50,8 @@ class BackgroundTask(QgsTask):
     ended = pyqtSignal(object)
 
     def __init__(self, description: str, job: Job) -> None:
-        super().__init__(description, QgsTask.Flag.CanCancel)
+        flags = QgsTask.Flag.CanCancel
+        super().__init__(description, flags if SILENT_TASK is None else flags | SILENT_TASK)
         self._job = job
         self._failure: Message | None = None
 
@@ -65,6 +68,7 @@ class BackgroundTask(QgsTask):
         return True  # QGIS would say of anything else that it failed, over what we say of it
 
     def finished(self, result: bool) -> None:
+        hush_end()
         if self._failure is not None:
             self.ended.emit(Outcome(End.FAILED, self._failure))
         elif self.isCanceled() or not result:

@@ -1,10 +1,12 @@
 """Differences between QGIS versions, all of them here."""
 from __future__ import annotations
 
-from qgis.core import Qgis, QgsField
+from qgis.core import Qgis, QgsField, QgsTask
 from qgis.PyQt import QtCore
 
 _KINDS = {"integer": ("Int", "Int"), "real": ("Double", "Double"), "text": ("String", "QString")}
+SILENT_TASK = getattr(QgsTask.Flag, "Silent", None)
+"""The flag of a task whose end QGIS does not tell, from 3.26 on."""
 
 
 def field(name: str, kind: str) -> QgsField:

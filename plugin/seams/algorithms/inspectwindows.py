@@ -21,7 +21,6 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.algorithms.window_features import WindowFeatures
-from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
@@ -186,7 +185,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         if drawn.renumbered:
             run.tell(messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
         run.inform(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
-        run.style(output_id, style_path("windows"))
+        run.style(output_id, "windows")
         return {
             OUTPUT: output_id,
             CURVES: curves_id,

@@ -15,7 +15,6 @@ from ...imagery import limits as imagery_limits
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
-from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import limits
 
@@ -101,7 +100,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
             run.progress(done / len(placement.windows))
         told = tr("{windows} windows placed along {seams} seams.")
         run.inform(told.format(windows=len(placement.windows), seams=len(seams)))
-        run.style(destination, style_path("placed_windows"))
+        run.style(destination, "placed_windows")
         return {OUTPUT: destination}
 
     def _measures(self, run: Run) -> tuple[float, float, int]:

@@ -22,7 +22,6 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.algorithms.window_features import WindowFeatures
-from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import COSINE, RAMPS
@@ -146,7 +145,7 @@ class PredictLoss(SeamInspectorAlgorithm):
                 run.progress(count / drawn.count)
         if drawn.renumbered:
             run.tell(messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
-        run.style(output_id, style_path("predicted_windows"))
+        run.style(output_id, "predicted_windows")
         return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 
     def _system(self, windows: QgsProcessingFeatureSource, run: Run) -> tuple[QgsCoordinateReferenceSystem, str]:

@@ -26,7 +26,6 @@ from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
-from ...toolkit.resources import style_path
 from ...toolkit.translation import tr
 from ..measure import limits, messages
 from ..scan_words import time_left
@@ -179,7 +178,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
             run.tell(*result.notices)
             results = {LOSS: loss, **self._write(run, result, request)}
             scan.finish()
-        run.style(loss, style_path("loss"))
+        run.style(loss, "loss")
         return {
             **results,
             SEAM_METRES: result.seam_metres, FAILED_METRES: result.failed_metres, WORST_KEPT: result.worst_kept,
@@ -239,7 +238,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
                 run.write(sink, rows)
             except QgsProcessingException:
                 raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name)) from None
-            run.style(made[name], style_path(layer.style))
+            run.style(made[name], layer.style)
             counts[name] = len(rows)
         run.close()
         for name, count in counts.items():

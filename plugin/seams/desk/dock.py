@@ -33,7 +33,8 @@ from ...toolkit.desk.scroll_body import ScrollBody
 from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.timers import single_shot
 from ...toolkit.desk.tool_dock import ToolDock
-from ...toolkit.resources import icon_path, style_path
+from ...toolkit.layer_styles import load_style
+from ...toolkit.resources import icon_path
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
 from ..scan_job import ScanDone
@@ -143,7 +144,7 @@ class InspectionDock(ToolDock):
         layer = self.scans.worst_layer()
         if layer is None:
             return
-        layer.loadNamedStyle(style_path("windows"))
+        load_style(layer, "windows")
         show_layer(QgsProject.instance(), layer)
         self.session.set_inputs(replace(self.session.inputs, windows=layer.id()))
         self.windows.sort_by_number()

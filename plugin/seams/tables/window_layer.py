@@ -27,7 +27,7 @@ from ...imagery.errors import WindowLayerError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.attribute_values import is_known
 from ...toolkit.layer_editing import change_quietly, edit_step
-from ...toolkit.resources import style_path
+from ...toolkit.layer_styles import load_style
 from ...toolkit.table_fields import column_fields, column_values
 from ...toolkit.translation import tr
 from ...toolkit.version_differences import field
@@ -66,7 +66,7 @@ def open_window_layer(path: Path) -> QgsVectorLayer:
     layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Windows"), "ogr")
     if not layer.isValid():
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=path.parent))
-    layer.loadNamedStyle(style_path("windows"))
+    load_style(layer, "windows")
     return layer
 
 

@@ -26,6 +26,7 @@ from qgis.PyQt import sip
 from ...imagery.errors import RasterError, SettingsError
 from ...imagery.message import Level
 from .. import messages
+from ..layer_styles import load_style
 from ..translation import sentence, tr
 from . import parameters as common
 
@@ -185,7 +186,7 @@ class Run:
                 raise QgsProcessingException(sink.lastError() or tr("A result can't be written; is the disk full?"))
 
     def style(self, destination: str | None, style: str) -> None:
-        """Give a layer that will be loaded a style."""
+        """Give a layer that will be loaded a style of ours."""
         if destination and self.context.willLoadLayerOnCompletion(destination):
             self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
 
@@ -268,7 +269,7 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
     def postProcessLayer(
         self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> None:
-        layer.loadNamedStyle(self._style)
+        load_style(layer, self._style)
         layer.triggerRepaint()
 
 

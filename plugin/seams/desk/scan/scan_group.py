@@ -21,7 +21,7 @@ from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
 from ....toolkit.background_task import Cancelled, End, Job, Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.desk.timers import single_shot
-from ....toolkit.resources import style_path
+from ....toolkit.layer_styles import load_style
 from ....toolkit.translation import tr
 from ...scan_job import ScanDone, ScanFiles
 from ...tables import scan_layers
@@ -213,12 +213,12 @@ def _picture(path: Path, title: str) -> QgsRasterLayer:
     options.loadDefaultStyle = False  # which would look for the least and the largest value of every band
     layer = QgsRasterLayer(str(path), title, "gdal", options)
     if layer.isValid():
-        layer.loadNamedStyle(style_path("loss"))
+        load_style(layer, "loss")
     return layer
 
 
 def _table(path: Path, kind: ScanLayer, title: str) -> QgsVectorLayer:
     layer = QgsVectorLayer(f"{path}|layername={kind.name}", title, "ogr")
     if layer.isValid():
-        layer.loadNamedStyle(style_path(kind.style))
+        load_style(layer, kind.style)
     return layer

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from qgis.core import Qgis
+from qgis.core import Qgis, QgsProject
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject
@@ -15,16 +15,17 @@ from .mosaic_scans import scan_sentence
 
 
 class ScanMessage(QObject):
-    """One at a time; it stays until it is answered or dismissed."""
+    """One at a time; it stays until it is answered or dismissed, or the project is closed."""
 
     def __init__(self, bar: QgsMessageBar, judge: Callable[[], None], parent: QObject) -> None:
         super().__init__(parent)
         self._bar, self._judge = bar, judge
         self._item: QgsMessageBarItem | None = None
+        QgsProject.instance().cleared.connect(self.dismiss)
 
     def show(self, done: ScanDone, notes: int) -> None:
         """Say it, and how many warnings are in the log."""
-        self.close()
+        self.dismiss()
         item = self._bar.createMessage(tr("Seam Inspector"), scan_sentence(done, notes))
         if done.worst_count:
             words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
@@ -37,11 +38,16 @@ class ScanMessage(QObject):
         self._bar.pushWidget(item, level, 0)
 
     def close(self) -> None:
+        """Leave nothing behind."""
+        QgsProject.instance().cleared.disconnect(self.dismiss)
+        self.dismiss()
+
+    def dismiss(self) -> None:
         """Leave nothing in the bar."""
         item, self._item = self._item, None
         if item is not None and not sip.isdeleted(item):
             self._bar.popWidget(item)
 
     def _answer(self) -> None:
-        self.close()
+        self.dismiss()
         self._judge()

@@ -153,3 +153,14 @@ def test_grey_buttons_say_why(plugin: Any, scan_scene: ScanScene, tmp_path: Path
     assert "seamlines" in dock.place.toolTip().split("\n")[-1]
     assert "no window" in dock.inspect.toolTip()
     assert "scan the mosaic first" in dock.worst.toolTip()
+
+
+def test_a_closed_project_takes_the_offer_along(
+    plugin: Any, qgis_iface: QgisInterface, project: QgsProject, scan_scene: ScanScene, tmp_path: Path
+) -> None:
+    dock = opened(plugin, scan_scene, tmp_path)
+    scan(dock)
+    assert len(judge_buttons(qgis_iface)) == 1
+    project.clear()
+    settle()
+    assert judge_buttons(qgis_iface) == []

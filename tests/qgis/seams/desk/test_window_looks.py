@@ -1,0 +1,113 @@
+"""Windows on the map: the verdict's colour in every state, a mark on the judged ones, the worst on top."""
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from qgis.core import (
+    QgsExpressionContext,
+    QgsExpressionContextUtils,
+    QgsFeature,
+    QgsGeometry,
+    QgsMapRendererParallelJob,
+    QgsMapSettings,
+    QgsProject,
+    QgsRectangle,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import QSize
+from qgis.PyQt.QtGui import QColor, QImage
+from seam_inspector.plugin.seams.verdict_words import VERDICTS
+from seam_inspector.plugin.toolkit.layer_styles import load_style
+
+from tests.qgis.seams.desk.session_desk import wait_until
+
+SELECTION = "#ff00ff"
+SIDE_M = 100.0
+
+
+def drawn(
+    project: QgsProject, *rows: dict[str, object], selected: bool = False, apart_m: float = 0.0, view_m: float = 160.0
+) -> QImage:
+    """The map of windows whose corners lie so far apart, one after another."""
+    fields = "field=window_id:integer&field=verdict:string&field=observer:string&field=ratio_1:double"
+    layer = QgsVectorLayer(f"Polygon?crs=EPSG:2180&{fields}", "windows", "memory")
+    for number, row in enumerate(rows):
+        feature = QgsFeature(layer.fields())
+        for name, value in row.items():
+            feature[name] = value
+        left = 500_000 + number * apart_m
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(left, 500_000, left + SIDE_M, 500_000 + SIDE_M)))
+        layer.dataProvider().addFeature(feature)
+    load_style(layer, "windows")
+    layer.setLabelsEnabled(False)
+    project.addMapLayer(layer)
+    if selected:
+        layer.selectAll()
+    settings = QgsMapSettings()
+    settings.setLayers([layer])
+    settings.setDestinationCrs(layer.crs())
+    settings.setOutputSize(QSize(640, 640))
+    settings.setSelectionColor(QColor(SELECTION))
+    margin = (view_m - SIDE_M) / 2
+    settings.setExtent(QgsRectangle(500_000 - margin, 500_000 - margin, 500_100 + margin, 500_100 + margin))
+    context = QgsExpressionContext()
+    context.appendScope(QgsExpressionContextUtils.projectScope(project))
+    context.appendScope(QgsExpressionContextUtils.mapSettingsScope(settings))
+    settings.setExpressionContext(context)
+    job = QgsMapRendererParallelJob(settings)
+    job.start()
+    wait_until(lambda: not job.isActive(), "for the map")
+    return job.renderedImage()
+
+
+def colours(image: QImage) -> Counter[str]:
+    found = Counter(image.pixel(x, y) for x in range(image.width()) for y in range(image.height()))
+    return Counter({QColor(pixel).name(): count for pixel, count in found.items()})
+
+
+def inside(image: QImage) -> set[str]:
+    """What is seen within a window, away from its outline and its corners."""
+    return {QColor(image.pixel(x, y)).name() for x in range(180, 440, 7) for y in range(180, 440, 7)}
+
+
+@pytest.mark.parametrize("verdict", [verdict for verdict in VERDICTS if verdict])
+def test_a_selected_window_keeps_its_colour_and_lets_the_image_be_seen(project: QgsProject, verdict: str) -> None:
+    plain, selected = drawn(project, {"verdict": verdict}), drawn(project, {"verdict": verdict}, selected=True)
+    colour = VERDICTS[verdict].colour
+    before, after = colours(plain), colours(selected)
+    assert before[colour] > 200
+    assert after[colour] >= 0.9 * before[colour]
+    assert before[SELECTION] == 0
+    assert after[SELECTION] > 1000
+    assert inside(plain) == inside(selected) == {"#ffffff"}
+
+
+def test_the_judged_ones_have_a_mark_in_a_corner_that_says_how(project: QgsProject) -> None:
+    images = {word: drawn(project, {"verdict": "reduced", "observer": word})
+              for word in (None, "visible", "invisible", "unsure")}
+    found = list(images.values())
+    assert all(one != other for place, one in enumerate(found) for other in found[:place])
+    assert all(inside(image) == {"#ffffff"} for image in found)
+    changed = [
+        (x, y) for x in range(640) for y in range(640)
+        if images[None].pixel(x, y) != images["visible"].pixel(x, y)
+    ]
+    assert min(x for x, _ in changed) > 440
+    assert min(y for _, y in changed) > 440
+
+
+def test_the_worst_lies_on_top_and_a_selected_one_above_it(project: QgsProject) -> None:
+    worst, kept = VERDICTS["significant"].colour, VERDICTS["preserved"].colour
+    rows = ({"verdict": "significant"}, {"verdict": "preserved"})
+    for order in (rows, rows[::-1]):
+        found = colours(drawn(project, *order))
+        assert found[worst] > 200
+        assert found[kept] == 0
+
+
+def test_outlines_are_thinner_where_windows_are_small(project: QgsProject) -> None:
+    near, far = (colours(drawn(project, {"verdict": "preserved"}, view_m=view)) for view in (160.0, 8000.0))
+    around = 4 * 640 / 160 * SIDE_M, 4 * 640 / 8000 * SIDE_M
+    colour = VERDICTS["preserved"].colour
+    assert 0 < far[colour] / around[1] < 0.6 * near[colour] / around[0]

@@ -1,0 +1,109 @@
+"""Layers look as resources/styles says, in the user's language."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFeature, QgsVectorLayer
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+from seam_inspector.plugin.toolkit.layer_styles import load_style
+from seam_inspector.plugin.toolkit.resources import style_path
+
+from tools.template_texts import texts
+
+
+class Shouting(QTranslator):
+    """A language that is told from English everywhere."""
+
+    def translate(self, context: str, text: str, disambiguation: str | None = None, count: int = -1) -> str:
+        return text.upper()
+
+    def isEmpty(self) -> bool:
+        return False
+
+
+@pytest.fixture
+def shouted(qgis_app: QgsApplication) -> Iterator[None]:
+    translator = Shouting()
+    QCoreApplication.installTranslator(translator)
+    yield
+    QCoreApplication.removeTranslator(translator)
+
+
+def windows() -> QgsVectorLayer:
+    fields = ("window_id:integer", "verdict:string", "reason:string", "reference:string", "kept_1:double",
+              "kept_low:double", "kept_high:double", "causes:string", "observer:string")  # fmt: skip
+    return QgsVectorLayer("Polygon?crs=EPSG:2180&" + "&".join(f"field={field}" for field in fields), "w", "memory")
+
+
+def tip(layer: QgsVectorLayer, **values: object) -> str:
+    """What the map says of a feature under the mouse."""
+    feature = QgsFeature(layer.fields())
+    for name, value in values.items():
+        feature[name] = value
+    context = QgsExpressionContext(layer.createExpressionContext())
+    context.setFeature(feature)
+    return str(QgsExpression.replaceExpressionText(layer.mapTipTemplate(), context))
+
+
+FOUND = {
+    "window_id": 7, "verdict": "significant", "reference": "seam", "kept_1": 0.434, "kept_low": 0.3, "kept_high": 0.56,
+    "causes": "feathering; blur", "observer": "unsure",
+}  # fmt: skip
+
+
+def test_the_legend_is_in_the_users_language(shouted: None) -> None:
+    layer = windows()
+    load_style(layer, "windows")
+    labels = [category.label() for category in layer.renderer().categories()]
+    assert labels == ["SIGNIFICANT LOSS", "REDUCED", "PRESERVED", "NOT COMPARABLE", "NOT INSPECTED"]
+    assert layer.renderer().categories()[0].value() == "significant"
+
+
+def test_so_are_the_rules_of_a_forecast(shouted: None) -> None:
+    layer = QgsVectorLayer("Polygon?field=expected_ratio_1:double", "forecast", "memory")
+    load_style(layer, "predicted_windows")
+    labels = [rule.label() for rule in layer.renderer().rootRule().children()]
+    assert len(labels) == 4
+    assert labels == [label.upper() for label in labels]
+
+
+def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
+    layer = windows()
+    load_style(layer, "windows")
+    assert tip(layer, **FOUND) == (
+        "<b>Window 7</b>: significant loss<br>kept along the seam: 43 % (30\u201356 %)<br>feathering; blur"
+        "<br>observer: not sure"
+    )
+    assert tip(layer, window_id=8) == "<b>Window 8</b>: not inspected"
+    reason = "Pick another place."
+    assert tip(layer, window_id=9, verdict="not_comparable", reason=reason).endswith(f"not comparable<br>{reason}")
+
+
+def test_a_map_tip_is_in_the_users_language(shouted: None) -> None:
+    layer = windows()
+    load_style(layer, "windows")
+    assert tip(layer, **FOUND) == (
+        "<b>WINDOW 7</b>: SIGNIFICANT LOSS<br>KEPT ALONG THE SEAM: 43 % (30\u201356 %)<br>FEATHERING; BLUR"
+        "<br>OBSERVER: NOT SURE"
+    )
+
+
+def test_a_map_tip_of_a_layer_that_lacks_fields_stays_short(qgis_app: QgsApplication) -> None:
+    layer = QgsVectorLayer("Polygon?field=window_id:integer&field=verdict:string", "drawn", "memory")
+    load_style(layer, "windows")
+    assert tip(layer, window_id=3, verdict="reduced") == "<b>Window 3</b>: reduced"
+
+
+def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplication) -> None:
+    plain, ours = windows(), windows()
+    assert plain.loadNamedStyle(style_path("windows"))[1]
+    load_style(ours, "windows")
+    assert tip(plain, **FOUND) == tip(ours, **FOUND)
+    assert plain.renderer().dump() == ours.renderer().dump()
+
+
+def test_all_texts_of_styles_are_collected_for_translation(repository: Path) -> None:
+    found = set(texts(repository / "resources" / "styles"))
+    assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= found
