@@ -2,15 +2,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 from ..imagery.lines.seamlines import find_seams
 from ..imagery.open_raster import OpenRaster
-from ..imagery.rasters import Raster
+from ..imagery.rasters import Raster, RasterRef
 from ..imagery.reading.readings import ReadEach, one_by_one
 from ..toolkit.background_task import Ahead, Cancelled, Job
 from .clip_pictures import PictureRequest, make_pictures
+from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
 from .measure.inspection import InspectionSettings, WindowRequest
 from .measure.nearest_seam import SeamIndex
 from .measure.window.window_result import WindowClips
@@ -67,3 +68,13 @@ def placing_job(
 def pictures_job(request: PictureRequest) -> Job:
     """Reads the clips of one window as pictures; yields the WindowPictureSet of them."""
     return lambda cancelled: iter([(1.0, make_pictures(request, cancelled))])
+
+
+def candidates_job(mosaic: RasterRef, candidates: Sequence[SourceCandidate], known: Collection[str]) -> Job:
+    """Looks at rasters that may be sources; yields the key and the Suitability of each."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        for done, found in enumerate(look_at_candidates(mosaic, candidates, known, cancelled), 1):
+            yield done / len(candidates), found
+
+    return job

@@ -1,9 +1,11 @@
 """Differences between QGIS versions, all of them here."""
 from __future__ import annotations
 
-from qgis.core import Qgis, QgsField, QgsTask
+from qgis.core import Qgis, QgsField, QgsRasterLayer, QgsTask
 from qgis.PyQt import QtCore
 
+PALETTE, ALPHA = 2, 6
+"""Roles of bands, as ``band_roles`` gives them."""
 _KINDS = {"integer": ("Int", "Int"), "real": ("Double", "Double"), "text": ("String", "QString")}
 SILENT_TASK = getattr(QgsTask.Flag, "Silent", None)
 """The flag of a task whose end QGIS does not tell, from 3.26 on."""
@@ -15,3 +17,10 @@ def field(name: str, kind: str) -> QgsField:
     if Qgis.QGIS_VERSION_INT >= 33800:  # QVariant's types are deprecated from here on, and gone with Qt 6
         return QgsField(name, getattr(QtCore.QMetaType.Type, meta))
     return QgsField(name, getattr(QtCore.QVariant, variant))
+
+
+def band_roles(layer: QgsRasterLayer, most: int) -> list[int]:
+    """What the first bands of a raster layer stand for: numbers here, an enum from QGIS 3.30 on."""
+    provider = layer.dataProvider()
+    roles = (provider.colorInterpretation(band) for band in range(1, min(layer.bandCount(), most) + 1))
+    return [int(getattr(role, "value", role)) for role in roles]

@@ -25,6 +25,8 @@ from ...imagery.message import Message
 from . import limits, messages
 
 MAX_SHARED_SHARE = 0.5  # two windows on one seam share at most half of their pixels
+SIDES_ACROSS = 4  # of a mosaic that is too small for the window that was asked for
+LONGEST_SIDE_PX = 2 ** int(math.log2(math.sqrt(imagery_limits.MAX_WINDOW_PIXELS)))
 MIN_SEAM_PX = 8  # around two or three pixels: noise of labels
 MIN_SEAM_SHARE = 1 / 16  # of a window's side: a seam shorter and narrower than that is 0.4 % of the window
 
@@ -141,6 +143,25 @@ def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
             messages.SIDE_TOO_SHORT(side=side_m, pixels=side_px, levels=levels, fewest=fewest, metres=metres)
         )
     return side_px
+
+
+def fitting_side_m(grid: Grid, side_m: float, spacing_m: float, levels: int) -> float:
+    """The side itself where mosaic and levels allow it; else one that they do, in tenths of a metre.
+
+    Of a mosaic that no window fits on, the side itself.
+    """
+    shorter, fewest = min(grid.columns, grid.rows), max(imagery_limits.MIN_SIDE_PX, 2**levels)
+    try:
+        wanted = window_side_px(grid, side_m, spacing_m, levels)
+    except SettingsError:
+        wanted = fewest
+    else:
+        if wanted <= min(shorter, LONGEST_SIDE_PX):
+            return side_m
+        wanted = min(max(2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1))), fewest), LONGEST_SIDE_PX)
+    if wanted > shorter:
+        return side_m
+    return max(math.floor(10 * wanted * grid.ground_sample_distance + 1e-6) / 10, 0.1)
 
 
 def _along(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
 from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery import limits as imagery_limits
@@ -15,15 +15,18 @@ from ....imagery.errors import SettingsError
 from ....imagery.message import WARNING
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.summary_box import SummaryBox
+from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import sentence, tr
-from ...measure.window_placing import window_side_px
+from ...measure.window_placing import fitting_side_m, window_side_px
 from ...tables.source_index import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
-from .source_list import SourceList, file_rasters, overlapping
+from .source_list import SourceList
+from .suggesting import Suggesting
 
 if TYPE_CHECKING:
     from ..session import Session
 
+_TOGETHER_MS = 300  # layers that are added within this time are looked at once
 _WIDE_CHARACTERS = 95  # from this width on the sources stand beside the other inputs
 _Filter = QgsMapLayerProxyModel.Filter
 
@@ -39,7 +42,11 @@ class InputsPanel(QWidget):
         self._session = session
         self._is_following = False
         self._may_fold = True  # until it was folded once, or the operator did it
-        self._had_mosaic = False
+        self._was_set = self._had_mosaic = False
+        self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
+        self.suggesting = Suggesting(session, self)
+        self.suggesting.sources.changed.connect(self.refresh)
+        self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
         self._is_wide: bool | None = None
         self._table_fields()
         self._lay_out()
@@ -58,16 +65,19 @@ class InputsPanel(QWidget):
         while self._connections:
             signal, slot = self._connections.pop()
             signal.disconnect(slot)
+        self._suggester.stop()
+        self.suggesting.sources.close()
         return bool(super().close())
 
     def refresh(self) -> None:
         """Show the session's inputs."""
+        self.suggesting.follow()
         inputs = self._session.inputs
         self._is_following = True
         try:
             self.index.leave_out(vectors_without(LOCATION_FIELD))
             self.mosaic.show_layer(inputs.mosaic)
-            self.sources.show_sources(inputs.mosaic, inputs.sources)
+            self.sources.show_sources(inputs.mosaic, inputs.sources, self.suggesting.sources.standing)
             self.index.show_layer(inputs.source_index)
             self.seamlines.show_layer(inputs.seamlines)
             self.windows.show_layer(inputs.windows)
@@ -75,6 +85,7 @@ class InputsPanel(QWidget):
             self.more.show_inputs(inputs)
         finally:
             self._is_following = False
+        self._fit_side()
         self._show_side()
         self.box.set_summary(*self._summary())
         self._fold_when_set()
@@ -92,43 +103,52 @@ class InputsPanel(QWidget):
         if not self._is_following:
             self._session.set_inputs(replace(self._session.inputs, **changes))
 
-    def _choose_mosaic(self, layer_id: str) -> None:
-        """Another mosaic of the same block keeps its sources; a new block gets all that overlap."""
-        inputs = self._session.inputs
-        if layer_id == inputs.mosaic:
-            return
-        suggested = overlapping(layer_id, file_rasters())
-        kept = tuple(source for source in inputs.sources if source != layer_id)
-        self._change(mosaic=layer_id, sources=kept if not layer_id or set(kept) & set(suggested) else suggested)
-
     # Following the project
 
-    def _take_layers(self, added: list[QgsMapLayer]) -> None:
-        """New rasters become sources as long as the operator left the choice to us: all that overlap."""
-        inputs, rasters = self._session.inputs, file_rasters()
-        ids = {layer.id() for layer in added}
-        before = overlapping(inputs.mosaic, [layer for layer in rasters if layer.id() not in ids])
-        after = overlapping(inputs.mosaic, rasters)
-        if inputs.mosaic not in ids and set(inputs.sources) == set(before) != set(after):
-            self._change(sources=after)
+    def _take_layers(self, _added: list[QgsMapLayer]) -> None:
+        self.suggesting.follow()
+        self._suggester.start()
         self.refresh()
 
     def _layers_removed(self, _ids: list[str]) -> None:
+        self.suggesting.follow()
         self.refresh()
+
+    def _suggest_layers(self) -> None:
+        if self.isVisible():
+            self.suggesting.suggest_layers()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._suggester.start()
 
     # Folding
 
     def _fold_when_set(self) -> None:
-        """Fold once mosaic and sources are there, but not under the operator's hands."""
+        """Fold once mosaic and sources are there, but not under the operator's hands; unfold when one is gone."""
         inputs = self._session.inputs
-        if self._had_mosaic and not inputs.mosaic:  # a new project
+        is_new = self._had_mosaic and not inputs.mosaic  # another project
+        if is_new:
+            self.suggesting.forget_choices()
+            self._fitted = None
+        is_set = not self._missing()
+        if is_new or (self._was_set and not is_set):
             self.box.fold(False)
             self._may_fold = True
-        self._had_mosaic = bool(inputs.mosaic)
-        is_set = self._session.mosaic_grid() is not None and bool(inputs.sources or inputs.source_index)
-        if is_set and self._may_fold and not self._holds(QApplication.focusWidget()):
+        self._had_mosaic, self._was_set = bool(inputs.mosaic), is_set
+        is_open = self._session.mosaic_grid() is not None
+        if is_set and is_open and self._may_fold and not self._holds(QApplication.focusWidget()):
             self.box.fold(True)
             self._may_fold = False
+
+    def _missing(self) -> str:
+        """What is to be set still, in words; empty when nothing is."""
+        inputs, project = self._session.inputs, QgsProject.instance()
+        if not inputs.mosaic:
+            return tr("choose the mosaic")
+        if not any(project.mapLayer(name) is not None for name in (*inputs.sources, inputs.source_index)):
+            return tr("looking for sources ...") if self.suggesting.sources.is_looking else tr("check the sources")
+        return ""
 
     def _folded_by_hand(self) -> None:
         self._may_fold = False
@@ -149,7 +169,7 @@ class InputsPanel(QWidget):
         """``ortho_2024``, `` · 8 sources · seamlines``, and why nothing can be inspected with these."""
         inputs, project = self._session.inputs, QgsProject.instance()
         if not inputs.mosaic:
-            return tr("Inputs: choose the mosaic"), "", ""
+            return tr("Inputs: {missing}").format(missing=self._missing()), "", ""
         count = sum(project.mapLayer(source) is not None for source in inputs.sources)
         problem = self._session.problem() if self._session.mosaic_layer() is not None else None
         parts = [""]
@@ -157,7 +177,8 @@ class InputsPanel(QWidget):
             parts.append(tr("opening ..."))
         elif problem is not None and count:  # it is not the sources that are missing
             parts.append(tr("can't be used"))
-        parts.append(tr("1 source") if count == 1 else tr("{count} sources").format(count=count))
+        counted = tr("1 source") if count == 1 else tr("{count} sources").format(count=count)
+        parts.append(self._missing() or counted)
         if count < len(inputs.sources):
             parts.append(tr("{count} missing").format(count=len(inputs.sources) - count))
         if project.mapLayer(inputs.source_index) is not None:
@@ -166,8 +187,18 @@ class InputsPanel(QWidget):
             parts.append(tr("seamlines"))
         return self.mosaic.currentText(), " · ".join(parts), sentence(problem) if problem is not None else ""
 
+    def _fit_side(self) -> None:
+        """A side that the mosaic has no room for, or too few pixels, gives way to one that suits it."""
+        inputs, grid = self._session.inputs, self._session.mosaic_grid()
+        if grid is None:
+            return
+        fitting = fitting_side_m(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
+        if fitting != inputs.side_m:
+            self._fitted = inputs.side_m, fitting
+            self._session.set_inputs(replace(inputs, side_m=fitting))
+
     def _show_side(self) -> None:
-        """What becomes of the side: pixels, and the metres that these span."""
+        """What becomes of the side: pixels, and the metres that these span; and what it was changed from."""
         inputs, grid = self._session.inputs, self._session.mosaic_grid()
         text = tip = ""
         if grid is not None:
@@ -179,6 +210,11 @@ class InputsPanel(QWidget):
                 tip = tr("The smallest power of two of the mosaic's pixels that spans at least the given metres")
             except SettingsError as error:
                 text, tip = tr("too short"), sentence(error.message)
+        if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
+            asked, fits = self._fitted
+            text += tr("; {asked:.1f} m is too small") if asked < fits else tr("; {asked:.1f} m is too large")
+            text = text.format(asked=asked)
+            tip += "\n" + tr("Windows of the side that was given do not fit this mosaic, so it was changed.")
         self.side_px.setText(text)
         self.side_px.setToolTip(tip)
 
@@ -205,10 +241,11 @@ class InputsPanel(QWidget):
         self.side_px = QLabel(self.box)
         self.more = MoreBox(self.box)
         self.box.foldedByHand.connect(self._folded_by_hand)
-        self.mosaic.chosen.connect(self._choose_mosaic)
+        self.mosaic.chosen.connect(self.suggesting.choose_mosaic)
         self.sources.changed.connect(partial(self._chosen.emit, "sources"))
+        self.sources.suggestionWanted.connect(self.suggesting.take_suggested)
         self.index.chosen.connect(partial(self._chosen.emit, "source_index"))
-        self.seamlines.chosen.connect(partial(self._chosen.emit, "seamlines"))
+        self.seamlines.chosen.connect(self.suggesting.choose_seamlines)
         self.windows.chosen.connect(partial(self._chosen.emit, "windows"))
         self.side.valueChanged.connect(partial(self._chosen.emit, "side_m"))
         self.more.changed.connect(self._chosen)

@@ -2,9 +2,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Callable, Optional
 
-from qgis.core import QgsMapLayer, QgsProject, QgsRasterLayer
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
@@ -12,20 +13,22 @@ from qgis.PyQt.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QSizePolicy,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QToolButton,
     QWidget,
 )
 
-from ....imagery.errors import SeamInspectorError
 from ....toolkit.desk.layer_box import missing_text
-from ....toolkit.layers import box_extent, transformed_extent
-from ....toolkit.translation import tr
-from ...tables.scan_layers import is_picture
+from ....toolkit.translation import sentence, tr
+from ...measure.inputs.raster_facts import Suitability
+from .raster_layers import file_rasters
 
-_ID = Qt.ItemDataRole.UserRole
+_ID, _REASON = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
 _FEWEST_ROWS = 4  # seen without scrolling
 
 Sources = tuple[str, ...]
+Standings = Callable[[str], Optional[Suitability]]
 
 
 @dataclass(frozen=True)
@@ -36,8 +39,17 @@ class _Entry:
     text: str
     tip: str
     is_missing: bool = False
-    is_apart: bool = False
-    """It does not overlap the mosaic."""
+    reason: str = ""
+    """Why it is not suggested."""
+
+
+class _Names(QStyledItemDelegate):
+    """Cuts long names in their middle, as they often differ at their end only, and reasons at their end."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        super().initStyleOption(option, index)
+        has_reason = bool(index.data(_REASON))
+        option.textElideMode = Qt.TextElideMode.ElideRight if has_reason else Qt.TextElideMode.ElideMiddle
 
 
 class SourceList(QWidget):
@@ -45,20 +57,24 @@ class SourceList(QWidget):
 
     changed = pyqtSignal(tuple)
     """The operator chose other sources: their layers' ids."""
+    suggestionWanted = pyqtSignal()
+    """The operator wants the suggested sources, and no others."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._mosaic_id = ""
         self._entries: list[_Entry] = []
         self._is_following = False
         self.list = QListWidget(self)
-        self.all = self._button(tr("all"), tr("Check all rasters that overlap the mosaic"))
+        self.suggested = self._button(
+            tr("suggested"), tr("Check the rasters that may be sources of this mosaic, and no others")
+        )
         self.none = self._button(tr("none"), tr("Check no raster; missing ones are removed"))
         self.list.setToolTip(
-            tr("The orthoimages that the mosaic was made from. Uncheck a missing one to remove it from the inputs.")
+            tr("The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the "
+               "same. Uncheck a missing one to remove it from the inputs.")
         )
         self.list.setAccessibleName(tr("Sources"))
-        self.list.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names often differ at their end only
+        self.list.setItemDelegate(_Names(self.list))
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.list.setUniformItemSizes(True)
@@ -71,22 +87,22 @@ class SourceList(QWidget):
         layout.setHorizontalSpacing(2)
         layout.setVerticalSpacing(2)
         layout.setColumnStretch(0, 1)
-        for column, widget in enumerate((label, self.all, self.none)):
+        for column, widget in enumerate((label, self.suggested, self.none)):
             layout.addWidget(widget, 0, column)
         layout.addWidget(self.list, 1, 0, 1, 3)
         layout.setRowStretch(1, 1)
         self.list.itemChanged.connect(self._tell)
-        self.all.clicked.connect(self._check_all)
+        self.suggested.clicked.connect(self.suggestionWanted)
         self.none.clicked.connect(self._check_none)
 
     def fields(self) -> tuple[QWidget, ...]:
         """In tab order."""
-        return self.all, self.none, self.list
+        return self.suggested, self.none, self.list
 
-    def show_sources(self, mosaic_id: str, sources: Sources) -> None:
-        """Show the rasters of the project with the sources checked."""
-        self._mosaic_id = mosaic_id
-        entries = _entries(mosaic_id, sources)
+    def show_sources(self, mosaic_id: str, sources: Sources, standing: Standings) -> None:
+        """Show the rasters of the project with the sources checked; ``standing`` says which are suggested."""
+        entries = _entries(mosaic_id, sources, standing)
+        chosen = set(sources)
         self._is_following = True
         try:
             if entries != self._entries:  # else the list keeps where it was scrolled to
@@ -94,11 +110,14 @@ class SourceList(QWidget):
                 self._fill()
             for row in range(self.list.count()):
                 item = self.list.item(row)
-                is_source = item.data(_ID) in sources
+                is_source = item.data(_ID) in chosen
                 item.setCheckState(Qt.CheckState.Checked if is_source else Qt.CheckState.Unchecked)
+                is_plain = is_source or not item.data(_REASON)
+                faint = self.palette().placeholderText()
+                item.setForeground(self.palette().text() if is_plain and not item.font().italic() else faint)
         finally:
             self._is_following = False
-        self.all.setEnabled(any(not entry.is_missing for entry in entries))
+        self.suggested.setEnabled(any(not entry.is_missing and not entry.reason for entry in entries))
         self.none.setEnabled(bool(sources))
 
     def checked(self) -> Sources:
@@ -117,8 +136,7 @@ class SourceList(QWidget):
             font = item.font()
             font.setItalic(entry.is_missing)
             item.setFont(font)
-            if entry.is_missing or entry.is_apart:
-                item.setForeground(self.palette().placeholderText())
+            item.setData(_REASON, entry.reason)
         self.list.verticalScrollBar().setValue(scrolled)
 
     def _button(self, text: str, tip: str) -> QToolButton:
@@ -129,11 +147,6 @@ class SourceList(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         return button
 
-    def _check_all(self) -> None:
-        missing = tuple(entry.layer_id for entry in self._entries if entry.is_missing)
-        wanted = tuple(entry.layer_id for entry in self._entries if not (entry.is_missing or entry.is_apart))
-        self.changed.emit(tuple(source for source in missing if source in self.checked()) + wanted)
-
     def _check_none(self) -> None:
         self.changed.emit(())
 
@@ -142,41 +155,8 @@ class SourceList(QWidget):
             self.changed.emit(self.checked())
 
 
-def overlapping(mosaic_id: str, rasters: list[QgsRasterLayer]) -> Sources:
-    """Ids of the rasters that overlap the mosaic and may be its sources: files, not the mosaic's own, with colour
-    when it has colour (so that no elevation model is taken)."""
-    mosaic = QgsProject.instance().mapLayer(mosaic_id)
-    if not isinstance(mosaic, QgsRasterLayer):
-        return ()
-    found = (layer for layer in rasters if layer.source() != mosaic.source() and _overlap(layer, mosaic))
-    return tuple(layer.id() for layer in found if (layer.bandCount() >= 3) == (mosaic.bandCount() >= 3))
-
-
-def file_rasters() -> list[QgsRasterLayer]:
-    """The project's rasters that GDAL reads from files, by name; pictures of losses are none of them."""
-    found = filter(_is_file, QgsProject.instance().mapLayers().values())
-    return sorted(found, key=lambda layer: (layer.name().casefold(), layer.id()))
-
-
-def _is_file(layer: QgsMapLayer) -> bool:
-    is_raster = isinstance(layer, QgsRasterLayer) and layer.isValid() and layer.providerType() == "gdal"
-    return is_raster and not is_picture(layer)
-
-
-def _overlap(layer: QgsRasterLayer, mosaic: QgsRasterLayer) -> bool:
-    project = QgsProject.instance()
-    try:
-        xmin, ymin, xmax, ymax = transformed_extent(box_extent(layer.extent()), layer.crs(), mosaic.crs(), project)
-    except SeamInspectorError:
-        return False
-    box = mosaic.extent()
-    across = min(xmax, box.xMaximum()) - max(xmin, box.xMinimum())
-    down = min(ymax, box.yMaximum()) - max(ymin, box.yMinimum())
-    return bool(across > 0 and down > 0)
-
-
-def _entries(mosaic_id: str, sources: Sources) -> list[_Entry]:
-    """Missing sources first, then the rasters of the project but the mosaic."""
+def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Entry]:
+    """Missing sources first, then the suggested ones, last those that are left out, each by name."""
     rasters = [layer for layer in file_rasters() if layer.id() != mosaic_id]
     there = {layer.id() for layer in rasters}
     entries = []
@@ -186,9 +166,12 @@ def _entries(mosaic_id: str, sources: Sources) -> list[_Entry]:
             name = tr("missing: {name}").format(name=layer.name()) if layer is not None else missing_text(source)
             tip = tr("Not in the project any more, or its file can't be opened: {name}").format(name=source)
             entries.append(_Entry(source, name, tip, is_missing=True))
-    mosaic = QgsProject.instance().mapLayer(mosaic_id)
+    fit: list[_Entry] = []
+    unfit: list[_Entry] = []
     for layer in rasters:
-        is_apart = isinstance(mosaic, QgsRasterLayer) and not _overlap(layer, mosaic)
-        tip = tr("does not overlap the mosaic: {path}") if is_apart else "{path}"
-        entries.append(_Entry(layer.id(), layer.name(), tip.format(path=layer.source()), is_apart=is_apart))
-    return entries
+        found = standing(layer.id())
+        reason = sentence(found.reason) if found is not None and found.reason is not None else ""
+        text = f"{layer.name()} \u2013 {reason}" if reason else layer.name()
+        tip = "\n".join(filter(None, (reason, layer.source())))
+        (unfit if reason else fit).append(_Entry(layer.id(), text, tip, reason=reason))
+    return [*entries, *fit, *unfit]

@@ -5,7 +5,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QApplication, QLineEdit
@@ -13,8 +15,9 @@ from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
 from tests.numbers.synthetic import ORIGIN, write_raster
-from tests.qgis.scenes import Scene, layer, line, outline, whole
+from tests.qgis.scenes import PIXEL, Scene, layer, line, outline, whole
 from tests.qgis.seams.desk.fake_session import FakeSession
+from tests.qgis.seams.desk.session_desk import wait_until
 
 GONE = "sheet_144_c0ffcfeb_70d2_4cb8_bb70_bc0774454265"  # the id of a layer that was removed
 
@@ -22,8 +25,13 @@ GONE = "sheet_144_c0ffcfeb_70d2_4cb8_bb70_bc0774454265"  # the id of a layer tha
 class Desk:
     """The panel, its session and the project's layers."""
 
-    def __init__(self, scene: Scene) -> None:
-        paths = (scene.mosaic, scene.west, scene.east)
+    def __init__(self, scene: Scene, folder: Path) -> None:
+        east = ORIGIN[0] + 192 * PIXEL, ORIGIN[1]
+        paths = (
+            scene.mosaic,
+            Path(write_raster(folder / "west.tif", whole(scene.west)[..., :320])),
+            Path(write_raster(folder / "east.tif", whole(scene.east)[..., 192:], origin=east)),
+        )
         self.rasters = {path.stem: QgsRasterLayer(str(path), path.stem) for path in paths}
         QgsProject.instance().addMapLayers(list(self.rasters.values()))
         self.session = FakeSession(Inputs())
@@ -42,12 +50,20 @@ class Desk:
         combo.activated.emit(combo.currentIndex())
 
     def listed(self) -> dict[str, bool]:
-        """Texts of the source list and whether they are checked."""
+        """Names in the source list and whether they are checked."""
         items = [self.panel.sources.list.item(row) for row in range(self.panel.sources.list.count())]
-        return {item.text(): item.checkState() == Qt.CheckState.Checked for item in items}
+        return {item.text().split(" \u2013 ")[0]: item.checkState() == Qt.CheckState.Checked for item in items}
 
-    def check(self, text: str, checked: bool) -> None:
-        (item,) = self.panel.sources.list.findItems(text, Qt.MatchFlag.MatchExactly)
+    def reason(self, name: str) -> str:
+        """Why a raster is left out."""
+        (item,) = self.panel.sources.list.findItems(f"{name} \u2013 ", Qt.MatchFlag.MatchStartsWith)
+        return str(item.text()).split(" \u2013 ")[1]
+
+    def check(self, name: str, checked: bool) -> None:
+        (item,) = (
+            item for item in self.panel.sources.list.findItems(name, Qt.MatchFlag.MatchStartsWith)
+            if item.text().split(" \u2013 ")[0] == name
+        )
         item.setCheckState(Qt.CheckState.Checked if checked else Qt.CheckState.Unchecked)
 
     @property
@@ -57,8 +73,8 @@ class Desk:
 
 
 @pytest.fixture
-def desk(project: QgsProject, scene: Scene) -> Iterator[Desk]:
-    made = Desk(scene)
+def desk(project: QgsProject, scene: Scene, tmp_path: Path) -> Iterator[Desk]:
+    made = Desk(scene, tmp_path)
     yield made
     made.panel.close()
     made.panel.deleteLater()
@@ -76,21 +92,49 @@ def offered(box: object) -> list[str]:
     return [box.itemText(row) for row in range(box.count())]  # type: ignore[attr-defined]
 
 
-def test_choosing_the_mosaic_takes_all_that_overlap(desk: Desk) -> None:
+def test_choosing_the_mosaic_takes_its_sources(desk: Desk) -> None:
     desk.choose("mosaic", desk.id("mosaic"))
     assert desk.session.inputs.mosaic == desk.id("mosaic")
     assert desk.sources == {"east", "west"}
     assert desk.listed() == {"east": True, "west": True}
 
 
-def test_rasters_elsewhere_and_elevation_models_are_no_default(desk: Desk, scene: Scene, tmp_path: Path) -> None:
-    apart = write_raster(tmp_path / "apart.tif", whole(scene.west), origin=(ORIGIN[0] + 9000, ORIGIN[1]))
-    height = write_raster(tmp_path / "height.tif", whole(scene.west)[:1])
-    QgsProject.instance().addMapLayers([QgsRasterLayer(apart, "apart"), QgsRasterLayer(height, "height")])
+def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk, scene: Scene, tmp_path: Path) -> None:
+    west = whole(scene.west)[..., :320]
+    apart = write_raster(tmp_path / "apart.tif", west, origin=(ORIGIN[0] + 9000, ORIGIN[1]))
+    height = write_raster(tmp_path / "height.tif", west[:1])
+    half = write_raster(tmp_path / "half.tif", west[:, ::2, ::2], gsd=2 * PIXEL)
+    deep = write_raster(tmp_path / "deep.tif", west.astype(np.uint16) * 257)
+    turned = str(tmp_path / "turned.tif")
+    gdal.Warp(turned, str(tmp_path / "west.tif"), dstSRS="EPSG:4326")
+    others = {"apart": apart, "height": height, "half": half, "deep": deep, "turned": turned,
+              "copy": str(scene.west), "again": str(scene.mosaic)}
+    QgsProject.instance().addMapLayers([QgsRasterLayer(path, name) for name, path in others.items()])
     desk.choose("mosaic", desk.id("mosaic"))
-    assert desk.listed() == {"apart": False, "east": True, "height": False, "west": True}
-    desk.panel.sources.all.click()
-    assert desk.listed() == {"apart": False, "east": True, "height": True, "west": True}
+    assert desk.listed() == {"east": True, "west": True, **dict.fromkeys(others, False)}
+    assert list(desk.listed())[:2] == ["east", "west"]  # what is left out comes last
+    for name, words in {
+        "apart": "not overlap", "height": "1 bands", "half": "2.0 times as large", "deep": "16 bit",
+        "turned": "another reference system", "copy": "being looked at", "again": "the mosaic itself",
+    }.items():
+        assert words in desk.reason(name)
+    desk.check("height", True)  # the operator may know better
+    assert desk.sources == {"east", "west", next(iter(desk.sources - {"east", "west"}))}
+    desk.panel.sources.suggested.click()
+    assert desk.sources == {"east", "west"}
+
+
+def test_what_is_no_source_by_its_pixels_is_unchecked_once_it_was_looked_at(
+    desk: Desk, scene: Scene, tmp_path: Path
+) -> None:
+    part = write_raster(tmp_path / "part.tif", whole(scene.mosaic)[..., 64:320], origin=(ORIGIN[0] + 6.4, ORIGIN[1]))
+    QgsProject.instance().addMapLayers([QgsRasterLayer(str(part), "part")])
+    desk.choose("mosaic", desk.id("mosaic"))
+    assert desk.listed()["part"]
+    desk.check("part", True)
+    wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
+    assert not desk.listed()["part"]
+    assert "part of the mosaic again" in desk.reason("part")
 
 
 def test_another_mosaic_of_the_same_block_keeps_the_sources(desk: Desk, scene: Scene) -> None:
@@ -109,17 +153,18 @@ def test_sources_are_checked_one_by_one_all_and_none(desk: Desk) -> None:
     assert desk.sources == {"east"}
     desk.panel.sources.none.click()
     assert desk.sources == set()
-    desk.panel.sources.all.click()
+    desk.panel.sources.suggested.click()
     assert desk.sources == {"east", "west"}
 
 
 def test_rasters_loaded_later_become_sources_unless_the_operator_chose(desk: Desk, scene: Scene) -> None:
     desk.set_all()
-    more = QgsRasterLayer(str(scene.east), "more")
+    east = desk.rasters["east"].source()
+    more = QgsRasterLayer(east, "more")
     QgsProject.instance().addMapLayer(more)
     assert more.id() in desk.session.inputs.sources
     desk.check("more", False)
-    QgsProject.instance().addMapLayer(QgsRasterLayer(str(scene.east), "yet more"))
+    QgsProject.instance().addMapLayer(QgsRasterLayer(east, "yet more"))
     assert desk.sources == {"east", "west"}
 
 
@@ -213,20 +258,38 @@ def test_following_the_session_changes_nothing(desk: Desk) -> None:
 
 
 @pytest.mark.parametrize(
-    ("side", "levels", "shown", "tip"),
+    ("side", "levels", "becomes", "shown"),
     [
-        (100.0, 3, "1024 px, 102.4 m", "smallest power of two"),
-        (10.0, 3, "128 px, 12.8 m", "smallest power of two"),
-        (3.0, 3, "too short", "give a side of 6.4 metres or more"),
-        (10.0, 8, "too short", "8 levels need at least 256 px"),
+        (100.0, 3, 100.0, "1024 px, 102.4 m"),
+        (10.0, 3, 10.0, "128 px, 12.8 m"),
+        (3.0, 3, 6.4, "64 px, 6.4 m; 3.0 m is too small"),
+        (10.0, 8, 25.6, "256 px, 25.6 m; 10.0 m is too small"),
+        (300.0, 3, 51.2, "512 px, 51.2 m; 300.0 m is too large"),
     ],
 )
-def test_side_is_shown_in_pixels(desk: Desk, side: float, levels: int, shown: str, tip: str) -> None:
+def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
+    desk: Desk, side: float, levels: int, becomes: float, shown: str
+) -> None:
     assert desk.panel.side_px.text() == ""
     desk.set_all()
     desk.session.set_inputs(replace(desk.session.inputs, side_m=side, levels=levels))
+    assert desk.session.inputs.side_m == pytest.approx(becomes)
+    assert desk.panel.side.value() == pytest.approx(becomes)
     assert desk.panel.side_px.text() == shown
-    assert tip in desk.panel.side_px.toolTip().replace(" m ", " metres ")
+
+
+def test_stays_open_and_says_what_is_missing_until_all_is_set(desk: Desk) -> None:
+    box = desk.panel.box
+    desk.session.set_inputs(Inputs(mosaic=desk.id("mosaic")))
+    assert not box.isCollapsed()
+    assert "sources" in box.toolTip()
+    wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
+    desk.panel.refresh()
+    assert box.toolTip() == "mosaic \u00b7 check the sources"
+    desk.set_all()
+    assert box.isCollapsed()
+    desk.panel.sources.none.click()
+    assert not box.isCollapsed()
 
 
 def test_folds_once_set_and_then_stays_as_it_is_left(desk: Desk) -> None:

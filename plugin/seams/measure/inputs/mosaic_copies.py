@@ -7,17 +7,17 @@ from enum import Enum
 
 import numpy as np
 
-from .....imagery.clips import read_clip
-from .....imagery.errors import RasterError
-from .....imagery.grids import Extent, Grid, PixelWindow
-from .....imagery.message import Message
-from .....imagery.open_raster import OpenRaster, placed
-from .....imagery.raster_pool import RasterPool
-from .....imagery.rasters import Raster, RasterRef
-from .....imagery.reference_systems import same_coordinates
-from .....imagery.remote_files import vrt_parts
-from ... import messages
-from ...source_images import Source, is_same_file, sources_in
+from ....imagery.clips import read_clip
+from ....imagery.errors import RasterError
+from ....imagery.grids import Extent, Grid, PixelWindow
+from ....imagery.message import Message
+from ....imagery.open_raster import OpenRaster, placed
+from ....imagery.raster_pool import RasterPool
+from ....imagery.rasters import Raster, RasterRef
+from ....imagery.reference_systems import same_coordinates
+from ....imagery.remote_files import vrt_parts
+from .. import messages
+from ..source_images import Source, is_same_file, sources_in
 
 SIDE_PX = 64  # of a patch that is compared
 PLACES = 16  # along each side of the mosaic: what follows another source on 1 % of it is missed once in thirteen times
@@ -82,9 +82,9 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
 
 
 def _likeness(mosaic: Raster, source: Source, pool: RasterPool) -> Likeness:
-    if _covered(mosaic.extent, source.extent) < SAME_PLACE:
+    if covered_share(mosaic.extent, source.extent) < SAME_PLACE:
         return Likeness.OTHER
-    if _is_made_of(source.ref, mosaic.ref):
+    if is_made_of(source.ref, mosaic.ref):
         return Likeness.EQUAL
     try:
         other = pool.open(source.ref)
@@ -116,8 +116,8 @@ def _compared(mosaic: OpenRaster, known: Raster, other: OpenRaster, coarser: boo
         first, second = ours.bands[mine].astype(np.float64), theirs.bands[others].astype(np.float64)
         equal = bool((ours.valid == theirs.valid).all() and (first == second)[:, both].all())
         all_equal = all_equal and equal
-        if min(_content(first, both), _content(second, both)) >= LEAST_CONTENT:
-            found.append(1.0 if equal else _correlation(first, second, both))
+        if min(content_of(first, both), content_of(second, both)) >= LEAST_CONTENT:
+            found.append(1.0 if equal else correlation_of(first, second, both))
             if found[-1] < least:
                 return Likeness.OTHER
     if len(found) < FEWEST:
@@ -155,13 +155,13 @@ def _places(grid: Grid, mosaic: Grid) -> Iterator[tuple[PixelWindow, PixelWindow
             yield window, under
 
 
-def _correlation(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> float:
+def correlation_of(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> float:
     """Of the differences between neighbours in two stacks (bands, rows, columns)."""
     a, b = _differences(first, valid), _differences(second, valid)
     return float(a @ b / np.sqrt((a @ a) * (b @ b)))
 
 
-def _content(bands: np.ndarray, valid: np.ndarray) -> float:
+def content_of(bands: np.ndarray, valid: np.ndarray) -> float:
     differences = _differences(bands, valid)
     return float(differences @ differences / len(differences)) if len(differences) else 0.0
 
@@ -172,7 +172,7 @@ def _differences(bands: np.ndarray, valid: np.ndarray) -> np.ndarray:
     return np.concatenate([across.ravel(), down.ravel()])
 
 
-def _covered(first: Extent, second: Extent) -> float:
+def covered_share(first: Extent, second: Extent) -> float:
     """What a second rectangle has of the first, as a share of that."""
     width = min(first[2], second[2]) - max(first[0], second[0])
     height = min(first[3], second[3]) - max(first[1], second[1])
@@ -192,7 +192,7 @@ def _explain(sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> boo
             window = PixelWindow(column, row, side, side)
             ours = opened.read(window)
             first = ours.bands[:1].astype(np.float64)
-            if ours.valid.mean() < 0.5 or _content(first, ours.valid) < LEAST_CONTENT:
+            if ours.valid.mean() < 0.5 or content_of(first, ours.valid) < LEAST_CONTENT:
                 continue
             places += 1
             explained += any(
@@ -211,10 +211,10 @@ def _is_like(
         return False
     both = valid if clip.valid is None else valid & clip.valid
     second = clip.bands[:1].astype(np.float64)
-    return both.mean() > 0.2 and _content(second, both) > 0 and _correlation(first, second, both) >= MEDIAN_LIKE
+    return both.mean() > 0.2 and content_of(second, both) > 0 and correlation_of(first, second, both) >= MEDIAN_LIKE
 
 
-def _is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:
+def is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:
     """Whether a raster is a VRT that names the mosaic."""
     if not ref.path.lower().endswith(".vrt") or not os.path.isfile(ref.path):
         return False

@@ -1,0 +1,266 @@
+"""Whether rasters that may be sources of a mosaic are the mosaic again, another mosaic, or something else, by pixels.
+
+Small patches are compared with the mosaic. A source is like it where the mosaic follows that source, and unlike it
+where it follows another. What is like it everywhere is a copy; what is put together from others is another mosaic.
+"""
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ....imagery.clips import read_clip
+from ....imagery.errors import RasterError
+from ....imagery.grids import Extent, PixelWindow
+from ....imagery.message import Message
+from ....imagery.open_raster import describe_mosaic, placed
+from ....imagery.raster_pool import RasterPool
+from ....imagery.rasters import Raster, RasterRef
+from ....imagery.reference_systems import extent_on
+from ..source_images import Source, is_same_file, sources_in
+from . import messages
+from .mosaic_copies import (
+    FEWEST,
+    LEAST_CONTENT,
+    LEAST_LIKE,
+    MEDIAN_LIKE,
+    SAME_PLACE,
+    content_of,
+    correlation_of,
+    covered_share,
+    is_made_of,
+)
+from .raster_facts import SUGGESTED, Suitability, left_out
+
+SIDE_PX = 64  # of a patch
+PLACES, PLACES_OF_ALL = 5, 10  # along each side of what a raster shares with the mosaic; of one that covers it all
+ENOUGH = 6  # places with content, after which one that is like the mosaic here and unlike it there is a source
+LEAST_VALID = 0.2  # of a patch
+COARSE_PX = 8  # side of the means that tell whether two patches show the same things
+LEAST_SAME_CONTENT = 0.3  # median correlation of those
+SINGLE_SHARE = 0.9  # of places that one other candidate explains: it is the same image, and none put together
+SAME_IMAGE_PLACE = 0.98  # of each of two images, that the other covers
+MOST_COMPARED = 8  # places at which a raster is compared with other candidates
+
+Cancelled = Callable[[], bool]
+
+
+@dataclass(frozen=True)
+class SourceCandidate:
+    """A raster that may be a source."""
+
+    key: str
+    name: str
+    ref: RasterRef
+
+
+@dataclass(frozen=True)
+class _Placed:
+    """A candidate with its footprint in the mosaic's reference system."""
+
+    candidate: SourceCandidate
+    source: Source
+    is_whole: bool
+    """Whether it covers the mosaic."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Patch:
+    """One place of a raster and the mosaic."""
+
+    window: PixelWindow
+    bands: np.ndarray
+    """First band, (1, rows, columns)."""
+    valid: np.ndarray
+    like: float
+    """Correlation of the fine detail with the mosaic's."""
+    coarse: float
+
+
+def look_at_candidates(
+    mosaic: RasterRef,
+    candidates: Sequence[SourceCandidate],
+    known: Collection[str] = (),
+    cancelled: Cancelled = lambda: False,
+) -> Iterator[tuple[str, Suitability]]:
+    """The standing of each candidate, by key, those that cover the mosaic first, as they are looked at.
+
+    ``known``: keys of those whose standing is known already; those that cover the mosaic are looked at again, as there
+    may be others now that they are made of.
+
+    Raises RasterError when the mosaic can't be read; a candidate that can't be is left out.
+    """
+    raster = describe_mosaic(mosaic)
+    with RasterPool(most=8) as pool:
+        there: list[_Placed] = []
+        for candidate in candidates:
+            try:
+                there.append(_placed(candidate, raster, pool))
+            except RasterError as error:
+                yield candidate.key, left_out(messages.PIXELS_NOT_READ(why=error.message))
+        look = _Look(raster, there, pool)
+        for one in sorted(there, key=lambda one: not one.is_whole):
+            if cancelled():
+                return
+            if one.candidate.key in known and not one.is_whole:
+                continue
+            try:
+                yield one.candidate.key, look.standing(one)
+            except RasterError as error:
+                yield one.candidate.key, left_out(messages.PIXELS_NOT_READ(why=error.message))
+
+
+def _placed(candidate: SourceCandidate, mosaic: Raster, pool: RasterPool) -> _Placed:
+    raster = placed(pool.open(candidate.ref).raster)
+    extent = extent_on(raster.extent, raster.wkt, mosaic.wkt)
+    return _Placed(candidate, Source(candidate.ref, extent), covered_share(mosaic.extent, extent) >= SAME_PLACE)
+
+
+class _Look:
+    """The mosaic and all candidates, of which each is held against it and against the others."""
+
+    def __init__(self, mosaic: Raster, known: Sequence[_Placed], pool: RasterPool) -> None:
+        self._mosaic = mosaic
+        self._known = {id(one.source): one for one in known}
+        self._parts = [one.source for one in known if not one.is_whole]
+        self._wholes = [one.source for one in known if one.is_whole]
+        self._pool = pool
+
+    def standing(self, one: _Placed) -> Suitability:
+        """Raises RasterError when the mosaic or the candidate can't be read."""
+        if is_same_file(one.source.ref, self._mosaic.ref):
+            return left_out(messages.IS_THE_MOSAIC())
+        if is_made_of(one.source.ref, self._mosaic.ref):
+            return left_out(messages.MADE_OF_MOSAIC())
+        patches: list[_Patch] = []
+        for window in _windows(self._mosaic, one.source.extent, PLACES_OF_ALL if one.is_whole else PLACES):
+            if (patch := self._patch(one.source, window)) is not None:
+                patches.append(patch)
+            if not one.is_whole and len(patches) >= ENOUGH and _is_mixed(patches):
+                break
+        reason = self._against(one, patches)
+        return SUGGESTED if reason is None else left_out(reason)
+
+    def _against(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
+        """What speaks against a candidate."""
+        if len(patches) < FEWEST:
+            return messages.MAY_BE_MOSAIC() if one.is_whole else None
+        likes = np.array([patch.like for patch in patches])
+        if likes.min() >= LEAST_LIKE and np.median(likes) >= MEDIAN_LIKE:
+            if one.is_whole:
+                return messages.MOSAIC_AGAIN()
+            explained = [bool(self._explainers(patch, one)) for patch in patches[:MOST_COMPARED]]
+            return messages.MOSAIC_PART_AGAIN() if 2 * sum(explained) >= len(explained) else None
+        if not (likes >= MEDIAN_LIKE).any():
+            if one.is_whole:
+                return messages.NOT_FOLLOWED()
+            if np.median([patch.coarse for patch in patches]) < LEAST_SAME_CONTENT:
+                return messages.OTHER_CONTENT()
+        return self._against_others(one, patches)
+
+    def _against_others(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
+        """Whether it is put together from other candidates: they explain it where the mosaic is not like it."""
+        unlike = [patch for patch in patches if patch.like < LEAST_LIKE and self._others(patch, one)][:MOST_COMPARED]
+        explained = [names for patch in unlike if (names := self._explainers(patch, one))]
+        if unlike and 2 * len(explained) >= len(unlike):
+            like = [patch for patch in patches if patch.like >= MEDIAN_LIKE][:MOST_COMPARED]
+            explained += [names for patch in like if (names := self._explainers(patch, one))]
+            counts = Counter(name for names in explained for name in names)
+            first, most = counts.most_common(1)[0]
+            if most < SINGLE_SHARE * len(explained):
+                second = next(names[0] for names in explained if first not in names)
+                return messages.ANOTHER_MOSAIC(first=first, second=second)
+            if self._is_same_image(one, first):
+                return messages.SAME_IMAGE(name=first)
+        return messages.MAY_BE_MOSAIC() if one.is_whole and not unlike else None
+
+    def _is_same_image(self, one: _Placed, name: str) -> bool:
+        """Whether the candidate that is like it everywhere lies where it does and comes before it."""
+        for other in self._known.values():
+            if other is one:
+                return False
+            if other.candidate.name == name:
+                here, there = one.source.extent, other.source.extent
+                return min(covered_share(here, there), covered_share(there, here)) > SAME_IMAGE_PLACE
+        return False
+
+    def _others(self, patch: _Patch, one: _Placed) -> list[Source]:
+        """Candidates at a place; those that cover the mosaic explain each other only."""
+        extent = self._mosaic.grid.window_extent(patch.window)
+        among = [*self._parts, *self._wholes] if one.is_whole else self._parts
+        return [source for source in sources_in(among, extent) if source is not one.source]
+
+    def _explainers(self, patch: _Patch, one: _Placed) -> list[str]:
+        """Names of the other candidates that this one is like at a place."""
+        found = []
+        for source in self._others(patch, one):
+            try:
+                bands, valid = self._read(source, patch.window)
+            except RasterError:
+                continue
+            both = patch.valid & valid
+            can_tell = both.mean() >= LEAST_VALID and _has_content(patch.bands, bands, both)
+            if can_tell and correlation_of(patch.bands, bands, both) >= MEDIAN_LIKE:
+                found.append(self._known[id(source)].candidate.name)
+        return found
+
+    def _patch(self, source: Source, window: PixelWindow) -> _Patch | None:
+        """None where one of them has too few pixels there, or nothing to see."""
+        ours = self._pool.open(self._mosaic.ref).read(window)
+        if ours.valid.mean() < LEAST_VALID:
+            return None
+        try:
+            bands, valid = self._read(source, window)
+        except RasterError:
+            return None
+        first, both = ours.bands[:1].astype(np.float64), valid & ours.valid
+        if both.mean() < LEAST_VALID or not _has_content(first, bands, both):
+            return None
+        like, coarse = correlation_of(first, bands, both), _coarse_correlation(first[0], bands[0], both)
+        return _Patch(window, bands, valid, like, coarse)
+
+    def _read(self, source: Source, window: PixelWindow) -> tuple[np.ndarray, np.ndarray]:
+        clip = read_clip(self._pool.open(source.ref), self._mosaic, window, partly=True)
+        valid = np.ones(clip.bands.shape[1:], bool) if clip.valid is None else clip.valid
+        return clip.bands[:1].astype(np.float64), valid
+
+
+def _is_mixed(patches: Sequence[_Patch]) -> bool:
+    likes = [patch.like for patch in patches]
+    return max(likes) >= MEDIAN_LIKE and sum(like < LEAST_LIKE for like in likes) >= 2
+
+
+def _has_content(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool:
+    return min(content_of(first, both), content_of(second, both)) >= LEAST_CONTENT
+
+
+def _coarse_correlation(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> float:
+    """Of means over squares; 1 where there is nothing to tell from."""
+    rows, columns = (length // COARSE_PX for length in both.shape)
+    cut = (rows, COARSE_PX, columns, COARSE_PX)
+    there = both[: rows * COARSE_PX, : columns * COARSE_PX].reshape(cut).all(axis=(1, 3))
+    a, b = (
+        one[: rows * COARSE_PX, : columns * COARSE_PX].reshape(cut).mean(axis=(1, 3))[there] for one in (first, second)
+    )
+    if len(a) < 8 or min(a.std(), b.std()) == 0:
+        return 1.0
+    return float(np.corrcoef(a, b)[0, 1])
+
+
+def _windows(mosaic: Raster, extent: Extent, places: int) -> Iterator[PixelWindow]:
+    """Patches of the mosaic under a footprint, one in each part of it, in no order."""
+    grid, rng = mosaic.grid, np.random.default_rng(0)
+    left, right = ((x - grid.left) / grid.pixel_width for x in (extent[0], extent[2]))
+    top, bottom = ((grid.top - y) / grid.pixel_height for y in (extent[3], extent[1]))
+    left, top, right, bottom = max(left, 0), max(top, 0), min(right, grid.columns), min(bottom, grid.rows)
+    width, height = min(SIDE_PX, int(right - left)), min(SIDE_PX, int(bottom - top))
+    if min(width, height) < COARSE_PX:
+        return
+    whole = PixelWindow(0, 0, width, height)
+    for place in rng.permutation(places * places):
+        row, column = (np.array(divmod(int(place), places)) + rng.random(2)) / places
+        yield replace(
+            whole, column=int(left + column * (right - left - width)), row=int(top + row * (bottom - top - height))
+        )

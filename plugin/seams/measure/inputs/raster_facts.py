@@ -1,0 +1,132 @@
+"""Which rasters of a project may be sources of a mosaic, by what their headers say."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+from ....imagery.grids import Extent, extents_meet
+from ....imagery.message import Message
+from . import messages
+from .mosaic_copies import SAME_PLACE, covered_share
+
+MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have
+MOST_SMALLER = 4.0  # the mosaic's pixel size over a source's
+COLOURS = 3
+MOST_MOSAICS = 5  # the largest rasters, one of which may be the mosaic
+
+
+@dataclass(frozen=True)
+class RasterFacts:
+    """What is known of a raster before its pixels are read, seen from the mosaic."""
+
+    key: str
+    """What it is called where the question comes from, such as a layer's id."""
+    name: str
+    """What the operator calls it."""
+    extent: Extent | None
+    """In the mosaic's reference system; None where it has no place there."""
+    pixel_size: float
+    """Side of a pixel in the mosaic's units, about."""
+    bands: int
+    """Bands of measurements: no alpha, and three for a palette."""
+    pixel_type: str
+    """In words, such as ``8 bit``."""
+    has_mosaic_system: bool
+    """Whether its coordinates are the mosaic's."""
+    is_mosaic: bool = False
+    """Whether it is the mosaic's file."""
+
+
+class Standing(Enum):
+    """Whether a raster is taken for a source."""
+
+    SUGGESTED = "suggested"
+    OPEN = "open"
+    """Its pixels have to be looked at."""
+    LEFT_OUT = "left_out"
+
+
+@dataclass(frozen=True)
+class Suitability:
+    """Whether, and why not."""
+
+    standing: Standing
+    reason: Message | None = None
+
+    @property
+    def is_suggested(self) -> bool:
+        """Whether the raster is a source as long as the operator does not say otherwise."""
+        return self.standing is Standing.SUGGESTED
+
+
+SUGGESTED = Suitability(Standing.SUGGESTED)
+
+
+def left_out(reason: Message) -> Suitability:
+    """Not a source, for a reason."""
+    return Suitability(Standing.LEFT_OUT, reason)
+
+
+def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> dict[str, Suitability]:
+    """The standing of each raster by its key.
+
+    Other systems and other types of pixels are left out only where there are as many rasters or more that share the
+    mosaic's, since all of the sources of a mosaic may have been converted. One that covers the mosaic stays open.
+    """
+    found = {one.key: reason for one in rasters if (reason := _unfit(mosaic, one)) is not None}
+    fit = [one for one in rasters if one.key not in found]
+    for group, reasons in (
+        ([one.has_mosaic_system for one in fit], {one.key: messages.OTHER_SYSTEM() for one in fit}),
+        ([one.pixel_type == mosaic.pixel_type for one in fit], {
+            one.key: messages.OTHER_TYPE(own=one.pixel_type, mosaic=mosaic.pixel_type) for one in fit
+        }),
+    ):
+        if 2 * sum(group) >= len(group):
+            found |= {one.key: reasons[one.key] for one, shares in zip(fit, group) if not shares}
+    is_open = Suitability(Standing.OPEN, messages.BEING_LOOKED_AT())
+    return {
+        one.key: left_out(found[one.key]) if one.key in found else is_open if covers(mosaic, one) else SUGGESTED
+        for one in rasters
+    }
+
+
+def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
+    """Whether a raster covers the mosaic, or nearly."""
+    return bool(mosaic.extent and raster.extent and covered_share(mosaic.extent, raster.extent) >= SAME_PLACE)
+
+
+def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:
+    """The key of the raster that others are suitable sources of, if there is just one; all in one system."""
+    largest = sorted(rasters, key=_area, reverse=True)[:MOST_MOSAICS]
+    found = [one.key for one in largest if _has_sources(one, rasters)]
+    return found[0] if len(found) == 1 else None
+
+
+def _has_sources(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> bool:
+    """Whether there are two sources of its pixel size, smaller than it, that lie in it but for their margins."""
+    standings = suitable_by_header(mosaic, [one for one in rasters if one.key != mosaic.key])
+    sources = [
+        one for one in rasters
+        if one.key in standings and standings[one.key].is_suggested and one.extent and mosaic.extent
+        and covered_share(one.extent, mosaic.extent) > 0.5 and one.pixel_size * MOST_LARGER >= mosaic.pixel_size
+    ]
+    return len(sources) >= 2 and _area(mosaic) > max(map(_area, sources))
+
+
+def _unfit(mosaic: RasterFacts, one: RasterFacts) -> Message | None:
+    if one.is_mosaic:
+        return messages.IS_THE_MOSAIC()
+    if one.extent is None or mosaic.extent is None or not extents_meet(one.extent, mosaic.extent):
+        return messages.APART_FROM_MOSAIC()
+    if (one.bands >= COLOURS) != (mosaic.bands >= COLOURS):
+        return messages.OTHER_BANDS(bands=one.bands, mosaic=mosaic.bands)
+    factor = one.pixel_size / mosaic.pixel_size
+    if factor > MOST_LARGER:
+        return messages.LARGER_PIXELS(factor=factor)
+    return messages.SMALLER_PIXELS(factor=1 / factor) if factor < 1 / MOST_SMALLER else None
+
+
+def _area(one: RasterFacts) -> float:
+    xmin, ymin, xmax, ymax = one.extent or (0.0, 0.0, 0.0, 0.0)
+    return (xmax - xmin) * (ymax - ymin)
