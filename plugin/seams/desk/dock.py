@@ -45,6 +45,7 @@ from .scan.mosaic_scans import MosaicScans
 from .scan.scan_group import show_layer
 from .scan.scan_message import ScanMessage
 from .session import Session
+from .swipe.swipe_action import SwipeAction
 from .windows.judge_bar import JudgeBar
 from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
@@ -76,6 +77,8 @@ class InspectionDock(ToolDock):
         self.scans = MosaicScans(self.session, self)
         self.scans.told.connect(self._show_message)
         self.scans.changed.connect(self._follow_scan)
+        self.swiping = SwipeAction(self._canvas, self.session, self)
+        self.swiping.told.connect(self._show_message)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
         self.scans.found.connect(self._tell_findings)
         self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
@@ -100,6 +103,7 @@ class InspectionDock(ToolDock):
         super().close_desk()
         self.steps.close()
         self.reports.close()
+        self.swiping.close()
         self._worst_inspector.stop()
         self._findings.close()
         self.scans.close()
@@ -195,15 +199,18 @@ class InspectionDock(ToolDock):
         size = self.fontMetrics().height() + 6
         toolbar.setIconSize(QSize(size, size))
         toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        texts = (self.place, self.inspect, self.scan)
-        toolbar.addActions([self.draw, *texts, self.inspect_selected, self.steps.undo, self.steps.redo, self.report])
+        texts = (self.place, self.inspect)
+        steps = (self.steps.undo, self.steps.redo)
+        toolbar.addActions(
+            [self.draw, *texts, self.scan, self.inspect_selected, self.swiping.action, *steps, self.report]
+        )
         for action in toolbar.actions():
             toolbar.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
             if action not in texts:  # the others are known by their icons, to save width
                 toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        scan_button = toolbar.widgetForAction(self.scan)
-        scan_button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
-        scan_button.addAction(self.worst)
+        for action in (self.scan, self.swiping.action):
+            toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        toolbar.widgetForAction(self.scan).addAction(self.worst)
         tabs = QTabWidget()
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))

@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsSettings
 from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from ....toolkit.desk.clipped_label import ClippedLabel
+from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...picture_stretch import Stretch
 from .picture_flow import GAP
@@ -32,7 +34,7 @@ class ImagesBar(QWidget):
         self.status = ClippedLabel(1)
         self.stretch = self._stretch_box()
         self.side_by_side = self._button(
-            "/mActionTableColumnsCopy.svg", tr("All pictures side by side, or one large one"), self._arrange
+            QIcon(icon_path("side_by_side")), tr("All pictures side by side, or one large one"), self._arrange
         )
         self.side_by_side.setCheckable(True)
         self.side_by_side.setChecked(QgsSettings().value(_SIDE_BY_SIDE, False, bool))
@@ -40,11 +42,12 @@ class ImagesBar(QWidget):
         self._zoom.setToolTip(tr("Screen pixels per image pixel"))
         self._zoom.setMinimumWidth(self.fontMetrics().horizontalAdvance("0.00x"))
         self._zoom.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        zoom_out = self._button("/mActionZoomOut.svg", tr("Zoom all pictures out (wheel, -)"), self._zoom_out)
-        zoom_in = self._button("/mActionZoomIn.svg", tr("Zoom all pictures in (wheel, +)"), self._zoom_in)
-        self._zoom_to_all = self._button("/mActionZoomFullExtent.svg", tr("Show the whole picture"), self._show_all)
+        zoom_out = self._button(_theme_icon("ZoomOut"), tr("Zoom all pictures out (wheel, -)"), self._zoom_out)
+        zoom_in = self._button(_theme_icon("ZoomIn"), tr("Zoom all pictures in (wheel, +)"), self._zoom_in)
+        self._zoom_to_all = self._button(_theme_icon("ZoomFullExtent"), tr("Show the whole picture"), self._show_all)
         self.zoom_to_best = self._button(
-            "", tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen"), self._reset
+            QIcon(), tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen"),
+            self._reset,
         )
         self.zoom_to_best.setText("2x")
         for button in (self._zoom_to_all, self.zoom_to_best):
@@ -92,13 +95,12 @@ class ImagesBar(QWidget):
         QgsSettings().setValue(_SIDE_BY_SIDE, is_side_by_side)
         self.arrangementChanged.emit()
 
-    def _button(self, icon: str, tip: str, slot: Callable[..., None]) -> QToolButton:
+    def _button(self, icon: QIcon, tip: str, slot: Callable[..., None]) -> QToolButton:
         button = QToolButton()
         button.setAutoRaise(True)
         button.setToolTip(tip)
         button.setAccessibleName(tip)
-        if icon:
-            button.setIcon(QgsApplication.getThemeIcon(icon))
+        button.setIcon(icon)
         button.clicked.connect(slot)
         return button
 
@@ -113,3 +115,7 @@ class ImagesBar(QWidget):
 
     def _reset(self) -> None:
         self._viewport.set_zoom(BEST_ZOOM)
+
+
+def _theme_icon(name: str) -> QIcon:
+    return QgsApplication.getThemeIcon(f"/mAction{name}.svg")

@@ -1,0 +1,161 @@
+"""The dock's button that begins and ends a swipe, and its menu of what the mosaic is compared with."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from qgis.core import QgsCoordinateTransform, QgsCsException, QgsProject
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtGui import QIcon
+from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QWidget
+
+from ....imagery import messages as imagery_messages
+from ....imagery.grids import Extent, extents_meet
+from ....toolkit.desk.greyed import allow
+from ....toolkit.layers import box_extent
+from ....toolkit.message_bar import bar_level
+from ....toolkit.resources import icon_path
+from ....toolkit.translation import sentence, tr
+from ...measure import messages
+from ...measure.inspection import Block
+from .swipe import Swipe
+from .swiped_layer import SwipeChoice, source_layers
+
+if TYPE_CHECKING:
+    from ..session import Session
+
+
+class SwipeAction(QObject):
+    """Follows the selected window: its first source, until another one is chosen that covers it too."""
+
+    told = pyqtSignal(str, int)
+    """A sentence for the user, and its level in the message bar."""
+
+    def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._canvas = canvas
+        self._session = session
+        self.swipe = Swipe(canvas, self)
+        self.swipe.changed.connect(self._show_state)
+        self.swipe.failed.connect(self._tell_failure)
+        self.menu = QMenu(parent)
+        self.menu.setToolTipsVisible(True)
+        self.menu.aboutToShow.connect(self._fill_menu)
+        self.action = QAction(QIcon(icon_path("swipe")), tr("Swipe"), parent)
+        self.action.setToolTip(
+            tr("Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends")
+        )
+        self.action.setCheckable(True)
+        self.action.setMenu(self.menu)
+        self.action.triggered.connect(self._toggle)
+        self._followed = [session.selectionChanged, session.inputsChanged]
+        for signal in self._followed:
+            signal.connect(self._follow)
+        self._follow()
+
+    def close(self) -> None:
+        """Leave nothing on the map; once is enough."""
+        while self._followed:
+            self._followed.pop().disconnect(self._follow)
+        self.swipe.close()
+
+    def choices(self) -> list[SwipeChoice]:
+        """The sources over the selected window, those that cover most of it first; without one, those on the map."""
+        block = self._session.block()
+        if block is None:
+            return []
+        place = self._place(block)
+        if place is None:
+            return []
+        found = [source for source in block.sources if extents_meet(source.extent, place)]
+        found.sort(key=lambda source: -_shared(source.extent, place))  # stable: else in the order of the inputs
+        return [SwipeChoice(source.ref.name, source.ref) for source in found]
+
+    def start(self, choice: SwipeChoice) -> None:
+        """Compare the mosaic with this."""
+        mosaic, block = self._session.mosaic_layer(), self._session.block()
+        if mosaic is None or block is None:
+            return
+        project = QgsProject.instance()
+        sources = set(self._session.inputs.sources)
+        sources |= source_layers(project, {source.ref.path for source in block.sources})
+        self.swipe.start(mosaic, choice, sources - {mosaic.id()})
+
+    def _toggle(self, is_wanted: bool) -> None:
+        choices = self.choices() if is_wanted else []
+        if choices:
+            self.start(choices[0])
+        else:
+            self.swipe.stop()
+        if is_wanted and not choices:
+            message = messages.NO_SOURCES()
+            self.told.emit(sentence(message), bar_level(message))
+        self._show_state()
+
+    def _follow(self, *_: object) -> None:
+        """Another window, or other inputs: on with what covers it."""
+        problem = self._session.problem()
+        mosaic, block = self._session.mosaic_layer(), self._session.block()
+        why_not = sentence(problem) if problem is not None else ""
+        allow(self.action, why_not)
+        if not self.swipe.is_on:
+            return
+        if mosaic is None:
+            self.swipe.stop()
+        elif block is not None and (choices := self.choices()):
+            current = self.swipe.choice
+            self.start(current if current in choices else choices[0])
+        elif problem is not None and problem != messages.MOSAIC_OPENING():
+            self.swipe.stop()
+
+    def _fill_menu(self) -> None:
+        self.menu.clear()
+        group = QActionGroup(self.menu)
+        choices = self.choices()
+        for choice in choices:
+            entry = self.menu.addAction(choice.title)
+            entry.setCheckable(True)
+            entry.setChecked(choice == self.swipe.choice)
+            entry.setToolTip(tr("Compare the mosaic with {name}").format(name=choice.title))
+            entry.triggered.connect(lambda _checked, choice=choice: self.start(choice))
+            group.addAction(entry)
+        if not choices:
+            self.menu.addAction(tr("No source here")).setEnabled(False)
+        self.menu.addSeparator()
+        flip = self.menu.addAction(tr("Exchange the sides (X)"), self.swipe.flip)
+        flip.setEnabled(self.swipe.is_on)
+        lying = self.menu.addAction(tr("Lying handle"))
+        lying.setToolTip(tr("Compare above and below instead of left and right"))
+        lying.setCheckable(True)
+        lying.setChecked(not self.swipe.is_upright)
+        lying.triggered.connect(lambda is_lying: self.swipe.turn(not is_lying))
+
+    def _show_state(self) -> None:
+        self.action.setChecked(self.swipe.is_on)
+
+    def _tell_failure(self, name: str) -> None:
+        message = imagery_messages.NOT_READABLE(name=name)
+        self.told.emit(sentence(message), bar_level(message))
+
+    def _place(self, block: Block) -> Extent | None:
+        """The selected window, else what is seen of the map, on the mosaic."""
+        selected = self._session.selected()
+        request = self._session.request(selected[0]) if selected else None
+        if request is not None and request.window is not None:
+            return block.mosaic.grid.window_extent(request.window)
+        mosaic = self._session.mosaic_layer()
+        if mosaic is None:
+            return None
+        settings = self._canvas.mapSettings()
+        transform = QgsCoordinateTransform(settings.destinationCrs(), mosaic.crs(), QgsProject.instance())
+        try:
+            return box_extent(transform.transformBoundingBox(settings.visibleExtent()))
+        except QgsCsException:
+            return None
+
+
+def _shared(first: Extent, second: Extent) -> float:
+    """Area that two rectangles share."""
+    width = min(first[2], second[2]) - max(first[0], second[0])
+    height = min(first[3], second[3]) - max(first[1], second[1])
+    return max(width, 0.0) * max(height, 0.0)

@@ -1,0 +1,90 @@
+"""A raster to be swiped as a layer of our own: never in the project, and looking as the mosaic does."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsMapLayer,
+    QgsProject,
+    QgsRasterLayer,
+    QgsRasterMinMaxOrigin,
+)
+from qgis.PyQt.QtCore import QCoreApplication
+from qgis.PyQt.QtXml import QDomDocument
+
+from ....imagery.rasters import RasterRef
+from ....toolkit.background_task import Cancelled, Job
+
+
+@dataclass(frozen=True)
+class SwipeChoice:
+    """What the mosaic can be compared with."""
+
+    title: str
+    """What it is called on the map."""
+    ref: RasterRef | None = None
+    """A source; None: the hard-cut composite of the selected window."""
+
+
+def opening_job(ref: RasterRef) -> Job:
+    """Opens a raster in the task's thread, since that may take long; yields its QgsRasterLayer."""
+
+    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        options = QgsRasterLayer.LayerOptions()
+        options.skipCrsValidation = True  # that would ask the user
+        layer = QgsRasterLayer(ref.path, ref.name, "gdal", options)
+        if ref.wkt and not layer.crs().isValid():
+            layer.setCrs(QgsCoordinateReferenceSystem.fromWkt(ref.wkt))
+        layer.moveToThread(QCoreApplication.instance().thread())
+        yield 1.0, layer
+
+    return job
+
+
+def looks_alike(layer: QgsRasterLayer, mosaic: QgsRasterLayer) -> bool:
+    """Give a layer the mosaic's style, stretch and all, where it has the same kind of bands; else leave its own.
+
+    With two stretches the eye would compare these, and not the detail.
+    """
+    own, other = layer.dataProvider(), mosaic.dataProvider()
+    if mosaic.renderer() is None or own is None or other is None:
+        return False
+    for band in mosaic.renderer().usesBands():
+        if band > own.bandCount() or own.dataType(band) != other.dataType(band):
+            return False
+    style = QDomDocument()
+    mosaic.exportNamedStyle(style)
+    layer.importNamedStyle(style)
+    renderer = layer.renderer()
+    renderer.setMinMaxOrigin(QgsRasterMinMaxOrigin())  # no stretch of its own when the map is moved
+    if renderer.alphaBand() > own.bandCount():
+        renderer.setAlphaBand(-1)
+    return True
+
+
+def exchanged(
+    shown: list[QgsMapLayer], mosaic: QgsRasterLayer, hidden: set[str], instead: list[QgsMapLayer]
+) -> list[QgsMapLayer]:
+    """The map's layers with others in the mosaic's place; layers with ``hidden`` ids, its sources, are left out."""
+    place = next((i for i, layer in enumerate(shown) if layer is mosaic), None)
+    if place is None:  # not on the map: above the first raster
+        place = next((i for i, layer in enumerate(shown) if isinstance(layer, QgsRasterLayer)), len(shown))
+    above, below = ([one for one in part if one.id() not in hidden and one is not mosaic]
+                    for part in (shown[:place], shown[place:]))
+    return [*above, *instead, *below]
+
+
+def is_on_top(shown: list[QgsMapLayer], mosaic: QgsRasterLayer, hidden: set[str]) -> bool:
+    """Whether the map shows the mosaic, and not a source above it."""
+    above = shown[: shown.index(mosaic)] if mosaic in shown else None
+    return above is not None and not any(layer.id() in hidden for layer in above)
+
+
+def source_layers(project: QgsProject, refs: set[str]) -> set[str]:
+    """Ids of the project's layers of these files."""
+    return {
+        layer.id() for layer in project.mapLayers().values()
+        if isinstance(layer, QgsRasterLayer) and layer.source().split("|")[0] in refs
+    }  # fmt: skip
