@@ -5,15 +5,14 @@ import time
 from pathlib import Path
 
 import numpy as np
-from osgeo import gdal
 
 from ..imagery import messages as imagery_messages
-from ..imagery.gdal_calls import gdal_call, gdal_writing
+from ..imagery.gdal_calls import gdal_writing
 from ..imagery.rasters import Raster
 from .measure.scan.blocks.block_grid import BLOCK_PX
 from .measure.scan.blocks.scan_block import BlockScan
 from .measure.scan.results.block_ground import grounds
-from .measure.scan.results.loss_raster import NODATA, loss_cells
+from .measure.scan.results.loss_raster import BANDS, NODATA, created_cells, loss_cells
 
 MOST_CELLS = 16_000_000  # of the picture, so that it is drawn in a moment, without overviews
 _LARGEST_CELL_PX = 256
@@ -32,22 +31,8 @@ class PictureSoFar:
             cell_px *= 2
         self._cell_px, self._side = cell_px, BLOCK_PX // cell_px
         self._failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
-        columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
-        dataset = gdal_call(
-            lambda: gdal.GetDriverByName("GTiff").Create(
-                str(path), columns, rows, 1, gdal.GDT_Float32, ["TILED=YES", "BIGTIFF=IF_SAFER"]
-            ), self._failure,
-        )
-        left, across, skew, top, down, height = mosaic.placement
+        dataset = created_cells(str(path), mosaic, cell_px, BANDS[:1], self._failure)
         with gdal_writing(self._failure):
-            dataset.SetGeoTransform(
-                (left, across * cell_px, skew * cell_px, top, down * cell_px, height * cell_px)
-            )
-            dataset.SetProjection(mosaic.wkt)
-            band = dataset.GetRasterBand(1)
-            band.SetDescription("kept_1")
-            band.SetNoDataValue(NODATA)
-            band.Fill(NODATA)
             dataset.FlushCache()
         self.has_content = False
         """Whether something was filled in."""

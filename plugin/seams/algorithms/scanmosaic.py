@@ -42,7 +42,6 @@ SEAMLINES, SOURCE_FIELD, CORRIDOR, DENSITY = "SEAMLINES", "SOURCE_FIELD", "CORRI
 CELL, PIECE = "CELL", "PIECE"
 LOSS, SEAMS, CELLS, WORST, WORST_COUNT = "LOSS", "SEAMS", "CELLS", "WORST", "WORST_COUNT"
 SEAM_METRES, FAILED_METRES, WORST_KEPT = "SEAM_METRES", "FAILED_METRES", "WORST_KEPT"
-DENSITIES = ("seams", "full")
 
 _TOLD_EVERY_S = 10.0  # how long the rest will take
 _MEASURED = 0.9  # of the time: the rest is to put the blocks together
@@ -90,7 +89,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
             tr("What is read on either side of the seamlines; 0: the whole mosaic."),
         )
         self.addDescribed(
-            common.choice(DENSITY, tr("Density"), DENSITIES),
+            common.choice(DENSITY, tr("Density"), limits.DENSITIES),
             tr(
                 "seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. "
                 "full: every pixel everywhere."

@@ -8,5 +8,8 @@ RAMPS = (LINEAR, COSINE, GAUSSIAN)
 """How a feather leads from one source to the other."""
 MAX_SIGNIFICANT_KEPT = 0.7  # of the finest detail's variance beside a seam; docs/limits.md gives the reasons
 MAX_SIGNIFICANT_SHARPNESS_SQUARED = 0.15  # of the whole window; bilinear resampling at half a pixel leaves 0.19
+SEAMS, FULL = "seams", "full"
+DENSITIES = (SEAMS, FULL)
+"""Of a scan. ``seams``: everything along the seams, samples elsewhere. ``full``: everything everywhere."""
 STANDARD_PIECE_M = 25.0  # of a seam: some 500 px at 5 cm, 100 px at 25 cm
 WORST_COUNT = 50  # windows that one operator judges within half an hour

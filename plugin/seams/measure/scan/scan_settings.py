@@ -8,11 +8,9 @@ from ....imagery import limits as imagery_limits
 from ....imagery.errors import SettingsError
 from ....imagery.wavelets import check_decomposition
 from .. import limits, messages
+from ..limits import DENSITIES, SEAMS
 from ..profile.detail_cells import CELL_PX
 
-SEAMS, FULL = "seams", "full"
-DENSITIES = (SEAMS, FULL)
-"""``seams``: everything along the seams, samples elsewhere. ``full``: everything everywhere."""
 LEAST_PIECE_M = 0.01
 MOST_LEVELS = 4
 """Levels of which the cells of 16 px hold whole coefficients."""

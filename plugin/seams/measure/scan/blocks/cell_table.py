@@ -58,29 +58,20 @@ class CellTable:
         )
 
     @classmethod
-    def sparse(
-        cls, rows: np.ndarray, columns: np.ndarray, where: np.ndarray, mm: np.ndarray, cc: np.ndarray, mc: np.ndarray,
-        levels: int,
+    def far(
+        cls, rows: np.ndarray, columns: np.ndarray, where: np.ndarray, sums: Sequence[np.ndarray], levels: int
     ) -> CellTable:
-        """Single cells far from any seam, at these rows and columns, measured at the finest level; (rows, columns)."""
-        down, across = np.nonzero(where)
-        area, *sums = (np.zeros((levels, len(down)), np.float32) for _ in range(4))
-        area[0] = CELL_PX**2
-        for target, values in zip(sums, (mm, cc, mc)):
-            target[0] = values[down, across]
-        return cls(
-            rows[down].astype(np.int32), columns[across].astype(np.int32), np.full(len(down), FARTHEST, np.uint8),
-            area, *sums,
-        )
+        """Whole cells far from any seam, those of these rows and columns that ``where``, bool, tells of.
 
-    @classmethod
-    def far(cls, where: np.ndarray, mm: np.ndarray, cc: np.ndarray, mc: np.ndarray) -> CellTable:
-        """Whole cells (rows, columns) bool far from any seam, of a block; the sums (levels, rows, columns)."""
+        ``sums``: mm, cc and mc, (levels, rows, columns) each, of all ``levels`` or of the finest ones.
+        """
         down, across = np.nonzero(where)
-        sums = [one[:, down, across].astype(np.float32) for one in (mm, cc, mc)]
-        area = np.full(sums[0].shape, CELL_PX**2, np.float32)
+        held = np.zeros((4, levels, len(down)), np.float32)
+        held[0, : len(sums[0])] = CELL_PX**2
+        for target, values in zip(held[1:], sums):
+            target[: len(values)] = values[:, down, across]
         return cls(
-            down.astype(np.int32), across.astype(np.int32), np.full(len(down), FARTHEST, np.uint8), area, *sums
+            rows[down].astype(np.int32), columns[across].astype(np.int32), np.full(len(down), FARTHEST, np.uint8), *held
         )
 
     @classmethod

@@ -302,6 +302,6 @@ def _cells(
     own, other = (
         details[:, k].reshape(3, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)[:, :, cell, :, cell] for k in (0, 1)
     )
-    mm, cc, mc = (np.einsum("daibj,daibj->ab", a, b) for a, b in ((own, own), (other, other), (own, other)))
+    sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in ((own, own), (other, other), (own, other))]
     rows, columns = ((one[step // 2 :: step] + _CELL.start) // CELL_PX for one in starts)
-    return CellTable.sparse(rows, columns, followed != UNKNOWN, mm, cc, mc, levels), filters, frozenset(present)
+    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), filters, frozenset(present)

@@ -59,7 +59,10 @@ def measure_plain(
     # The gain is even within a cell, and what evens out the background has no detail.
     sums[1] *= gain**2
     sums[2] *= gain
-    return CellTable.far(known, *sums).moved(own.row // CELL_PX, own.column // CELL_PX)
+    cell_rows, cell_columns = (
+        first // CELL_PX + np.arange(length) for first, length in zip((own.row, own.column), known.shape)
+    )
+    return CellTable.far(cell_rows, cell_columns, known, sums, levels)
 
 
 def _composite(

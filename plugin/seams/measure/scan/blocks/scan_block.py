@@ -11,10 +11,11 @@ from .....imagery.message import Message
 from .....imagery.rasters import Raster
 from .....imagery.remote_files import remote_settings
 from ...following.boxes import enlarged, widened
+from ...limits import FULL
 from ...profile.detail_cells import CELL_PX
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
-from ..scan_settings import FULL, ScanSettings
+from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey
 from .block_pixels import BlockPixels, thin_valid
 from .cell_table import CellTable

@@ -14,6 +14,7 @@ from .....imagery.message import Message
 from .....imagery.rasters import Raster
 from ... import messages
 from ...inputs.mosaic_copies import leave_out_copies
+from ...limits import FULL
 from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
@@ -25,7 +26,7 @@ from ..blocks.seam_squares import SeamSquares
 from ..lines.given_seams import GivenSeams, NamedSeam
 from ..lines.seam_pieces import SeamPiece, cut_in_pieces, cut_off
 from ..lines.source_names import source_numbers
-from ..scan_settings import FULL, ScanSettings
+from ..scan_settings import ScanSettings
 
 SHORTEST_PIECE_PX = 1.25 * MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough, and a quarter more as pieces may be shorter than asked for."""

@@ -9,7 +9,8 @@ from osgeo import gdal
 
 from .....imagery import messages as imagery_messages
 from .....imagery.gdal_calls import gdal_call, gdal_writing
-from .....imagery.raster_writer import whole_raster
+from .....imagery.message import Message
+from .....imagery.raster_writer import GEOTIFF, whole_raster
 from .....imagery.rasters import Raster
 from ...profile.detail_cells import CELL_PX
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX
@@ -104,21 +105,26 @@ def loss_raster(path: str, mosaic: Raster, cell_px: int) -> Iterator[LossRaster]
     """A GeoTIFF that is there when the block ends, or not at all. Raises RasterError where none can be written."""
     failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished:
-        columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
-        options = ["TILED=YES", "COMPRESS=DEFLATE", "PREDICTOR=3", "BIGTIFF=IF_SAFER", "INTERLEAVE=BAND"]
-        dataset = gdal_call(
-            lambda: gdal.GetDriverByName("GTiff").Create(
-                unfinished, columns, rows, len(BANDS), gdal.GDT_Float32, options
-            ), failure,
-        )
-        left, across, skew, top, down, height = mosaic.placement
+        options = ("COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND")
+        yield LossRaster(created_cells(unfinished, mosaic, cell_px, BANDS, failure, options), path, cell_px)
+
+
+def created_cells(
+    path: str, mosaic: Raster, cell_px: int, bands: Sequence[str], failure: Message, options: Sequence[str] = ()
+) -> gdal.Dataset:
+    """A GeoTIFF of cells of a mosaic, all of them ``NODATA``. Raises RasterError with ``failure`` where none can be."""
+    columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
+    kind, options = gdal.GDT_Float32, ["TILED=YES", "BIGTIFF=IF_SAFER", *options]
+    dataset = gdal_call(
+        lambda: gdal.GetDriverByName(GEOTIFF).Create(path, columns, rows, len(bands), kind, options), failure
+    )
+    left, across, skew, top, down, height = mosaic.placement
+    with gdal_writing(failure):
         dataset.SetGeoTransform((left, across * cell_px, skew * cell_px, top, down * cell_px, height * cell_px))
         dataset.SetProjection(mosaic.wkt)
-        for number, name in enumerate(BANDS, 1):
+        for number, name in enumerate(bands, 1):
             band = dataset.GetRasterBand(number)
             band.SetDescription(name)
             band.SetNoDataValue(NODATA)
             band.Fill(NODATA)
-        raster = LossRaster(dataset, path, cell_px)
-        del dataset, band
-        yield raster
+    return dataset
