@@ -10,11 +10,13 @@ from typing import Any
 import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProject
+from qgis.gui import QgisInterface
 
 importlib.invalidate_caches()  # QGIS looked for plugins before the package's link was there
 
 from tests.numbers.synthetic import UTM33, write_plain  # noqa: E402
 from tests.qgis.photos.photo_scenes import make_photo  # noqa: E402
+from tests.qgis.plugin_lives import started  # noqa: E402
 from tests.qgis.resolution.bar_scenes import make_bar_scene  # noqa: E402
 from tests.qgis.scenes import Scene, layer, line, make_scene, saved  # noqa: E402
 from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks  # noqa: E402
@@ -70,6 +72,15 @@ def provider(qgis_app: QgsApplication) -> Iterator[QgsProcessingProvider]:
     plugin.initProcessing()
     yield QgsApplication.processingRegistry().providerById("seaminspector")
     plugin.unload()
+
+
+@pytest.fixture
+def plugin(qgis_iface: QgisInterface, project: QgsProject) -> Iterator[Any]:
+    """The plugin as QGIS starts it."""
+    made = started(qgis_iface)
+    yield made
+    made.unload()
+    wait_for_tasks()
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import gc
-import importlib
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
@@ -11,8 +10,7 @@ from typing import Any
 
 import pytest
 from qgis.core import QgsApplication, QgsProject
-from qgis.gui import QgisInterface, QgsDockWidget
-from qgis.PyQt.QtWidgets import QAction, QDockWidget
+from qgis.gui import QgisInterface
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.session import Session
 
@@ -20,6 +18,7 @@ from demo.gaps import Gaps
 from tests.large import BOXES as LARGE_BOXES
 from tests.large import make_large_rasters
 from tests.patience import MOST_GAP_S, MOST_WORK_S
+from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
 from tests.qgis.scenes import Scene, outline, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
@@ -145,75 +144,18 @@ def test_a_task_that_nobody_refers_to_ends(scene: Scene, project: QgsProject, tm
 # The plugin
 
 
-@pytest.fixture
-def plugin(qgis_iface: QgisInterface, project: QgsProject) -> Iterator[Any]:
-    made = importlib.import_module("seam_inspector").classFactory(qgis_iface)
-    made.initGui()
-    yield made
-    made.unload()
-    wait_for_tasks()
-
-
-def action_of(plugin: Any) -> QAction:
-    found = plugin.desk("seamInspectorAction").action
-    assert found is not None
-    return found
-
-
-def receivers() -> list[int]:
-    """How many are connected to the signals of what outlives the plugin."""
-    project, tasks = QgsProject.instance(), QgsApplication.taskManager()
-    registry = QgsApplication.processingRegistry()
-    return [
-        *(project.receivers(signal) for signal in (
-            project.readProject, project.cleared, project.writeProject, project.layersAdded, project.layersRemoved,
-            project.layersWillBeRemoved, project.layerWasAdded, project.crsChanged,
-        )),
-        *(tasks.receivers(signal) for signal in (tasks.taskAdded, tasks.statusChanged, tasks.progressChanged)),
-        registry.receivers(registry.providerAdded),
-        QgsApplication.instance().receivers(QgsApplication.instance().focusChanged),
-    ]  # fmt: skip
-
-
-def left_behind(iface: QgisInterface) -> dict[str, Any]:
-    """What a plugin could leave in QGIS."""
-    window, canvas = iface.mainWindow(), iface.mapCanvas()
-    return {
-        "actions": sum(not isinstance(action.parent(), QDockWidget) for action in window.findChildren(QAction)),
-        "docks": len(window.findChildren(QgsDockWidget)),
-        "items": len(canvas.scene().items()),
-        "canvas": [canvas.receivers(signal) for signal in (
-            canvas.mapToolSet, canvas.extentsChanged, canvas.destinationCrsChanged, canvas.xyCoordinates,
-        )],
-        "providers": QgsApplication.processingRegistry().providerById("seaminspector") is not None,
-        "tasks": len(QgsApplication.taskManager().tasks()),
-        "receivers": receivers(),
-    }  # fmt: skip
-
-
 def test_ten_times_on_and_off_leaves_nothing(
     qgis_iface: QgisInterface, scene: Scene, project: QgsProject, tmp_path: Path
 ) -> None:
-    module = importlib.import_module("seam_inspector")
-    before: dict[str, Any] = {}
-    for turn in range(11):
-        if turn == 1:  # what Qt and QGIS make once, they have made by now
-            before = left_behind(qgis_iface)
-        plugin = module.classFactory(qgis_iface)
-        plugin.initGui()
+    def use(plugin: Any) -> None:
         action_of(plugin).trigger()
         dock = plugin.desk("seamInspectorAction").dock
         dock.draw.trigger()
         use_in(dock.session, scene, tmp_path)
         dock.session.add_window(BLURRED_WINDOW)
         settle(0.1)
-        plugin.unload()
-        del dock, plugin
-        project.clear()
-        wait_for_tasks()
-        gc.collect()
-        settle()
-    assert left_behind(qgis_iface) == before
+
+    assert_leaves_nothing(qgis_iface, 10, use)
 
 
 def use_in(session: Session, scene: Scene, folder: Path) -> Desk:

@@ -2,9 +2,7 @@
 from __future__ import annotations
 
 import json
-import os
 import re
-import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -12,12 +10,11 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
 
+from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, windows
 
-# Debian 12's qgis_process is a script that can't start; the program itself is beside it.
-PROGRAM = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
-pytestmark = pytest.mark.skipif(PROGRAM is None, reason="neither qgis_process.bin nor qgis_process is on the path")
+pytestmark = NEEDED
 
 Finished = subprocess.CompletedProcess[str]
 Process = Callable[..., Finished]
@@ -26,16 +23,11 @@ Process = Callable[..., Finished]
 @pytest.fixture(scope="module")
 def qgis_process(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Process:
     """Runs qgis_process with settings of its own, in which the plugin is enabled."""
-    environment = {
-        **os.environ,
-        "QT_QPA_PLATFORM": "offscreen",
-        "QGIS_PLUGINPATH": str(repository / "build" / "plugins"),
-        "QGIS_CUSTOM_CONFIG_PATH": str(tmp_path_factory.mktemp("settings")),
-    }
+    own = environment(repository, tmp_path_factory.mktemp("settings"))
 
     def call(*arguments: str) -> Finished:
         return subprocess.run(
-            [str(PROGRAM), *arguments], env=environment, capture_output=True, text=True, timeout=300, check=False
+            [str(PROGRAM), *arguments], env=own, capture_output=True, text=True, timeout=300, check=False
         )
 
     assert "seam_inspector" in call("plugins", "enable", "seam_inspector").stdout

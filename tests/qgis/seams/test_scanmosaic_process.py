@@ -2,8 +2,6 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
 import signal
 import subprocess
 import time
@@ -14,11 +12,11 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsVectorLayer
 
+from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 from tests.qgis.runs import assert_sentence
 from tests.qgis.seams.scan_scenes import Files, images, write_scene
 
-PROGRAM = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
-pytestmark = pytest.mark.skipif(PROGRAM is None, reason="neither qgis_process.bin nor qgis_process is on the path")
+pytestmark = NEEDED
 
 Started = Callable[..., "subprocess.Popen[str]"]
 PATIENCE_SECONDS = 60
@@ -27,16 +25,11 @@ PATIENCE_SECONDS = 60
 @pytest.fixture(scope="module")
 def start(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Started:
     """Starts qgis_process with settings of its own, in which the plugin is enabled."""
-    environment = {
-        **os.environ,
-        "QT_QPA_PLATFORM": "offscreen",
-        "QGIS_PLUGINPATH": str(repository / "build" / "plugins"),
-        "QGIS_CUSTOM_CONFIG_PATH": str(tmp_path_factory.mktemp("settings")),
-    }
+    own = environment(repository, tmp_path_factory.mktemp("settings"))
 
     def call(*arguments: str) -> subprocess.Popen[str]:
         return subprocess.Popen(
-            [str(PROGRAM), *arguments], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            [str(PROGRAM), *arguments], env=own, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
         )
 
     call("plugins", "enable", "seam_inspector").communicate(timeout=PATIENCE_SECONDS)

@@ -1,9 +1,6 @@
 """The dock's Scan: its button, its progress, what it says in the end, and that nothing stays behind."""
 from __future__ import annotations
 
-import gc
-import importlib
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,23 +11,14 @@ from qgis.gui import QgisInterface
 from qgis.PyQt.QtWidgets import QPushButton
 from seam_inspector.plugin.seams.desk.dock import InspectionDock
 
+from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
 from tests.qgis.seams.desk.scan_scene import PIECE_M, ScanDesk, ScanScene, make_scan_scene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
-from tests.qgis.test_plugin_lifecycle import action_of, left_behind
 
 
 @pytest.fixture(scope="module")
 def scan_scene(tmp_path_factory: pytest.TempPathFactory) -> ScanScene:
     return make_scan_scene(tmp_path_factory.mktemp("scan"))
-
-
-@pytest.fixture
-def plugin(qgis_iface: QgisInterface, project: QgsProject) -> Iterator[Any]:
-    made = importlib.import_module("seam_inspector").classFactory(qgis_iface)
-    made.initGui()
-    yield made
-    made.unload()
-    wait_for_tasks()
 
 
 def opened(plugin: Any, scene: ScanScene, folder: Path) -> InspectionDock:
@@ -118,24 +106,16 @@ def test_pictures_of_losses_do_not_become_sources(plugin: Any, scan_scene: ScanS
 def test_unloading_while_it_scans_leaves_nothing(
     qgis_iface: QgisInterface, project: QgsProject, scan_scene: ScanScene, tmp_path: Path
 ) -> None:
-    module = importlib.import_module("seam_inspector")
-    before: dict[str, Any] = {}
-    for turn in range(3):
-        if turn == 1:  # what Qt and QGIS make once, they have made by now
-            before = left_behind(qgis_iface)
-        plugin = module.classFactory(qgis_iface)
-        plugin.initGui()
+    def use(plugin: Any) -> None:
         dock = opened(plugin, scan_scene, tmp_path)
         dock.scan.trigger()
         wait_until(lambda scans=dock.scans: scans.news is None or scans.news.has_picture, "for the first block")
-        plugin.unload()
-        del dock, plugin
+
+    def no_losses() -> None:
         wait_for_tasks()
         assert not [layer for layer in project.mapLayers().values() if "losses" in layer.name()]
-        project.clear()
-        gc.collect()
-        settle()
-    assert left_behind(qgis_iface) == before
+
+    assert_leaves_nothing(qgis_iface, 2, use, no_losses)
     assert not list(tmp_path.glob("*so_far*"))
 
 
