@@ -154,14 +154,16 @@ def _read_valid(
     share = np.count_nonzero(invalid) / pixels
     if share > most:
         raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=share, most=most))
-    bands = np.array(bands)
+    valid = ~invalid
     # Of a large window samples tell the mean as well.
-    some = np.s_[::8, ::8] if pixels > MANY_PIXELS and not invalid[::8, ::8].all() else np.s_[:, :]
+    some = np.s_[::8, ::8] if pixels > MANY_PIXELS and valid[::8, ::8].any() else np.s_[:, :]
+    known = valid[some]
+    bands = np.require(bands, requirements="W")
     for band in bands:
-        mean = band[some][~invalid[some]].mean(dtype=np.float64)
-        band[invalid] = mean if bands.dtype.kind == "f" else np.rint(mean)
+        mean = band[some][known].mean(dtype=np.float64)
+        np.copyto(band, mean if bands.dtype.kind == "f" else np.rint(mean), where=invalid, casting="unsafe")
     is_told = share > limits.MAX_INVALID_SHARE or (holes and _has_hole(invalid))
-    return bands, share, ~invalid if is_told else None
+    return bands, share, valid if is_told else None
 
 
 def _has_hole(invalid: np.ndarray) -> bool:
