@@ -45,10 +45,10 @@ class Message:
     def __str__(self) -> str:
         return self.worded(lambda template: template)
 
-    def worded(self, translate: Callable[[str], str]) -> str:
-        """The sentence, its template and those of the messages in it sent through ``translate``."""
-        values = {name: _worded(value, translate) for name, value in self.values.items()}
-        return translate(self.template).format(**values)
+    def worded(self, translate: Callable[[str], str], fill: Callable[..., str] = str.format) -> str:
+        """The sentence, its template and those of the messages in it sent through ``translate``, then ``fill``."""
+        values = {name: _worded(value, translate, fill) for name, value in self.values.items()}
+        return fill(translate(self.template), **values)
 
 
 @cache
@@ -57,9 +57,9 @@ def placeholders(template: str) -> frozenset[str]:
     return frozenset(name for _, name, _, _ in Formatter().parse(template) if name is not None)
 
 
-def _worded(value: object, translate: Callable[[str], str]) -> object:
+def _worded(value: object, translate: Callable[[str], str], fill: Callable[..., str]) -> object:
     if isinstance(value, Message):
-        return value.worded(translate)
+        return value.worded(translate, fill)
     if isinstance(value, tuple):
-        return " ".join(str(_worded(part, translate)) for part in value)
+        return " ".join(str(_worded(part, translate, fill)) for part in value)
     return value

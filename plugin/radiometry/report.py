@@ -5,13 +5,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
 from ..imagery.message import Message
 from ..imagery.value_ranges import ValueRange
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import decimals_beside, sentence, shown_number, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
 from .measure import limits
 from .measure import rules as checks
@@ -71,7 +71,7 @@ def save_radiometry_report(
         rules=rules.name,
         overview=[_overview(result) for result in results],
         notices=sentences_once(notices),
-        balance=[[_title(result), f"{100 * step:.2f} %", f"{100 * contrast:.2f} %"]
+        balance=[[_title(result), f"{shown_number(100 * step)} %", f"{shown_number(100 * contrast)} %"]
                  for result, (step, contrast) in pairs],
         balance_chart=None if figure is None else svg_text(figure),
         images=map(_section, results),
@@ -120,7 +120,7 @@ def _check_row(check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str
     names = "" if len(failed) == len(own) else f" ({', '.join(failed)})"
     return CheckRow(
         tr(WORDS[check]),
-        ["" if value is None else _worded(check, value) for value in values],
+        ["" if value is None else _worded(rule, value) for value in values],
         _limit(rule),
         tr("failed") + names if failed else passed,
         bool(failed),
@@ -129,8 +129,13 @@ def _check_row(check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str
     )
 
 
-def _worded(check: str, value: float) -> str:
-    return f"{value:.1f}" if check == checks.SIGNAL_TO_NOISE else f"{100 * value:.2f}\u00a0%"
+def _worded(rule: Rule, value: float) -> str:
+    """So precisely that it lies on the same side of its limits as the figure does."""
+    is_share = rule.check != checks.SIGNAL_TO_NOISE
+    scale, least = (100, 2) if is_share else (1, 1)
+    limits = [scale * limit for limit in (rule.least, rule.most) if limit is not None]
+    shown = shown_number(scale * value, decimals_beside(scale * value, limits, least))
+    return f"{shown}\u00a0%" if is_share else shown
 
 
 def _limit(rule: Rule) -> str:
@@ -143,7 +148,8 @@ def _limit(rule: Rule) -> str:
 
 
 def _short(check: str, limit: float) -> str:
-    return f"{limit:g}" if check == checks.SIGNAL_TO_NOISE else f"{100 * limit:g}\u00a0%"
+    text = f"{limit:g}" if check == checks.SIGNAL_TO_NOISE else f"{100 * limit:g}\u00a0%"
+    return text.replace(".", QLocale().decimalPoint())
 
 
 def _remarks(own: Mapping[str, CheckedFigure]) -> list[str]:

@@ -7,7 +7,7 @@ from ..imagery.rasters import Raster
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import filled, sentence, tr
 from .charts import direction_title, group_chart, target_picture, verdict_of, verdict_word
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import DIRECTIONS, Target
@@ -43,9 +43,9 @@ def _summary(resolution: TargetResolution) -> str:
     for direction in DIRECTIONS:
         grd = resolution.worst(direction)
         if grd is not None:
-            words.append(tr("{direction}: {grd:.2f} cm").format(direction=direction_title(direction), grd=grd))
+            words.append(filled(tr("{direction}: {grd:.2f} cm"), direction=direction_title(direction), grd=grd))
     if resolution.mean is not None:
-        words.append(tr("geometric mean: {grd:.2f} cm").format(grd=resolution.mean))
+        words.append(filled(tr("geometric mean: {grd:.2f} cm"), grd=resolution.mean))
     return "; ".join(words) + "." if words else tr("No group is resolved in every band.")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..imagery.limits import MAX_SIGNIFICANT_RATIO
-from ..toolkit.translation import tr
+from ..toolkit.translation import filled, tr
 from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from .measure.window_records import COMPOSITE, SEAM
 
@@ -55,8 +55,8 @@ def _kept_words(row: WindowRecord) -> list[str]:
     if row.kept_low is None or row.kept_high is None:
         return _number_words(tr("kept 1: {value:.2f}"), row.kept_1)
     text = tr("kept 1: {value:.2f} ({low:.2f} to {high:.2f})")
-    return [text.format(value=row.kept_1, low=row.kept_low, high=row.kept_high)]
+    return [filled(text, value=row.kept_1, low=row.kept_low, high=row.kept_high)]
 
 
 def _number_words(text: str, value: float | None) -> list[str]:
-    return [] if value is None else [text.format(value=value)]
+    return [] if value is None else [filled(text, value=value)]

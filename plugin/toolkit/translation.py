@@ -2,12 +2,18 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
+from numbers import Real
+from string import Formatter
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication, QLocale, QTranslator
 
 from ..imagery.message import Message
 from .resources import translations_path
+
+_MOST_DECIMALS = 6
+_LEAST_PERCENT = 0.001
 
 
 def tr(text: str) -> str:
@@ -27,14 +33,42 @@ def shown_number(value: float, decimals: int = 2) -> str:
 
 
 def percent(ratio: float) -> str:
-    """Whole per cents; one decimal where they would hide that a ratio is not 1, or is small."""
-    decimals = 1 if 0 < ratio < 0.1 or (0.99 < ratio < 1.01 and ratio != 1) else 0
-    return shown_number(min(100 * ratio, 99.9) if ratio < 1 else 100 * ratio, decimals)
+    """Whole per cents; decimals where they would hide that a ratio is not 1, or is small and not 0."""
+    if 0 < ratio < 0.1:
+        shown = max(100 * ratio, _LEAST_PERCENT)
+        return shown_number(shown, decimals_beside(shown, [0], 1))
+    shown = min(100 * ratio, 99.9) if ratio < 1 else 100 * ratio
+    return shown_number(shown, 1 if 0.99 < ratio < 1.01 and ratio != 1 else 0)
+
+
+def decimals_beside(value: float, limits: Iterable[float], least: int = 0) -> int:
+    """With how many decimals a number is still seen to lie below its limits, above them or on them."""
+    known = [round(limit, 9) for limit in limits]
+
+    def sides(seen: float) -> list[int]:
+        return [(seen > limit) - (seen < limit) for limit in known]
+
+    true = sides(round(value, 9))
+    return next((count for count in range(least, _MOST_DECIMALS) if sides(round(value, count)) == true), _MOST_DECIMALS)
+
+
+def filled(text: str, **values: object) -> str:
+    """A text, translated already, with its values; its numbers with decimals as the user writes them."""
+    return _LOCAL.vformat(text, (), values)
 
 
 def sentence(message: Message) -> str:
     """A message in the user's language."""
-    return message.worded(tr)
+    return message.worded(tr, filled)
+
+
+class _LocalNumbers(Formatter):
+    def format_field(self, value: object, format_spec: str) -> str:
+        text = str(super().format_field(value, format_spec))
+        return text.replace(".", QLocale().decimalPoint()) if format_spec and isinstance(value, Real) else text
+
+
+_LOCAL = _LocalNumbers()
 
 
 class Translation:

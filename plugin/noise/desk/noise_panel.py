@@ -187,8 +187,10 @@ class NoisePanel(ChartPanel):
         if self._chart is None:
             self._chart = NoiseChart(self._pages)
             self._chart.setToolTip(rich_tip(tr(
-                "Relative variance of the details by level, 1 the finest; the bold curve is judged. It rises in an "
-                "image with little random noise, and noise lifts level 1 above level 2 first."
+                "Relative variance of the details by level, 1 the finest. Only the bold curve is judged. The red bar "
+                "at a level stands as high as the bold curve does one level before: in an image with little noise "
+                "the curve rises above it. Where the bold curve is in the red, below the bar, noise lifted the finer "
+                "level."
             )))  # fmt: skip
             self._pages.addWidget(self._chart)
         self._chart.setEnabled(True)

@@ -8,7 +8,7 @@ from itertools import repeat
 
 from ...imagery.band_names import judged_band
 from ...imagery.message import Message
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, percent, sentence, tr
 from ..cause_words import cause_sentence, cause_word
 from ..measure import messages
 from ..measure.inspection import Block
@@ -119,10 +119,10 @@ class WindowSections:
         if contrast is None:
             contrast = contrast_of(self._pairs.get(record.window_id, ()))
         if contrast is not None:
-            facts.append(tr("Absolute contrast at level 1: {percent:.0f} %.").format(percent=100 * contrast))
+            facts.append(tr("Absolute contrast at level 1: {percent} %.").format(percent=percent(contrast)))
         if record.unclear_share is not None:
-            words = tr("Pixels where no source wins clearly: {percent:.0f} %.")
-            facts.append(words.format(percent=100 * record.unclear_share))
+            words = tr("Pixels where no source wins clearly: {percent} %.")
+            facts.append(words.format(percent=percent(record.unclear_share)))
         yield " ".join(filter(None, facts))
 
 
@@ -146,7 +146,7 @@ def _kept_heading(record: WindowRecord) -> str:
     if record.kept_low is None or record.kept_high is None:
         return tr("kept along the seam")
     text = tr("kept along the seam (level 1: {low:.2f} to {high:.2f})")
-    return text.format(low=record.kept_low, high=record.kept_high)
+    return filled(text, low=record.kept_low, high=record.kept_high)
 
 
 def _place_words(clips: WindowParts) -> str:

@@ -21,7 +21,7 @@ from ...imagery.message import Message
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
-from ...toolkit.translation import tr
+from ...toolkit.translation import shown_number, tr
 from ..cause_words import cause_word
 from ..clip_pictures import bytes_picture
 from ..judged_value import judged_value, judged_words
@@ -185,7 +185,7 @@ def _counts(records: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[ob
 
 def _median(values: Iterable[float | None]) -> str:
     known = [value for value in values if value is not None]
-    return f"{statistics.median(known):.2f}" if known else ""
+    return shown_number(statistics.median(known)) if known else ""
 
 
 # The map

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, shown_number, tr
 from ..cause_words import causes_words
 from ..judged_value import judged_words
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
@@ -57,7 +57,7 @@ def anchor(window_id: int) -> str:
 
 def two_digits(value: float | None) -> str:
     """A ratio; empty where it is not known."""
-    return "" if value is None else f"{value:.2f}"
+    return "" if value is None else shown_number(value)
 
 
 def paper_words(record: WindowRecord) -> str:
@@ -67,7 +67,7 @@ def paper_words(record: WindowRecord) -> str:
     word = verdict_word(record.paper_verdict)
     if record.ratio is None:
         return tr("by the paper's rule: {verdict}").format(verdict=word)
-    return tr("by the paper's rule: {verdict}, ratio 1: {ratio:.2f}").format(verdict=word, ratio=record.ratio)
+    return filled(tr("by the paper's rule: {verdict}, ratio 1: {ratio:.2f}"), verdict=word, ratio=record.ratio)
 
 
 def _found(record: WindowRecord) -> Iterator[str]:
@@ -95,4 +95,4 @@ def _share(value: float) -> str:
     """Three decimals, as in the paper; two digits where they would all be 0."""
     if value != value:
         return ""
-    return f"{value:.3f}" if value >= 0.001 or value == 0 else f"{value:.1e}"
+    return shown_number(value, 3) if value >= 0.001 or value == 0 else filled("{value:.1e}", value=value)

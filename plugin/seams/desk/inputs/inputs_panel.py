@@ -16,7 +16,7 @@ from ....imagery.message import WARNING
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.desk.timers import single_shot
-from ....toolkit.translation import sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 from ...measure.window_placing import fitting_side_m, window_side_px
 from ...tables.source_index import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
@@ -204,9 +204,8 @@ class InputsPanel(QWidget):
         if grid is not None:
             try:
                 pixels = window_side_px(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
-                text = tr("{pixels} px, {metres:.1f} m").format(
-                    pixels=pixels, metres=pixels * grid.ground_sample_distance
-                )
+                metres = pixels * grid.ground_sample_distance
+                text = filled(tr("{pixels} px, {metres:.1f} m"), pixels=pixels, metres=metres)
                 tip = tr("The smallest power of two of the mosaic's pixels that spans at least the given metres")
             except SettingsError as error:
                 text, tip = tr("too short"), sentence(error.message)

@@ -14,7 +14,7 @@ from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
 from ....toolkit.desk.drawing_tool import DrawingTool, is_drag
-from ....toolkit.translation import sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from ...measure.window_placing import window_side_px
 from .window_outline import OutlineTone, WindowOutline
@@ -276,4 +276,5 @@ def described(grid: Grid, window: PixelWindow, sources: int) -> str:
     few = {0: tr("no source covers it"), 1: tr("1 source")}
     counted = few.get(sources) or tr("{count} sources").format(count=sources)
     size = tr("{width:.1f} x {height:.1f} m, {columns} x {rows} px")
-    return f"{size.format(width=width, height=height, columns=window.width, rows=window.height)}, {counted}"
+    size = filled(size, width=width, height=height, columns=window.width, rows=window.height)
+    return f"{size}, {counted}"

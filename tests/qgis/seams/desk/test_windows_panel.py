@@ -432,7 +432,8 @@ def test_sentence(bar: JudgeBar, session: WindowsSession, fids: list[int], sente
 
 
 @pytest.mark.parametrize(
-    ("ratio", "text"), [(0.38, "38"), (0.9996, "99.9"), (1.0, "100"), (1.004, "100.4"), (0.052, "5.2"), (2.5, "250")]
+    ("ratio", "text"), [(0.38, "38"), (0.9996, "99.9"), (1.0, "100"), (1.004, "100.4"), (0.052, "5.2"), (2.5, "250"),
+     (0.0, "0"), (0.0006, "0.1"), (0.0003, "0.03"), (0.00001, "0.001"), (1e-9, "0.001")]
 )
 def test_percent_never_hides_on_which_side_of_one_a_ratio_is(qgis_app: QApplication, ratio: float, text: str) -> None:
     assert percent(ratio) == text
