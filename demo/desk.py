@@ -217,7 +217,7 @@ class Desk:
 
     def curves_of(self, fid: int) -> bool:
         """Whether the chart shows a window's curves, drawn."""
-        result, panel = self.session.result(fid), self.dock.panels["curves"]
+        result, panel = self.session.result(fid), self.dock.panels["curves"].curves
         chart = panel._chart
         if result is None or chart is None or not chart.is_drawn:
             return False
@@ -225,7 +225,7 @@ class Desk:
 
     def first_curves_of(self, fid: int) -> bool:
         """Whether the chart shows the curves of a window's clips, drawn, whatever else is still to come."""
-        clips, panel = self.session.clips(fid), self.dock.panels["curves"]
+        clips, panel = self.session.clips(fid), self.dock.panels["curves"].curves
         chart = panel._chart
         return bool(clips is not None and chart is not None and chart.is_drawn and panel.shown == [clips])
 

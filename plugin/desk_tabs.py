@@ -4,16 +4,20 @@ from __future__ import annotations
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from .noise.desk.noise_panel import NoisePanel
-from .seams.desk.curves.curves_panel import CurvesPanel
 from .seams.desk.images.images_panel import ImagesPanel
+from .seams.desk.profile.curves_and_profile import CurvesAndProfile
 from .toolkit.desk.tabs import DeskTab
 
 TABS = (
     DeskTab(
         "curves",
         QT_TRANSLATE_NOOP("@default", "Curves"),
-        QT_TRANSLATE_NOOP("@default", "How the variance of the selected windows spreads over the levels of detail"),
-        CurvesPanel,
+        QT_TRANSLATE_NOOP(
+            "@default",
+            "How the variance of the selected windows spreads over the levels of detail, and how much detail is "
+            "kept by the distance from the seam",
+        ),
+        CurvesAndProfile,
     ),
     DeskTab(
         "images",

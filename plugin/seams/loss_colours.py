@@ -1,10 +1,14 @@
 """The colours of lost detail: one fixed scale for the windows' pictures, the map and the scan, so that all compare."""
 from __future__ import annotations
 
-import numpy as np
+from typing import TYPE_CHECKING
+
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..toolkit.translation import tr
+
+if TYPE_CHECKING:
+    import numpy as np
 
 Rgba = tuple[int, int, int, int]
 
@@ -17,14 +21,16 @@ LOSS_CLASSES: tuple[tuple[float, Rgba, str], ...] = (
 )
 """Share of the detail that is kept at most, its colour, its words, as in ``resources/styles/loss.qml``. What keeps more
 is even ground and has none."""
-_LIMITS = np.array([limit for limit, _, _ in LOSS_CLASSES])
-_COLOURS = np.array([*(colour for _, colour, _ in LOSS_CLASSES), (0, 0, 0, 0)], np.uint8)
+_NO_COLOUR = (0, 0, 0, 0)
 
 
 def loss_rgba(kept: np.ndarray) -> np.ndarray:
     """The colours of shares that are kept, (rows, columns) -> (rows, columns, 4) uint8, alpha not multiplied in;
     transparent where the ground is even or nothing can be told (NaN)."""
-    return np.asarray(_COLOURS[np.searchsorted(_LIMITS, kept)])  # NaN comes after all limits
+    import numpy as np  # not when QGIS starts
+
+    colours = np.array([*(colour for _, colour, _ in LOSS_CLASSES), _NO_COLOUR], np.uint8)
+    return np.asarray(colours[np.searchsorted([limit for limit, _, _ in LOSS_CLASSES], kept)])  # NaN after all limits
 
 
 def loss_legend() -> list[tuple[str, Rgba]]:

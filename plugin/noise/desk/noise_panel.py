@@ -179,7 +179,7 @@ class NoisePanel(ChartPanel):
             self._timer.start(_LOADING_MS)
             return
         try:
-            from ...toolkit.desk.painted_chart import chart_style
+            from ...toolkit.desk.chart_look import chart_style
             from .noise_chart import NoiseChart
         except ImportError:
             self._say(f"{words}\n\n{chart_missing()}")

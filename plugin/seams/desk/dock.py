@@ -39,6 +39,7 @@ from ...toolkit.translation import sentence, tr
 from ..measure import messages
 from ..scan_job import ScanDone
 from .inputs.inputs_panel import InputsPanel
+from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .report_writer import ReportWriter
 from .scan.mosaic_scans import MosaicScans
@@ -72,6 +73,9 @@ class InspectionDock(ToolDock):
         self.judge = JudgeBar(self.session, order=self.windows.ordered_fids)
         self._tabs = tuple(tabs)
         self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
+        self.lost = LostDetail(iface, self.session, self)
+        if (curves := self.panels.get("curves")) is not None:
+            self.lost.follow_chart(curves.profile)
         self.reports = ReportWriter(self.session, self)
         self.reports.told.connect(self._show_message)
         self.scans = MosaicScans(self.session, self)
@@ -107,6 +111,7 @@ class InspectionDock(ToolDock):
         self._worst_inspector.stop()
         self._findings.close()
         self.scans.close()
+        self.lost.close()
         self.session.close()
         for panel in (self.inputs, self.windows, self.judge, *self.panels.values()):
             panel.close()
@@ -215,6 +220,10 @@ class InspectionDock(ToolDock):
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))
         tabs.setDocumentMode(True)
+        lost = QToolButton()  # in sight whatever tab is: it is for the map and the images alike
+        lost.setDefaultAction(self.lost.action)
+        lost.setAutoRaise(True)
+        tabs.setCornerWidget(lost)
         chart_side = QWidget()
         chart_layout = QVBoxLayout(chart_side)
         chart_layout.setContentsMargins(0, 0, 0, 0)

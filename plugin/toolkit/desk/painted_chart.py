@@ -8,23 +8,11 @@ from qgis.PyQt.QtCore import QPointF, QSize, QTimer
 from qgis.PyQt.QtGui import QFontInfo, QImage, QPainter, QPaintEvent, QPalette
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ..charts.chart_style import DARK, PAPER, ChartStyle
 from ..charts.figure_painter import Room
-from .theme import blended, readable_palette
+from .theme import readable_palette
 
-_FONT_PX = 12  # of the interface on an ordinary screen
-_DARKEST_LIGHT = 128  # of 255: a background darker than this is a dark theme
 _LOOK_MS = 5  # a drawing under way is asked this often whether it is done
 _DIMMED = 0.35  # how much is left of a chart that is disabled
-
-
-def chart_style(widget: QWidget) -> ChartStyle:
-    """The colours of a chart in a widget, its lines as heavy as the widget's font is large."""
-    palette, scale = readable_palette(widget), QFontInfo(widget.font()).pixelSize() / _FONT_PX
-    back, text = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)
-    theme = DARK if back.lightness() < _DARKEST_LIGHT else PAPER
-    grid = blended(text, back, 0.18)
-    return ChartStyle(text.name(), back.name(), grid.name(), theme.limit, theme.sources, scale)
 
 
 class PaintedChart(QWidget):

@@ -10,10 +10,13 @@ from qgis.PyQt.QtWidgets import QWidget
 from ....toolkit.charts.chart_style import ChartStyle
 from ....toolkit.charts.figure_painter import TICK_PX
 from ....toolkit.charts.variance_axes import level_labels
-from ....toolkit.desk.painted_chart import PaintedChart, chart_style
+from ....toolkit.desk.chart_look import chart_style
+from ....toolkit.desk.painted_chart import PaintedChart
 from .curves_painter import Chart, ChartPainter, Key, PaintRequest, Point
 
 __all__ = ["Chart", "CurvesChart", "chart_style"]
+
+_LEAST_PX = 150  # of height: in less, curves can't be told apart
 
 
 class CurvesChart(PaintedChart):
@@ -28,6 +31,7 @@ class CurvesChart(PaintedChart):
         self._style: ChartStyle | None = None
         self._marked: int | None = None
         self._point: Point | None = None
+        self.setMinimumHeight(_LEAST_PX)
         self.setMouseTracking(True)
 
     @property

@@ -79,13 +79,7 @@ def detail_cells(details: Sequence[np.ndarray], labels: np.ndarray) -> DetailCel
 
 def _bin_numbers(labels: np.ndarray) -> np.ndarray:
     """The bin of distance from the nearest seam on a grid of 2 px; one more than there are where no source explains."""
-    coarse = np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX])
-    known = coarse != UNKNOWN
-    seam = np.zeros(coarse.shape, bool)
-    for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
-        meet = (coarse[here] != coarse[there]) & known[here] & known[there]
-        seam[here] |= meet
-        seam[there] |= meet
+    seam, explained = seam_samples(labels), explained_samples(labels)
     if seam.any():
         row, column = ndimage.distance_transform_edt(~seam, return_distances=False, return_indices=True)
         row -= np.arange(len(seam), dtype=row.dtype)[:, np.newaxis]
@@ -95,10 +89,23 @@ def _bin_numbers(labels: np.ndarray) -> np.ndarray:
         row += column
         numbers = _bins_of_squares()[np.minimum(row, (EDGES_PX[-1] // _GRID_PX) ** 2, out=row)]
     else:
-        numbers = np.full(coarse.shape, len(EDGES_PX) - 1, np.intp)
-    if not known.all():
-        numbers[~explained_samples(labels)] = len(EDGES_PX)
+        numbers = np.full(seam.shape, len(EDGES_PX) - 1, np.intp)
+    if not explained.all():
+        numbers[~explained] = len(EDGES_PX)
     return numbers
+
+
+def seam_samples(labels: np.ndarray) -> np.ndarray:
+    """On the grid of the finest coefficients those beside which another source is followed, (rows / 2, columns / 2)
+    bool."""
+    coarse = np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX])
+    known = coarse != UNKNOWN
+    seam = np.zeros(coarse.shape, bool)
+    for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
+        meet = (coarse[here] != coarse[there]) & known[here] & known[there]
+        seam[here] |= meet
+        seam[there] |= meet
+    return seam
 
 
 def explained_samples(labels: np.ndarray) -> np.ndarray:

@@ -1,18 +1,20 @@
 """The picture of where a window lost detail: kept_1 of small cells, smooth enough that sound ground is even."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy import ndimage
 
-from .detail_cells import CELL_PX, DetailCells, explained_samples
+from .detail_cells import CELL_PX, DetailCells, explained_samples, seam_samples
 from .energy_response import fit_response
 from .seam_profile import ground_cells
 
 LOSS_CELL_PX = 8
 """Side of a cell of the picture."""
-_SAMPLE_PX = 2  # a coefficient of the finest level stands for so many pixels either way
+SAMPLE_PX = 2
+"""A coefficient of the finest level stands for so many pixels either way."""
+_EDGE = 4  # samples at the window's edge, in which periodic wavelets show what lies at the other one
 _SMOOTH_CELLS = 1.0  # standard deviation: with less, sound ground shows spots; with more, a narrow feather fades
 _LEAST_EXPLAINED = 0.5  # of a cell, for it to be told
 
@@ -26,6 +28,8 @@ class LossPicture:
     multiple of the cell, the last row and column reach beyond it."""
     cell_px: int = LOSS_CELL_PX
     """Side of a cell, pixels of the mosaic."""
+    seam: np.ndarray = field(default_factory=lambda: np.empty((0, 2), np.uint16))
+    """(n, 2) uint16, row and column of the squares of ``SAMPLE_PX`` in which sources meet."""
 
 
 def loss_picture(finest: np.ndarray, labels: np.ndarray, cells: DetailCells) -> LossPicture | None:
@@ -37,20 +41,22 @@ def loss_picture(finest: np.ndarray, labels: np.ndarray, cells: DetailCells) -> 
     mm, cc = (sums[0].sum(axis=0)[far] / CELL_PX**2 for sums in (cells.mm, cells.cc))
     amplitude = fit_response(cc, mm)
     explained = explained_samples(labels)
-    own, reference = (_in_cells(np.einsum("dij,dij->ij", one, one) * explained) for one in (finest[:, 0], finest[:, 1]))
-    area = _in_cells(explained) * _SAMPLE_PX**2
+    inside = np.zeros_like(explained)
+    inside[_EDGE:-_EDGE, _EDGE:-_EDGE] = explained[_EDGE:-_EDGE, _EDGE:-_EDGE]
+    own, reference = (_in_cells(np.einsum("dij,dij->ij", one, one) * inside) for one in (finest[:, 0], finest[:, 1]))
+    area = _in_cells(inside) * SAMPLE_PX**2
     around = _over_neighbours(reference) / np.maximum(_over_neighbours(area), 1)  # of some CELL_PX, as the fit's is
     expected = reference * amplitude(around)
     own, expected = (ndimage.gaussian_filter(one, _SMOOTH_CELLS) for one in (own, expected))
     kept = np.full(own.shape, np.nan, np.float32)
-    told = (area >= _LEAST_EXPLAINED * _in_cells(np.ones_like(explained)) * _SAMPLE_PX**2) & (expected > 0)
+    told = (_in_cells(explained) >= _LEAST_EXPLAINED * _in_cells(np.ones_like(explained))) & (expected > 0)
     np.divide(own, expected, out=kept, where=told, casting="same_kind")
-    return LossPicture(kept)
+    return LossPicture(kept, seam=np.argwhere(seam_samples(labels)).astype(np.uint16))
 
 
 def _in_cells(samples: np.ndarray) -> np.ndarray:
     """Sums over the cells, float64; those at the end are smaller where they don't fit."""
-    side = LOSS_CELL_PX // _SAMPLE_PX
+    side = LOSS_CELL_PX // SAMPLE_PX
     for axis in (0, 1):
         samples = np.add.reduceat(samples, np.arange(0, samples.shape[axis], side), axis=axis, dtype=np.float64)
     return samples

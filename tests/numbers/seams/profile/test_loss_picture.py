@@ -44,6 +44,7 @@ def smoothed(cells: np.ndarray) -> np.ndarray:
 def energies(plane: np.ndarray) -> np.ndarray:
     """Of PyWavelets' finest details, in cells."""
     finest = np.sum(np.square(wavedec(plane, WAVELET, 1)[1]), axis=0)
+    finest[:4], finest[-4:], finest[:, :4], finest[:, -4:] = 0, 0, 0, 0  # what lies at the other edge
     step = LOSS_CELL_PX // 2
     return np.array([
         [finest[row : row + step, column : column + step].sum() for column in range(0, finest.shape[1], step)]
@@ -92,6 +93,18 @@ def test_what_was_done_to_the_whole_mosaic_leaves_it_even() -> None:
     noise = 3 * np.random.default_rng(3).standard_normal(made.hard.shape)
     for mosaic in (0.6 * made.hard + 30, made.hard + noise):
         assert (kept_of(made, mosaic) > 0.9).mean() > 0.995
+
+
+def test_nothing_of_one_edge_shows_at_the_other() -> None:
+    """The wavelets are periodic; a feather along the left edge only."""
+    made = blend(0)
+    rng = np.random.default_rng(8)
+    hard = 120 + 10 * rng.standard_normal((SIDE, SIDE))
+    mosaic = np.where(np.arange(SIDE) < 24, 120 + 0.7 * (hard - 120), hard)
+    labels = np.broadcast_to((np.arange(SIDE) >= 4), (SIDE, SIDE)).astype(np.uint8)
+    found = kept_of(Blend(hard, mosaic, labels, made.distance))
+    assert (found[:, 0] < 0.6).all()
+    assert abs(found[:, -1] - 1).max() < 0.02
 
 
 def test_what_no_source_explains_is_not_told() -> None:

@@ -1,0 +1,140 @@
+"""The button that saves and copies a seam profile."""
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator
+from math import isinf
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from qgis.core import Qgis, QgsApplication
+from qgis.PyQt.QtCore import QRectF, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QWidget
+
+from ....imagery.atomic_files import replacing
+from ....toolkit.charts.chart_style import PAPER
+from ....toolkit.translation import tr
+from .profile_painter import ProfilePainter, ShownProfile
+
+if TYPE_CHECKING:
+    from ...measure.inspection import WindowResult
+
+COLUMNS = ("window_id", "level", "from", "to", "kept", "low", "high", "area")
+"""Distances in m, area in m2."""
+_WIDTH, _HEIGHT, _SCALE = 560, 340, 3  # px of a picture, and how many dots each is
+
+
+class ProfileExport(QToolButton):
+    """Offers pictures of the chart and a table of its bins."""
+
+    told = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._result: WindowResult | None = None
+        self._shown: ShownProfile | None = None
+        self._folder = Path.home()
+        self.setIcon(QgsApplication.getThemeIcon("/mActionSharingExport.svg"))
+        self.setToolTip(tr("Save or copy the seam profile: as a picture, or as a table of all levels"))
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setAutoRaise(True)
+        menu = QMenu(self)
+        menu.setToolTipsVisible(True)
+        for icon, text, tip, slot in (
+            ("mActionSaveMapAsImage", tr("Save as PNG..."), tr("The picture, for documents"), self.save_png),
+            ("mActionOpenTable", tr("Save as CSV..."), tr("All levels and distances"), self.save_csv),
+            ("mActionEditCopy", tr("Copy picture"), tr("To the clipboard"), self.copy_picture),
+            ("mActionEditCopy", tr("Copy values"), tr("To the clipboard, for a spreadsheet"), self.copy_values),
+        ):
+            action = menu.addAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text)
+            action.setToolTip(tip)
+            action.triggered.connect(slot)
+        self.setMenu(menu)
+        self.setEnabled(False)
+
+    def offer(self, result: WindowResult | None, shown: ShownProfile | None) -> None:
+        """What there is to export from now on; without a result nothing."""
+        self._result, self._shown = result, shown
+        self.setEnabled(result is not None and shown is not None)
+
+    def save_png(self) -> None:
+        """Ask where and save the picture."""
+        shown = self._shown
+        if shown is not None and (path := self._ask("png", tr("PNG picture"))) is not None:
+            self._write(path, lambda unfinished: _save_image(picture(shown), unfinished))
+
+    def save_csv(self) -> None:
+        """Ask where and save the values."""
+        result = self._result
+        if result is not None and (path := self._ask("csv", tr("Table with commas"))) is not None:
+            self._write(path, lambda unfinished: unfinished.write_text(table_text(result, ","), encoding="utf-8"))
+
+    def copy_picture(self) -> None:
+        """The picture to the clipboard."""
+        if self._shown is not None:
+            QApplication.clipboard().setImage(picture(self._shown))
+
+    def copy_values(self) -> None:
+        """The values to the clipboard."""
+        if self._result is not None:
+            QApplication.clipboard().setText(table_text(self._result, "\t"))
+
+    def _ask(self, ending: str, kind: str) -> Path | None:
+        number = self._result.window_id if self._result is not None else 0
+        suggested = self._folder / f"window_{number}_profile.{ending}"
+        chosen, _ = QFileDialog.getSaveFileName(self, tr("Save seam profile"), str(suggested), f"{kind} (*.{ending})")
+        if not chosen:
+            return None
+        path = Path(chosen) if chosen.lower().endswith(f".{ending}") else Path(f"{chosen}.{ending}")
+        self._folder = path.parent
+        return path
+
+    def _write(self, path: Path, write: object) -> None:
+        assert callable(write)
+        try:
+            with replacing(path) as unfinished:
+                write(unfinished)
+        except OSError as error:
+            text = tr("The seam profile was not saved to {path}: {error}. Choose another folder.")
+            said, level = text.format(path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
+        else:
+            said, level = tr("The seam profile was saved to {path}.").format(path=path), Qgis.MessageLevel.Success
+        self.told.emit(said, int(level))
+
+
+def picture(shown: ShownProfile) -> QImage:
+    """The chart on white paper, for a report."""
+    image = QImage(_WIDTH * _SCALE, _HEIGHT * _SCALE, QImage.Format.Format_ARGB32)
+    image.fill(QColor(Qt.GlobalColor.white))
+    painter = QPainter(image)
+    painter.scale(_SCALE, _SCALE)
+    font = QFont(QApplication.font())
+    font.setPixelSize(12)
+    painter.setFont(font)
+    ProfilePainter(shown, QRectF(0, 0, _WIDTH, _HEIGHT), PAPER, QFontMetricsF(font)).paint(painter)
+    painter.end()
+    return image
+
+
+def table_text(result: WindowResult, delimiter: str) -> str:
+    """One row per bin; the last one of a level has no end."""
+    buffer = io.StringIO()
+    writer = csv.writer(buffer, delimiter=delimiter, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    writer.writerows(_rows(result))
+    return buffer.getvalue()
+
+
+def _rows(result: WindowResult) -> Iterator[tuple[object, ...]]:
+    metres = result.ground_sample_distance
+    for one in result.profile.bins if result.profile is not None else ():
+        far = "" if isinf(one.far_px) else f"{one.far_px * metres:.6g}"
+        numbers = (f"{value:.6g}" for value in (one.kept, one.low, one.high, one.area_px * metres**2))
+        yield (result.window_id, one.level, f"{one.near_px * metres:.6g}", far, *numbers)
+
+
+def _save_image(image: QImage, path: Path) -> None:
+    if not image.save(str(path), "PNG"):
+        raise OSError(tr("the picture could not be written"))

@@ -1,0 +1,201 @@
+"""The seam profile of the selected window, beside its curves."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from qgis.PyQt.QtCore import QEvent, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QIcon, QPalette, QPixmap, QShowEvent
+from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+
+from ....toolkit.desk.chart_look import chart_style
+from ....toolkit.desk.timers import single_shot
+from ....toolkit.translation import percent, sentence, shown_number, tr
+from .profile_chart import ProfileChart
+from .profile_export import ProfileExport
+from .profile_painter import bin_words, level_colour
+
+if TYPE_CHECKING:
+    from ...measure.inspection import WindowResult
+    from ...measure.profile.seam_profile import ProfileBin, SeamProfile
+    from ..session import Session
+
+
+class ProfilePanel(QWidget):
+    """Chart, levels to choose, and a line of words. Looks anew once it comes into sight."""
+
+    followed = pyqtSignal(object)
+    """The WindowResult whose profile is shown; None for none."""
+    pointed = pyqtSignal(object)
+    """The ProfileBin under the mouse; None when it is elsewhere."""
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._result: WindowResult | None = None
+        self._timer = single_shot(self, self._refresh)
+        self.chart = ProfileChart()
+        self.chart.pointed.connect(self._on_pointed)
+        self._levels: list[QToolButton] = []
+        self._build()
+        for signal in (
+            session.selectionChanged, session.inputsChanged, session.windowsChanged, session.resultArrived,
+        ):  # fmt: skip
+            signal.connect(self._refresh_soon)
+
+    @property
+    def words(self) -> str:
+        """What is said in the chart's place; empty while there is one."""
+        return str(self._text.text()) if self._pages.currentWidget() is self._text else ""
+
+    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float) -> None:
+        """Of any place, as while the mouse is dragged; the next ``refresh`` shows the selected window's again."""
+        self._fill_levels(len(profile.kept))
+        self.chart.show_profile(profile, pixel_m, min_kept)
+        self._pages.setCurrentWidget(self.chart)
+        self._say()
+
+    def mark(self, distance_m: float | None) -> None:
+        """The distance that the mouse has from the seam on the map."""
+        self.chart.mark(distance_m)
+        self._say()
+
+    def refresh(self) -> None:
+        """Show the selected window's."""
+        selected = self._session.selected()
+        result = self._session.result(selected[0]) if len(selected) == 1 else None
+        profile = result.profile if result is not None else None
+        if result is not None and profile is not None:
+            self.show_profile(profile, result.ground_sample_distance, self._session.inputs.min_kept)
+        else:
+            result = None
+            self._text.setText(self._why_nothing(selected))
+            self._pages.setCurrentWidget(self._text)
+            self._say()
+        if result is not self._result:
+            self._result = result
+            self.followed.emit(result)
+        self._export.offer(result, self.chart.shown if result is not None else None)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._refresh_soon()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange):
+            self._refresh_soon()
+
+    def _build(self) -> None:
+        line = self.fontMetrics().height()
+        self._text = QLabel()
+        self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._text.setWordWrap(True)
+        self._text.setAutoFillBackground(True)
+        self._text.setBackgroundRole(QPalette.ColorRole.Base)
+        self._text.setForegroundRole(QPalette.ColorRole.Text)
+        self._text.setMargin(line)
+        self._text.setMinimumSize(1, 1)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self._text)
+        self._pages.addWidget(self.chart)
+        self._status = QLabel()
+        self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._status.setTextFormat(Qt.TextFormat.PlainText)
+        self._status.setMargin(line // 6)
+        title = QLabel(tr("Seam profile"))
+        title.setToolTip(
+            tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
+        )
+        self._export = ProfileExport()
+        self._export.told.connect(self._session.messageRaised)
+        self._tools = QHBoxLayout()
+        self._tools.addWidget(title)
+        self._tools.addSpacing(line // 2)
+        self._tools.addStretch()
+        self._tools.addWidget(self._export)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(line // 5)
+        layout.addLayout(self._tools)
+        layout.addWidget(self._pages, 1)
+        layout.addWidget(self._status)
+        self._fill_levels(3)
+
+    def _fill_levels(self, count: int) -> None:
+        """A button for each level; the finest is pressed at first."""
+        while len(self._levels) > count:
+            self._levels.pop().deleteLater()
+        while len(self._levels) < count:
+            level = len(self._levels) + 1
+            button = QToolButton()
+            button.setText(str(level))
+            button.setCheckable(True)
+            button.setChecked(level == 1)
+            button.setAutoRaise(True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            tip = tr("Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.")
+            button.setToolTip(tip.format(level=level))
+            button.toggled.connect(self._choose_levels)
+            self._levels.append(button)
+            self._tools.insertWidget(1 + level, button)
+        self._colour_levels()
+
+    def _colour_levels(self) -> None:
+        style, side = chart_style(self), self.fontMetrics().ascent()
+        for level, button in enumerate(self._levels, 1):
+            swatch = QPixmap(side, max(side // 4, 3))
+            swatch.fill(level_colour(level, style))
+            button.setIcon(QIcon(swatch))
+
+    def _choose_levels(self) -> None:
+        self.chart.show_levels(
+            frozenset(level for level, button in enumerate(self._levels, 1) if button.isChecked()) or frozenset({1})
+        )
+        self.refresh()
+
+    def _refresh_soon(self, *_: object) -> None:
+        self._timer.start(0)
+
+    def _refresh(self) -> None:
+        if self.isVisible():
+            self._colour_levels()
+            self.refresh()
+
+    def _why_nothing(self, selected: list[int]) -> str:
+        if not selected:
+            return tr("Select a window in the table or on the map, or draw one.")
+        if len(selected) > 1:
+            return tr("Select one window to see its seam profile.")
+        result, row = self._session.result(selected[0]), self._session.row(selected[0])
+        if result is None or (result.explanation is None and result.judgement.reason is None):
+            if self._session.is_pending(selected[0]):
+                return tr("Measuring ...")
+            if row is not None and row.verdict:
+                return tr("The profile is not at hand. Inspect again to see it.")
+            return tr("Not inspected yet")
+        if result.judgement.reason is not None:
+            return sentence(result.judgement.reason)
+        if result.explanation is not None and not result.explanation.has_seam:
+            return tr("There is no seam in the window.")
+        return tr("There is too little ground around the seam to compare with. Take a larger window.")
+
+    def _on_pointed(self, one: ProfileBin | None) -> None:
+        self._say()
+        self.pointed.emit(one)
+
+    def _say(self) -> None:
+        """What the mouse points at, else what is kept beside the seam."""
+        shown = self.chart.shown if self._pages.currentWidget() is self.chart else None
+        text = ""
+        if shown is not None:
+            one, profile = self.chart.pointed_bin, shown.profile
+            if one is not None:
+                text = bin_words(shown, one)
+            elif profile.kept[0] is not None:
+                values = {"kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high)}
+                text = tr("Beside the seam {kept} % kept ({low} to {high} %)").format(**values)
+                if profile.band_width_px:
+                    width = shown_number(profile.band_width_px * shown.pixel_m, 1)
+                    text += tr(", band of {width} m").format(width=width)
+        self._status.setText(text)
+        self._status.setToolTip(text)
