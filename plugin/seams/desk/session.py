@@ -18,6 +18,7 @@ from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from ..clip_pictures import ClipPicture
 from ..measure import messages
+from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import Block, WindowRequest
 from ..measure.observers import FIRST, Operator
 from ..measure.window.window_result import WindowCurves, WindowResult
@@ -31,6 +32,7 @@ from .inputs.layer_places import LayerPlaces
 from .inputs.project_inputs import Inputs, load_inputs, save_inputs
 from .loss_view import LossView
 from .map.seam_finder import SeamFinder
+from .map.window_coverage import Coverage, WindowCoverage
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults
 from .windows.window_watch import WindowWatch
@@ -40,6 +42,7 @@ class Session(QObject):
     """Inputs, windows, results. Everything that reads pixels runs in tasks; results come back by signals."""
 
     inputsChanged = pyqtSignal()
+    coverageChanged = pyqtSignal()
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
     curvesArrived = pyqtSignal(int)
@@ -59,6 +62,8 @@ class Session(QObject):
         self._block.opened.connect(self._opened)
         self._places = LayerPlaces(self._project)
         self._seams = SeamFinder(self._block, self._inputs_background)
+        self._coverage = WindowCoverage(self)
+        self._coverage.changed.connect(self.coverageChanged)
         self._layers = InputsWatch(self._project, self)
         self._layers.layersChanged.connect(self._files_changed)
         self._layers.indexEdited.connect(self._files_changed)
@@ -99,6 +104,7 @@ class Session(QObject):
             signal.disconnect(slot)
         self._new.abandon()
         self._layers.close()
+        self._coverage.close()
         self._inputs_background.close()
         self._background.close()
         self._results.close()
@@ -147,6 +153,20 @@ class Session(QObject):
         """How many sources' footprints cover a window."""
         block = self._block.silent()
         return len(block.sources_over(window)) if block is not None else 0
+
+    def coverage(self, window: PixelWindow) -> Coverage:
+        """What mosaic and sources have in a window, as far as it was looked at."""
+        return self._coverage.at(window)
+
+    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
+        """The nearest window of that size that can be judged, its middle on a seam; None where none is near."""
+        grid = self.mosaic_grid()
+        if grid is None:
+            return None
+        xmin, ymin, xmax, ymax = grid.window_extent(window)
+        reach, spacing = SEARCHED_SIDES * max(xmax - xmin, ymax - ymin), FEWEST_PX * grid.pixel_width
+        middle = (xmin + xmax) / 2, (ymin + ymax) / 2
+        return self._coverage.nearest(window, self._seams.points(*middle, reach, spacing) if on_seam else None)
 
     def request(self, fid: int) -> WindowRequest | None:
         """A window as it is measured, and the sources over it; None while there is no block."""
@@ -300,11 +320,13 @@ class Session(QObject):
     def _opened(self) -> None:
         """There may be another block, or none any more."""
         self._seams.refresh()
+        self._coverage.follow(self._block.silent())
         self._watch.set_state(self._block.state())
         self.inputsChanged.emit()
 
     def _files_changed(self) -> None:
         self._block.refresh(anew=True)
+        self._coverage.follow(None)  # what lies in the files may be something else
         self._opened()
 
     def _seamlines_edited(self) -> None:

@@ -212,7 +212,7 @@ class InputsPanel(QWidget):
         if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
             asked, fits = self._fitted
             text += tr("; {asked:.1f} m is too small") if asked < fits else tr("; {asked:.1f} m is too large")
-            text = text.format(asked=asked)
+            text = filled(text, asked=asked)
             tip += "\n" + tr("Windows of the side that was given do not fit this mosaic, so it was changed.")
         self.side_px.setText(text)
         self.side_px.setToolTip(tip)

@@ -4,6 +4,8 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from ... import jobs
@@ -46,6 +48,10 @@ class SeamFinder:
     def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within ``reach``; none while they are being found."""
         return self._seams.nearest(x, y, reach)
+
+    def points(self, x: float, y: float, reach: float, spacing: float) -> np.ndarray:
+        """(n, 2) points on the seams around a place, some ``spacing`` apart."""
+        return self._seams.points(x, y, reach, spacing)
 
     def _take(self, turn: object, seams: Any) -> None:
         if turn is self._turn:

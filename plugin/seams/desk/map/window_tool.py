@@ -19,6 +19,7 @@ from ...measure import messages
 from ...measure.window_placing import window_side_px
 from .window_outline import OutlineTone, WindowOutline
 from .window_under import window_under
+from .window_words import described, direction, is_near, metres_apart, middle
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
@@ -67,12 +68,14 @@ class WindowTool(DrawingTool):
         self.canvas().keyReleased.connect(self._key_released)
         self.canvas().viewport().installEventFilter(self)
         self._session.inputsChanged.connect(self._show_draft)
+        self._session.coverageChanged.connect(self._show_draft)
 
     def _listen_no_more(self) -> None:
         super()._listen_no_more()
         self.canvas().keyReleased.disconnect(self._key_released)
         self.canvas().viewport().removeEventFilter(self)
         self._session.inputsChanged.disconnect(self._show_draft)
+        self._session.coverageChanged.disconnect(self._show_draft)
 
     def _clear(self) -> None:
         self._forget()
@@ -192,14 +195,28 @@ class WindowTool(DrawingTool):
         seam_point = self._session.seam_point_near(*point, self._seam_reach())
         centre = seam_point or point
         try:
-            return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point)
+            return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point, True)
         except SeamInspectorError as error:
             return _Draft((*centre, *centre), None, sentence(error.message), OutlineTone.REFUSED)
 
-    def _accepted(self, grid: Grid, window: PixelWindow, seam_point: Point | None = None) -> _Draft:
-        sources = self._session.source_count_over(window)
-        tone = OutlineTone.GOOD if sources else OutlineTone.DOUBTFUL
-        return _Draft(grid.window_extent(window), window, described(grid, window, sources), tone, seam_point)
+    def _accepted(
+        self, grid: Grid, window: PixelWindow, seam_point: Point | None = None, may_move: bool = False
+    ) -> _Draft:
+        """With ``may_move`` a window that can't be judged goes to the nearest place that can be, where that is near."""
+        coverage = self._session.coverage(window)
+        text, tone = described(grid, window, coverage), OutlineTone.GOOD
+        if not coverage.can_be_judged:
+            tone = OutlineTone.DOUBTFUL
+            near = self._session.nearest_judgeable(window, seam_point is not None) if may_move else None
+            if near is not None and is_near(window, near) and not self._is_new:
+                note = tr("{metres:.1f} m aside, where it can be judged; with Ctrl here")
+                text = f"{described(grid, near, self._session.coverage(near))}\n"
+                text += filled(note, metres=metres_apart(grid, window, near))
+                return _Draft(grid.window_extent(near), near, text, OutlineTone.GOOD, seam_point and middle(grid, near))
+            if near is not None:
+                note = tr("nearest place that can be judged: {metres:.1f} m {direction}")
+                text += "\n" + filled(note, metres=metres_apart(grid, window, near), direction=direction(window, near))
+        return _Draft(grid.window_extent(window), window, text, tone, seam_point)
 
     def _on_mosaic(self, point: QgsPointXY) -> Point | None:
         """A point of the map in the mosaic's reference system; None when it has no place there."""
@@ -268,13 +285,3 @@ def drawn_extent(grid: Grid, anchor: Point, end: Point, is_square: bool) -> Exte
     first_column = column if across > 0 else column - columns
     first_row = row if down > 0 else row - rows
     return grid.window_extent(PixelWindow(first_column, first_row, columns, rows))
-
-
-def described(grid: Grid, window: PixelWindow, sources: int) -> str:
-    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``."""
-    width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
-    few = {0: tr("no source covers it"), 1: tr("1 source")}
-    counted = few.get(sources) or tr("{count} sources").format(count=sources)
-    size = tr("{width:.1f} x {height:.1f} m, {columns} x {rows} px")
-    size = filled(size, width=width, height=height, columns=window.width, rows=window.height)
-    return f"{size}, {counted}"

@@ -6,6 +6,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.map.window_coverage import Coverage
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
@@ -16,13 +17,16 @@ class FakeSession(QObject):
     """Inputs that can be set; one seam along a meridian; three sources over every window."""
 
     inputsChanged = pyqtSignal()
+    coverageChanged = pyqtSignal()
 
     def __init__(self, inputs: Inputs, columns: int = 4096, rows: int = 2048) -> None:
         super().__init__()
         self.inputs = inputs
         self.grid: Grid | None = Grid(*ORIGIN, PIXEL, PIXEL, columns, rows)
         self.seam_x: float | None = None
-        self.source_count = 3
+        self.source_count, self.unread = 3, 0
+        self.missing: float | None = 0.0
+        self.judgeable: PixelWindow | None = None
         self.added: list[PixelWindow] = []
         self.settings: list[Inputs] = []
         self.layer: QgsVectorLayer | None = None
@@ -45,8 +49,11 @@ class FakeSession(QObject):
     def problem(self) -> Message | None:
         return None if self.mosaic_grid() is not None else seams_messages.NO_MOSAIC()
 
-    def source_count_over(self, window: PixelWindow) -> int:
-        return self.source_count
+    def coverage(self, window: PixelWindow) -> Coverage:
+        return Coverage(self.source_count, self.unread, self.missing)
+
+    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
+        return self.judgeable
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         return (self.seam_x, y) if self.seam_x is not None and abs(x - self.seam_x) <= reach else None

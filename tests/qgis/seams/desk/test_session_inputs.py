@@ -7,19 +7,22 @@ from dataclasses import replace
 from pathlib import Path
 from threading import Event
 
+import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject
 from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.desk.inputs import block_files
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
 
+from tests.numbers.synthetic import write_raster
 from tests.patience import PATIENCE_S
 from tests.qgis.runs import assert_sentence
-from tests.qgis.scenes import SHARP, Scene, at, layer, line, windows
+from tests.qgis.scenes import SHARP, Scene, at, layer, line, whole, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 # Inputs
@@ -230,3 +233,30 @@ def test_opening_that_was_cancelled_is_told(desk: Desk, gate: Event) -> None:
     desk.session.set_inputs(Inputs())
     desk.set(desk.inputs())
     assert desk.session.mosaic_grid() is not None
+
+
+def test_sources_are_counted_by_their_pixels(desk: Desk, scene: Scene, tmp_path: Path) -> None:
+    west = np.array(whole(scene.west))
+    west[..., 300:] = 0  # no data, inside its footprint
+    half = desk.raster(Path(write_raster(tmp_path / "half.tif", west, nodata=0)))
+    desk.set(desk.inputs(sources=(half.id(), desk.sources[1].id())))
+    session = desk.session
+    wait_until(lambda: session.coverage(BLURRED_WINDOW).unread == 0, "for the validity")
+    assert session.source_count_over(BLURRED_WINDOW) == 2
+    assert session.coverage(BLURRED_WINDOW).sources == 1
+    assert session.coverage(SHARP_WINDOW).sources == 2
+    assert session.coverage(SHARP_WINDOW).can_be_judged
+
+
+def test_the_nearest_place_that_can_be_judged(desk: Desk, scene: Scene, tmp_path: Path) -> None:
+    pixels = np.array(whole(scene.mosaic))
+    pixels[:, :100] = 0
+    mosaic = desk.raster(Path(write_raster(tmp_path / "holed.tif", pixels, nodata=0)))
+    desk.set(desk.inputs(mosaic=mosaic.id()))
+    session, window = desk.session, PixelWindow(192, 20, 128, 128)
+    wait_until(lambda: session.coverage(window).missing is not None, "for the validity of the mosaic")
+    assert session.coverage(window).missing == pytest.approx(80 / 128)
+    assert not session.coverage(window).can_be_judged
+    assert session.nearest_judgeable(window, on_seam=False) == PixelWindow(192, 100, 128, 128)
+    wait_until(lambda: session.nearest_judgeable(window, on_seam=True) is not None, "for the seams")
+    assert session.nearest_judgeable(window, on_seam=True) == PixelWindow(192, 100, 128, 128)

@@ -231,9 +231,43 @@ def test_label_says_why_a_click_is_no_window(operator: Operator, inputs: dict[st
 def test_without_sources_it_is_a_window_but_warned_of(operator: Operator) -> None:
     operator.session.source_count = 0
     operator.move(MIDDLE)
-    assert operator.text.endswith("128 x 128 px, no source covers it")
+    assert operator.text.endswith("128 x 128 px, no source has pixels there")
     operator.click(MIDDLE)
     assert len(operator.session.added) == 1
+
+
+def test_less_is_said_of_sources_while_less_is_known(operator: Operator) -> None:
+    operator.session.source_count, operator.session.unread = 0, 3
+    operator.move(MIDDLE)
+    assert operator.text == "12.8 x 12.8 m, 128 x 128 px"
+    operator.session.source_count, operator.session.unread = 2, 1
+    operator.session.coverageChanged.emit()
+    assert operator.text.endswith("px, 2 sources or more")
+    operator.session.source_count, operator.session.unread = 3, 0
+    operator.session.coverageChanged.emit()
+    assert operator.text.endswith("px, 3 sources")
+
+
+def test_a_click_where_nothing_can_be_judged_goes_to_the_nearest_place_that_can_be(operator: Operator) -> None:
+    session = operator.session
+    session.missing, session.judgeable = 0.25, PixelWindow(2048 - 64 + 50, 1024 - 64, 128, 128)
+    operator.move(MIDDLE)
+    assert "5.0 m aside" in operator.text
+    assert operator.outline.xMinimum() == pytest.approx(at(2034, 0)[0])
+    operator.click(MIDDLE)
+    operator.modifiers = CONTROL
+    operator.click(MIDDLE)  # here all the same
+    assert session.added == [session.judgeable, PixelWindow(2048 - 64, 1024 - 64, 128, 128)]
+
+
+def test_a_place_that_can_be_judged_is_told_where_it_is_farther_off(operator: Operator) -> None:
+    session = operator.session
+    session.missing, session.judgeable = 0.25, PixelWindow(2048 - 64, 1024 - 64 - 300, 128, 128)
+    operator.move(MIDDLE)
+    assert "25 % of the mosaic is empty there" in operator.text
+    assert operator.text.endswith("nearest place that can be judged: 30.0 m north")
+    operator.click(MIDDLE)
+    assert session.added == [PixelWindow(2048 - 64, 1024 - 64, 128, 128)]
 
 
 def test_vanished_mosaic_does_no_harm(operator: Operator) -> None:

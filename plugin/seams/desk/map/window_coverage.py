@@ -1,0 +1,153 @@
+"""What of mosaic and sources has pixels where a window is being placed, read coarsely once in the background."""
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ....imagery.errors import RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.raster_pool import RasterPool
+from ....imagery.rasters import Raster, RasterRef
+from ....toolkit.background_task import Cancelled, Job
+from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.desk.timers import single_shot
+from ....toolkit.translation import tr
+from ...measure.inputs.valid_cells import (
+    CellGrid,
+    ValidCells,
+    is_mosaic_enough,
+    nearest_judgeable,
+    takes_part,
+    valid_cells,
+)
+from ...measure.inspection import Block
+from ...measure.source_images import Source
+
+_TOGETHER_MS = 200
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """What is known of a window before it is inspected."""
+
+    sources: int
+    """How many take part; of those not read yet none is counted."""
+    unread: int = 0
+    """Sources over the window of which that is not known yet."""
+    missing: float | None = None
+    """Share of the mosaic's pixels that lack; None while that is not known."""
+
+    @property
+    def can_be_judged(self) -> bool:
+        """Whether nothing speaks against it, as far as is known."""
+        is_whole = self.missing is None or is_mosaic_enough(1 - self.missing)
+        return is_whole and bool(self.sources or self.unread)
+
+
+class WindowCoverage(QObject):
+    """The mosaic is read first, then the sources, those under the mouse before others."""
+
+    changed = pyqtSignal()
+    """More is known."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._background = BackgroundTasks(self)
+        self._teller = single_shot(self, self.changed, _TOGETHER_MS)
+        self._queue: deque[Source] = deque()  # a deque may be changed by two threads
+        self._known: dict[RasterRef, ValidCells | None] = {}
+        self._block: Block | None = None
+        self._turn = 0
+
+    def follow(self, block: Block | None, anew: bool = False) -> None:
+        """These are mosaic and sources now; ``anew``: there may be something else in their files."""
+        before, self._block = self._block, block
+        if before == block and not anew:
+            return
+        if anew or before is None or block is None or before.mosaic != block.mosaic:
+            self._known = {}
+        self._turn += 1
+        self._queue.clear()  # which ends the task that reads from it
+        self._queue = deque()
+        if block is None:
+            return
+        wanted = (Source(block.mosaic.ref, block.mosaic.extent), *block.sources)
+        self._queue.extend(one for one in wanted if one.ref not in self._known)
+        if self._queue:
+            job = _reading_job(block.mosaic, self._queue)
+            self._background.start(tr("Look where the sources have pixels"), job, partial(self._take, self._turn))
+
+    def at(self, window: PixelWindow) -> Coverage:
+        """What is known of a window; what is not is read next."""
+        if self._block is None:
+            return Coverage(0)
+        mosaic, cells = self._block.mosaic, CellGrid.of(self._block.mosaic.grid).cells(window)
+        sources = unread = 0
+        for source in self._block.sources_over(window):
+            if source.ref in self._known:
+                known = self._known[source.ref]
+                sources += known is None or takes_part(known.share(cells))
+            else:
+                unread += 1
+                self._advance(source)
+        known = self._known.get(mosaic.ref)
+        return Coverage(sources, unread, None if known is None else 1 - known.share(cells))
+
+    def nearest(self, window: PixelWindow, along: np.ndarray | None = None) -> PixelWindow | None:
+        """The nearest window of that size that can be judged; None where none is near, or it is not known yet.
+
+        ``along``: points of the map that its middle has to lie on.
+        """
+        if self._block is None or (mosaic := self._known.get(self._block.mosaic.ref)) is None:
+            return None
+        grid = self._block.mosaic.grid
+        if along is not None:
+            along = (along - (grid.left, grid.top)) / (grid.pixel_width, -grid.pixel_height)
+        found = nearest_judgeable(CellGrid.of(grid), mosaic, window, along)
+        return found if found is not None and self.at(found).can_be_judged else None
+
+    def close(self) -> None:
+        """Read no more."""
+        self._queue.clear()
+        self._teller.stop()
+        self._background.close()
+
+    def _advance(self, source: Source) -> None:
+        try:
+            self._queue.remove(source)
+        except (ValueError, IndexError):  # it is being read
+            return
+        self._queue.appendleft(source)
+
+    def _take(self, turn: int, found: Any) -> None:
+        if turn == self._turn:
+            ref, cells = found
+            self._known[ref] = cells
+            if not self._teller.isActive():
+                self._teller.start()
+
+
+def _reading_job(mosaic: Raster, queue: deque[Source]) -> Job:
+    """Yields the RasterRef of each raster with its ValidCells, or with None when it can't be read."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        count = len(queue)
+        with RasterPool(most=1) as pool:
+            while queue and not cancelled():
+                try:
+                    source = queue.popleft()
+                except IndexError:
+                    return
+                try:
+                    found: ValidCells | None = valid_cells(pool.open(source.ref), source.extent, mosaic)
+                except RasterError:
+                    found = None  # the inspection says so where it needs it
+                yield 1 - len(queue) / max(count, 1), (source.ref, found)
+
+    return job
