@@ -11,11 +11,14 @@ from typing import Callable
 
 import numpy as np
 
+from ..imagery.band_names import has_colours
 from ..imagery.clips import MAX_MISSING_SHARE, Clip, read_clip
 from ..imagery.errors import RasterError
 from ..imagery.grids import PixelWindow
 from ..imagery.open_raster import OpenRaster
 from .measure.inspection import WindowRequest
+from .measure.window.window_composite import WindowComposite
+from .measure.window_records import COMPOSITE
 from .picture_stretch import (
     BRIGHTEST,
     DARKEST,
@@ -54,6 +57,8 @@ class ClipPicture:
     """The window's own pixels, where there is ground around them; None: the picture is the window."""
     is_composite: bool = False
     """Whether it is the hard-cut composite of the sources, and no raster's."""
+    covered: float = 1.0
+    """Share of the window in which it has pixels."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +77,8 @@ class WindowPictureSet:
 
     pictures: tuple[ClipPicture, ...] = ()
     ranges: GreyRanges = field(default_factory=dict)
+    used: GreyRanges = field(default_factory=dict)
+    """Those of this window: its own, where each window has a stretch of its own."""
 
 
 def make_pictures(request: PictureRequest, cancelled: Callable[[], bool] = lambda: False) -> WindowPictureSet:
@@ -102,9 +109,20 @@ def make_pictures(request: PictureRequest, cancelled: Callable[[], bool] = lambd
             ClipPicture(
                 clip.raster.ref.name, source.ref == request.window.mosaic.ref, pixels, clip.offset_x, clip.offset_y,
                 clip.resampled, tuple(_reduced(pixels)), inside if shown != window else None,
+                covered=1.0 if clip.valid is None else float(_part(clip.valid, inside).mean()),
             )
         )
-    return WindowPictureSet(() if cancelled() else tuple(pictures), kept)
+    return WindowPictureSet(() if cancelled() else tuple(pictures), kept, ranges)
+
+
+def composite_picture(composite: WindowComposite, mosaic: ClipPicture, ranges: GreyRanges) -> ClipPicture:
+    """The composite of a window in the place of the mosaic's pixels; the ground around it is the mosaic's."""
+    shown = composite.bands[: 3 if has_colours(composite.names) else 1]
+    pixels = mosaic.pixels.copy()
+    _part(pixels, mosaic.inside)[...] = brightness(shown, ranges)
+    return ClipPicture(
+        COMPOSITE, False, pixels, reduced=tuple(_reduced(pixels)), inside=mosaic.inside, is_composite=True
+    )
 
 
 def with_ground(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:

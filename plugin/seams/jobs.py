@@ -10,10 +10,11 @@ from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster, RasterRef
 from ..imagery.reading.readings import ReadEach, one_by_one
 from ..toolkit.background_task import Ahead, Cancelled, Job
-from .clip_pictures import PictureRequest, make_pictures
+from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
 from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
 from .measure.inspection import InspectionSettings, WindowRequest
 from .measure.nearest_seam import SeamIndex
+from .measure.window.window_composite import WindowComposite, window_composite
 from .measure.window.window_result import WindowClips
 from .measure.window_placing import place_windows
 from .measure.window_runs import inspect_one, inspect_windows
@@ -76,5 +77,18 @@ def candidates_job(mosaic: RasterRef, candidates: Sequence[SourceCandidate], kno
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         for done, found in enumerate(look_at_candidates(mosaic, candidates, known, cancelled), 1):
             yield done / len(candidates), found
+
+    return job
+
+
+def composite_picture_job(request: WindowRequest, shown: WindowPictureSet) -> Job:
+    """The picture of a window's hard-cut composite, to be seen beside those that are shown of it; yields a
+    WindowPictureSet with it alone, or with nothing where there is none."""
+
+    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        mosaic = shown.pictures[0]
+        found = window_composite(request) if mosaic.is_mosaic else None
+        made = (composite_picture(found, mosaic, shown.used),) if isinstance(found, WindowComposite) else ()
+        yield 1.0, WindowPictureSet(made, shown.ranges, shown.used)
 
     return job

@@ -271,6 +271,10 @@ class Session(QObject):
         """The clips of a window as pictures; when they are not there yet they are read in the background."""
         return self._pictures.pictures(fid)
 
+    def composite(self, fid: int) -> tuple[ClipPicture, ...] | None:
+        """The hard-cut composite of a window whose pictures are there; None while it is made, empty without one."""
+        return self._pictures.composite(fid)
+
     def _take_layer(self, layer_id: str) -> None:
         """A window layer was made for new windows."""
         self.set_inputs(replace(self.inputs, windows=layer_id))

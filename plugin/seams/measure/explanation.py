@@ -16,13 +16,12 @@ from ...imagery.wavelets import Curve, detail_components
 from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
 from .causes import Cause, CauseEvidence, find_causes
 from .changes import Change, gains_of_colours, measure_changes
-from .compared_image import ComparedImage, MeasuredClip, on_common_bands
+from .compared_image import ComparedImage, MeasuredClip
 from .feather_prediction import expected_ratios, feathers
-from .following.composite import Composite, follows_at, make_composite
-from .following.expected_mosaic import ExpectedMosaic, expected_mosaic
+from .following.composite import Composite, follows_at
 from .following.followed_source import FollowedSource
+from .following.hard_cut import cut_hard
 from .following.levelling import left_over
-from .following.placed_sources import PlacedSources, follow_sources
 from .profile.detail_cells import DetailCells, detail_cells
 from .profile.loss_picture import LossPicture, loss_picture
 from .profile.seam_profile import SeamProfile, seam_profile
@@ -30,8 +29,6 @@ from .seam_cells import UNKNOWN
 from .tone import Tone, whole_squares
 from .verdicts import Ratios, curve_ratios
 
-MIN_CAUSE_FIT = 0.05  # of the fine detail; strangers explain 0.01 to 0.03
-MIN_EXPLAINED_SHARE = 0.05  # of the pixels: with less there is nothing to compare with
 MIN_UNMIXED_SQUARES = 64  # of 2^R px that follow one source, for the tone to be taken from them alone
 MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
 MAX_SAME_SHIFT_PX = 0.02  # between sources: their composite lies where they lie
@@ -91,14 +88,10 @@ def explain(
     ``labels``, (rows, columns) uint8, says which source each pixel was taken from where that is known, else
     ``seam_cells.UNKNOWN``.
     """
-    image, *images = on_common_bands((mosaic, *sources), levels)
-    followed = follow_sources(image, images)
-    expected, labels = _expected(image, images, followed, labels)
-    explained = np.count_nonzero(expected.labels != UNKNOWN) / expected.labels.size
-    following = _merged(followed, labels, len(images))
-    tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
+    cut = cut_hard(mosaic, sources, levels, labels)
+    image, images, expected, following = cut.mosaic, cut.sources, cut.expected, cut.following
+    tones, composite = cut.tones, cut.composite
     shifts = [_shift(image, other, following, i) for i, other in enumerate(images)]
-    composite = make_composite(image.bands, [other.bands for other in images], image.names, labels, tones)
     curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
     is_level = composite.levelled is composite.bands
     plain = curves if is_level else measure_bands(composite.bands, image.names, wavelet, levels)[0]
@@ -113,7 +106,7 @@ def explain(
     sharpness = _sharpness(details[0], expected.labels)
     unit = grey_unit(image.raster, next(iter(image.coarse.values())))
     evidence = CauseEvidence(
-        missing=1 - explained,
+        missing=1 - cut.explained,
         kept=profile.kept[0] if profile else None,
         kept_high=profile.high if profile else None,
         mixed=following.mixed_share,
@@ -129,13 +122,13 @@ def explain(
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
     )
-    unclear = following.fit < MIN_CAUSE_FIT or explained < MIN_EXPLAINED_SHARE
+    unclear = cut.is_unclear
     return Explanation(
         causes=(Cause.UNCLEAR,) if unclear else find_causes(evidence),
         evidence=evidence,
         profile=None if unclear else profile,
         has_seam=cells.has_seam,
-        explained=0.0 if unclear else explained,
+        explained=0.0 if unclear else cut.explained,
         contrast=_contrast(image, images, next(iter(against_composite.values()))),
         sharpness=None if unclear else sharpness,
         added=None if unclear else _added(cells),
@@ -149,32 +142,6 @@ def explain(
         apart=_apart(images, following),
         loss=None if unclear else loss_picture(details[0], expected.labels, cells),
     )
-
-
-def _expected(
-    image: ComparedImage, images: Sequence[ComparedImage], followed: PlacedSources, known: np.ndarray | None
-) -> tuple[ExpectedMosaic, np.ndarray]:
-    """What the mosaic would look like cut hard, its labels those of the sources; and labels for the composite."""
-    valid = {i: mask for i, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
-    moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
-    found = expected_mosaic(image.plane, followed.planes, followed.fine, followed.following, valid, known, moved)
-    numbers = np.full(256, UNKNOWN, np.uint8)
-    numbers[: len(followed.source_of)] = followed.source_of
-    found = replace(found, labels=numbers[found.labels])
-    nothing = (found.labels == UNKNOWN).all()
-    return found, numbers[followed.following.labels] if nothing else found.labels
-
-
-def _merged(followed: PlacedSources, labels: np.ndarray, count: int) -> FollowedSource:
-    """The first estimate with better labels, of ``count`` sources."""
-    shares = tuple(np.count_nonzero(labels == i) / labels.size for i in range(count))
-    return replace(followed.following, labels=labels, shares=shares)
-
-
-def _where_followed(following: FollowedSource, source: int, levels: int) -> np.ndarray:
-    """Squares of 2^R px from which a source's tone is taken; all of one that is not followed."""
-    where = follows_at(following, source, levels)
-    return where if source in following.followed else np.ones_like(where)
 
 
 def _shift(image: ComparedImage, other: ComparedImage, following: FollowedSource, source: int) -> Shift | None:

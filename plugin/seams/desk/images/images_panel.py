@@ -10,8 +10,10 @@ from qgis.PyQt.QtWidgets import QBoxLayout, QLabel, QScrollArea, QStackedWidget,
 from ....toolkit.desk.space_key import SpaceKey
 from ....toolkit.translation import tr
 from ...clip_pictures import ClipPicture
+from ...measure.window_records import COMPOSITE
 from ..session import Session
 from .images_bar import ImagesBar
+from .loss_image import LossImage
 from .picture_flow import GAP, PictureFlow
 from .picture_strip import PictureStrip
 from .picture_title import kind_of
@@ -27,7 +29,10 @@ class ImagesPanel(QWidget):
         self._session = session
         self._fid: int | None = None
         self._pictures: Sequence[ClipPicture] | None = None
-        self._chosen = ""  # name of the picture that the large one flips to
+        self._chosen = ""  # name of the picture that the large one flips to, as it was clicked
+        self._other: ClipPicture | None = None  # that picture, or another one where it is not there
+        self._why_not = ""  # there is no composite
+        self._loss: LossImage | None = None
         self.viewport = Viewport(self)
         self.views: list[PictureView] = []
         """Those side by side, the mosaic's first."""
@@ -39,6 +44,8 @@ class ImagesPanel(QWidget):
         session.windowsChanged.connect(self._refresh)
         session.inputsChanged.connect(self._refresh)
         session.picturesArrived.connect(self._arrived)
+        session.resultArrived.connect(self._arrived)
+        session.loss_view.changed.connect(self._show_loss)
         self._refresh()
 
     # Parts
@@ -109,8 +116,13 @@ class ImagesPanel(QWidget):
         self._show_status(pictures)
 
     def _arrived(self, fid: int) -> None:
-        if fid == self._fid:
-            self._refresh()
+        """Its pictures, its composite, or its result."""
+        if fid != self._fid:
+            return
+        self._refresh()
+        if self._pictures and self.large.isVisible():
+            self._compare(self._pictures)
+        self._show_loss()
 
     def _is_showing(self) -> bool:
         return self._pages.currentWidget() is not self._hint
@@ -144,6 +156,7 @@ class ImagesPanel(QWidget):
             self._show_all(pictures)
         else:
             self._show_one(pictures)
+        self._show_loss()
         self._show_zoom()
 
     def _show_all(self, pictures: Sequence[ClipPicture]) -> None:
@@ -162,23 +175,43 @@ class ImagesPanel(QWidget):
 
     def _show_one(self, pictures: Sequence[ClipPicture]) -> None:
         """The mosaic large, the others small; the one chosen before stays chosen where it is."""
-        large, *others = pictures
-        other = self._compared(pictures)
-        self.large.set_pictures(large, other)
-        self.strip.show_pictures(others, other.raster if other is not None else "")
-        self.strip.setVisible(bool(others))
+        self.strip.show_pictures(pictures[1:], "")
+        self.strip.setVisible(len(pictures) > 1)
+        self._compare(pictures)
         self._pages.setCurrentWidget(self._one)
 
-    def _compared(self, pictures: Sequence[ClipPicture]) -> ClipPicture | None:
-        others = pictures[1:]
-        return next((one for one in others if one.raster == self._chosen), others[0] if others else None)
+    def _compare(self, pictures: Sequence[ClipPicture]) -> None:
+        """The mosaic with what is chosen, by default the source that covers most."""
+        other = next((one for one in pictures[1:] if one.raster == self._chosen), None)
+        self._why_not = ""
+        if other is None and self._chosen == COMPOSITE and len(pictures) > 1 and self._fid is not None:
+            made = self._session.composite(self._fid)
+            other = made[0] if made else None
+            if not made:
+                self._why_not = tr("composite: reading ...") if made is None else tr("no source explains it")
+            self.strip.mark(COMPOSITE)
+        else:
+            other = other or max(pictures[1:], key=lambda one: one.covered, default=None)
+            self.strip.mark(other.raster if other is not None else "")
+        self.large.set_pictures(pictures[0], other)
+        self._other = other
+        self._show_status(pictures)
 
     def _choose(self, name: str) -> None:
         self._chosen = name
-        self.strip.mark(name)
         if self._pictures:
-            self.large.set_pictures(self._pictures[0], self._compared(self._pictures))
-            self._show_status(self._pictures)
+            self._compare(self._pictures)
+
+    def _show_loss(self, *_: object) -> None:
+        """Over all pictures, where it was measured and is asked for."""
+        result = self._session.result(self._fid) if self._fid is not None else None
+        loss = result.loss if result is not None and self._session.loss_view.is_shown else None
+        if loss is None:
+            self._loss = None
+        elif self._loss is None or self._loss.loss is not loss:
+            self._loss = LossImage(loss)
+        for view in (*self.views, self.large):
+            view.set_loss(self._loss)
 
     def _rearrange(self) -> None:
         self._space.release()
@@ -202,15 +235,17 @@ class ImagesPanel(QWidget):
             text = tr("{window}: reading ...")
         elif len(pictures) == 1 and pictures[0].is_mosaic:
             text = tr("{window}: no source covers it")
+        elif self._why_not and not self.bar.side_by_side.isChecked():
+            text = "{window} · " + self._why_not
         else:
             text = tr("{window} · Space: {name}")
         self.bar.status.setText(
-            text.format(window=tr("Window {number}").format(number=row.window_id), name=self._flipped_to(pictures))
+            text.format(window=tr("Window {number}").format(number=row.window_id), name=self._flipped_to())
         )
 
-    def _flipped_to(self, pictures: Sequence[ClipPicture] | None) -> str:
+    def _flipped_to(self) -> str:
         """What Space shows."""
-        other = self._compared(pictures) if pictures else None
+        other = self._other
         if self.bar.side_by_side.isChecked() or other is None:
             return tr("mosaic")
         return kind_of(other) if other.is_composite else other.raster

@@ -1,16 +1,20 @@
 """Small pictures in a row: a click chooses the one that the large picture is compared with."""
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Sequence
 
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QPixmap
 from qgis.PyQt.QtWidgets import QBoxLayout, QButtonGroup, QScrollArea, QToolButton, QWidget
 
+from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...clip_pictures import ClipPicture
+from ...measure.window_records import COMPOSITE
 from .picture_images import PictureImages
-from .picture_title import kind_of
 
 _SIDE = 5.0  # of a small picture, text heights
 
@@ -49,12 +53,19 @@ class PictureStrip(QScrollArea):
         self.setMinimumSize(size.width() + bar if is_upright else 0, 0 if is_upright else size.height() + bar)
 
     def show_pictures(self, pictures: Sequence[ClipPicture], chosen: str) -> None:
-        """Make a button of each; the one named ``chosen`` is pressed."""
+        """Make a button of each, and one of their composite; the one named ``chosen`` is pressed."""
         for button in self.buttons:
             self._group.removeButton(button)
             self._row.removeWidget(button)
             button.deleteLater()
-        self.buttons = [self._button(picture) for picture in pictures]
+        labels = distinct([picture.raster for picture in pictures])
+        self.buttons = [
+            self._button(picture.raster, label, picture.raster, QIcon(self._thumbnail(picture)))
+            for picture, label in zip(pictures, labels)
+        ]
+        if pictures:
+            name = tr("the hard-cut composite: each pixel from the source that the mosaic follows")
+            self.buttons.append(self._button(COMPOSITE, tr("composite"), name, QIcon(icon_path("composite"))))
         for place, button in enumerate(self.buttons):
             self._group.addButton(button)
             self._row.insertWidget(place, button)
@@ -65,25 +76,23 @@ class PictureStrip(QScrollArea):
         for button in self.buttons:
             button.setChecked(button.objectName() == chosen)
 
-    def _button(self, picture: ClipPicture) -> QToolButton:
+    def _button(self, key: str, label: str, name: str, icon: QIcon) -> QToolButton:
         button = QToolButton()
-        name = picture.raster if not picture.is_composite else kind_of(picture)
-        button.setObjectName(picture.raster)
+        button.setObjectName(key)
         button.setCheckable(True)
         button.setAutoRaise(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         button.setFixedSize(self._size())
-        side = round(_SIDE * self.fontMetrics().height())
-        button.setIconSize(QSize(side, side))
-        button.setIcon(QIcon(self._thumbnail(picture, side)))
-        button.setText(self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, side))
-        button.setToolTip(tr("{name}: compare the large picture with this one").format(name=name))
+        button.setIconSize(QSize(self._side(), self._side()))
+        button.setIcon(icon)
+        button.setText(self.fontMetrics().elidedText(label, Qt.TextElideMode.ElideMiddle, self._side()))
+        button.setToolTip(rich_tip(tr("Compare the large picture with {name}").format(name=name)))
         button.setAccessibleName(name)
-        button.clicked.connect(lambda _checked, name=picture.raster: self.chosen.emit(name))
+        button.clicked.connect(lambda _checked, key=key: self.chosen.emit(key))
         return button
 
-    def _thumbnail(self, picture: ClipPicture, side: int) -> QPixmap:
-        ratio = self.devicePixelRatioF()
+    def _thumbnail(self, picture: ClipPicture) -> QPixmap:
+        ratio, side = self.devicePixelRatioF(), self._side()
         longest = max(picture.pixels.shape[:2])
         image, _ = PictureImages(picture).at(side * ratio / longest)
         pixels = round(side * ratio)
@@ -92,6 +101,20 @@ class PictureStrip(QScrollArea):
         pixmap.setDevicePixelRatio(ratio)
         return pixmap
 
+    def _side(self) -> int:
+        return round(_SIDE * self.fontMetrics().height())
+
     def _size(self) -> QSize:
         height = self.fontMetrics().height()
         return QSize(round((_SIDE + 0.8) * height), round((_SIDE + 2) * height))
+
+
+def distinct(names: Sequence[str]) -> list[str]:
+    """What file names do not have in common, by whole words: ``0025`` of ``DJI_0025_ortho.tif`` among its like."""
+    if len(set(names)) < 2:
+        return list(names)
+    start = os.path.commonprefix(list(names))  # noqa: RUF071 - of characters it is
+    end = os.path.commonprefix([name[len(start) :][::-1] for name in names])[::-1]  # noqa: RUF071
+    start = re.sub(r"[^\W_]+$", "", start)
+    end = re.sub(r"^[^\W_]+", "", end)
+    return [name[len(start) : len(name) - len(end)] or name for name in names]

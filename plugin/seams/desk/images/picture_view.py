@@ -20,6 +20,7 @@ from ....imagery.grids import PixelWindow
 from ....toolkit.desk.theme import readable_palette
 from ....toolkit.translation import tr
 from ...clip_pictures import ClipPicture
+from .loss_image import LossImage
 from .picture_images import PictureImages
 from .picture_title import paint_title
 from .viewport import Viewport
@@ -43,6 +44,7 @@ class PictureView(QWidget):
         self._viewport = viewport
         self._own: PictureImages | None = None
         self._other: PictureImages | None = None
+        self._loss: LossImage | None = None
         self._is_flipped = False
         self._is_reading = False
         self._dragged_from: QPoint | None = None
@@ -65,6 +67,12 @@ class PictureView(QWidget):
         self._is_reading = False
         self.setAccessibleName(self._title())
         self.update()
+
+    def set_loss(self, loss: LossImage | None) -> None:
+        """Paint over the picture where detail was lost; None: nothing."""
+        if loss is not self._loss:
+            self._loss = loss
+            self.update()
 
     def set_reading(self) -> None:
         """Dim the picture: it belongs to another window."""
@@ -142,6 +150,9 @@ class PictureView(QWidget):
         paint_title(painter, strip, palette, images.picture, self._title(), self._is_flipped_now())
         painter.setClipRect(rect)
         self._paint_picture(painter, images)
+        if self._loss is not None and not self._is_reading:
+            corner, ratio = QPointF(self.image_rect().topLeft()), self.devicePixelRatioF()
+            self._loss.paint(painter, corner, self._viewport, ratio, images.picture.inside)
         if images.picture.inside is not None:
             self._paint_outline(painter, images.picture.inside)
         if not self._is_reading:

@@ -9,27 +9,30 @@ from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from ... import jobs
 from ...clip_pictures import ClipPicture, PictureRequest, WindowPictureSet
-from ...measure.window_records import WindowRecord
+from ...measure.inspection import WindowRequest
+from ...measure.window_records import COMPOSITE, WindowRecord
 from ...picture_stretch import GreyRanges, Stretch
 from ..inputs.block_cache import BlockCache
 from ..windows.window_watch import WindowWatch
 
 _MOST_BYTES = 256 * 2**20  # of pictures that are kept, for going back and forth
 
+_Look = tuple[Stretch, "int | None"]
+
 
 class WindowPictures(QObject):
     """Only those asked for last are read; the work for others is cancelled."""
 
     arrived = pyqtSignal(int)
-    """Feature id of a window that has its pictures now."""
+    """Feature id of a window that has its pictures now, or its composite."""
 
     def __init__(self, block: BlockCache, watch: WindowWatch, background: BackgroundTasks, parent: QObject) -> None:
         super().__init__(parent)
         self._block = block
         self._watch = watch
         self._background = background
-        self._pictures: dict[object, tuple[ClipPicture, ...]] = {}
-        self._ranges: dict[object, GreyRanges] = {}  # by stretch and state of the inputs, the same for all windows
+        self._kept: dict[object, WindowPictureSet] = {}
+        self._ranges: dict[_Look, GreyRanges] = {}  # the same for all windows
         self._wanted: object = None
         background.ended.connect(self._ended)
 
@@ -39,46 +42,76 @@ class WindowPictures(QObject):
         if row is None:
             return None
         self._wanted = key = self._key(row)
-        block, layer = self._block.silent(), self._watch.layer
-        if key not in self._pictures and block is not None and layer is not None:
+        request = None if key in self._kept else self._request(row)
+        if request is not None:
             self._background.cancel_others({key})
             if not self._background.is_under_way(key):
-                request = next(self._block.requests(block, layer, [row]))
                 look = self._look()
                 job = jobs.pictures_job(PictureRequest(request, look[0], self._ranges.get(look, {})))
                 self._background.start(tr("Read pictures"), job, partial(self._take, key, look), key)
-        if key in self._pictures:
-            self._pictures[key] = self._pictures.pop(key)  # the last one to go
-        return self._pictures.get(key)
+        return self._found(key)
+
+    def composite(self, fid: int) -> tuple[ClipPicture, ...] | None:
+        """The hard-cut composite of a window whose pictures are there; None while it is being made, empty where the
+        sources explain nothing."""
+        row = self._watch.row(fid)
+        shown = self._kept.get(self._key(row)) if row is not None else None
+        if row is None or shown is None or not shown.pictures:
+            return None
+        key = COMPOSITE, self._key(row)
+        request = None if key in self._kept else self._request(row)
+        if request is not None:
+            self._background.cancel_others({key})
+            if not self._background.is_under_way(key):
+                job = jobs.composite_picture_job(request, shown)
+                self._background.start(tr("Cut the composite"), job, partial(self._take_composite, key), key)
+        return self._found(key)
 
     def forget(self) -> None:
         """They are of another layer."""
-        self._pictures.clear()
+        self._kept.clear()
         self._ranges.clear()
         self._wanted = None
         self._background.cancel_others(set())
 
-    def _take(self, key: object, look: tuple[Stretch, int | None], made: object) -> None:
+    def _request(self, row: WindowRecord) -> WindowRequest | None:
+        block, layer = self._block.silent(), self._watch.layer
+        return None if block is None or layer is None else next(self._block.requests(block, layer, [row]))
+
+    def _found(self, key: object) -> tuple[ClipPicture, ...] | None:
+        if key not in self._kept:
+            return None
+        self._kept[key] = self._kept.pop(key)  # the last one to go
+        return self._kept[key].pictures
+
+    def _take(self, key: object, look: _Look, made: object) -> None:
         assert isinstance(made, WindowPictureSet)
         row = next((row for row in self._watch.rows() if self._key(row) == key), None)
         if row is not None:
             self._ranges[look] = made.ranges  # those of other windows are made anew when these have grown
             is_wanted, key = key == self._wanted, self._key(row)
             self._wanted = key if is_wanted else self._wanted
-        self._keep(key, made.pictures)
+        self._keep(key, made)
         if row is not None:  # else it was moved or removed meanwhile
             self.arrived.emit(row.fid)
 
-    def _keep(self, key: object, pictures: tuple[ClipPicture, ...]) -> None:
-        self._pictures[key] = pictures
-        sizes = {kept: _size(made) for kept, made in self._pictures.items()}
+    def _take_composite(self, key: tuple[str, object], made: object) -> None:
+        assert isinstance(made, WindowPictureSet)
+        self._keep(key, made)
+        row = next((row for row in self._watch.rows() if self._key(row) == key[1]), None)
+        if row is not None:
+            self.arrived.emit(row.fid)
+
+    def _keep(self, key: object, made: WindowPictureSet) -> None:
+        self._kept[key] = made
+        sizes = {kept: _size(one.pictures) for kept, one in self._kept.items()}
         while sum(sizes.values()) > _MOST_BYTES and len(sizes) > 1:
             oldest = next(iter(sizes))
-            del sizes[oldest], self._pictures[oldest]
+            del sizes[oldest], self._kept[oldest]
 
     def _ended(self, key: object, _outcome: object) -> None:
         """Nobody waits in vain for pictures that could not be read."""
-        is_awaited = key is not None and key == self._wanted and key not in self._pictures
+        is_awaited = key is not None and key == self._wanted and key not in self._kept
         if is_awaited and not self._background.is_under_way(key):
             look = self._look()
             self._take(key, look, WindowPictureSet((), self._ranges.get(look, {})))
@@ -88,7 +121,7 @@ class WindowPictures(QObject):
         look = self._look()
         return row.window_id, row.extent, *look, tuple(self._ranges.get(look, {}).items())
 
-    def _look(self) -> tuple[Stretch, int | None]:
+    def _look(self) -> _Look:
         """What is the same for all windows: how grey values are shown, and the inputs that they come from."""
         return Stretch(self._block.inputs.stretch), self._watch.state
 

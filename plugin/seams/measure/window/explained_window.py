@@ -5,6 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ....imagery.band_curves import correlation
 from ....imagery.wavelets import Curve
 from .. import messages
@@ -34,7 +36,8 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
             reference=request.settings.reference,
         )
     judged = measured.judged
-    found = _explain(request, mosaic, judged)
+    settings, labels = request.settings, known_labels(request, judged)
+    found = explain(mosaic, judged, settings.wavelet, settings.levels, labels)
     notices += [
         messages.SOURCE_IN_PART(name=one.clip.raster.ref.name, share=100 * (1 - one.clip.invalid_share))
         for one in judged
@@ -53,13 +56,13 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     )
 
 
-def _explain(request: WindowRequest, mosaic: MeasuredClip, sources: Sequence[MeasuredClip]) -> Explanation:
-    labels = None
-    if request.cells and request.window is not None:
-        names = [one.clip.raster.ref.name for one in sources]
-        known = cell_labels(request.cells, names, request.mosaic.grid, request.window)
-        labels = known if (known != UNKNOWN).any() else None
-    return explain(mosaic, sources, request.settings.wavelet, request.settings.levels, labels)
+def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.ndarray | None:
+    """The source that each pixel was taken from by the seam cells, else ``UNKNOWN``; None where no cell says any."""
+    if not request.cells or request.window is None:
+        return None
+    names = [one.clip.raster.ref.name for one in sources]
+    known = cell_labels(request.cells, names, request.mosaic.grid, request.window)
+    return known if (known != UNKNOWN).any() else None
 
 
 def _judged(

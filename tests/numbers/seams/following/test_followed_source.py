@@ -6,9 +6,9 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.explanation import MIN_CAUSE_FIT
 from seam_inspector.plugin.seams.measure.following import followed_source
 from seam_inspector.plugin.seams.measure.following.followed_source import FollowedSource, follow, high_pass
+from seam_inspector.plugin.seams.measure.following.hard_cut import MIN_CAUSE_FIT
 
 from benchmarks.scenes import cut, feather
 from tests.numbers.seams.following.cuts import SHAPE, made_sources, three_cells

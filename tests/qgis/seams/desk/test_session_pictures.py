@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams import jobs
@@ -81,6 +82,23 @@ def test_pictures_that_cant_be_read_are_none(desk: Desk) -> None:
     assert desk.session.pictures(1) == ()
 
 
+def test_the_composite_of_a_window(desk: Desk) -> None:
+    """Between the sharp half and the blurred one: it is sharp in both, and in the mosaic's tones."""
+    fid = desk.add(PixelWindow(192, 64, 128, 128))
+    wait_until(lambda: desk.session.pictures(fid))
+    wait_until(lambda: desk.session.composite(fid) is not None)
+    mosaic = desk.session.pictures(fid)[0]  # type: ignore[index]
+    (composite,) = desk.session.composite(fid) or ()
+    assert composite.is_composite
+    assert composite.inside == mosaic.inside == PixelWindow(128, 128, 128, 128)
+    around = np.ones(mosaic.pixels.shape[:2], bool)
+    around[128:256, 128:256] = False
+    assert np.array_equal(composite.pixels[around], mosaic.pixels[around])
+    grey = [one.pixels[128:256, 192:256].astype(float).mean(axis=2) for one in (mosaic, composite)]
+    assert abs(grey[0].mean() - grey[1].mean()) < 3
+    assert np.diff(grey[1]).std() > 1.2 * np.diff(grey[0]).std()
+
+
 def test_another_stretch_makes_other_pictures(desk: Desk) -> None:
     fid = desk.add()
     wait_until(lambda: desk.session.pictures(fid))
@@ -118,4 +136,4 @@ def test_as_many_pictures_are_kept_as_there_is_room_for(desk: Desk, monkeypatch:
 def _is_kept(desk: Desk, fid: int) -> bool:
     row = desk.session.row(fid)
     assert row is not None
-    return desk.session._pictures._key(row) in desk.session._pictures._pictures
+    return desk.session._pictures._key(row) in desk.session._pictures._kept

@@ -1,6 +1,8 @@
 """A desk with the images panel, and what the mouse, the keys and the screen do there."""
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QEvent, QObject, QPoint, QPointF, Qt, pyqtSignal
@@ -18,6 +20,8 @@ from seam_inspector.plugin.seams.clip_pictures import ClipPicture
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
 from seam_inspector.plugin.seams.desk.images.picture_view import PictureView
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.loss_view import LossView
+from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.desk.clipped_label import ClippedLabel
 
@@ -31,6 +35,7 @@ class Session(QObject):
     windowsChanged = pyqtSignal()
     inputsChanged = pyqtSignal()
     picturesArrived = pyqtSignal(int)
+    resultArrived = pyqtSignal(int)
 
     def __init__(self) -> None:
         super().__init__()
@@ -39,6 +44,9 @@ class Session(QObject):
         self.asked: list[int] = []
         self.mosaic: object | None = object()
         self.inputs = Inputs()
+        self.loss_view = LossView(self)
+        self.losses: dict[int, LossPicture] = {}
+        self.composites: dict[int, tuple[ClipPicture, ...]] = {}
 
     def selected(self) -> list[int]:
         return self.chosen
@@ -60,6 +68,12 @@ class Session(QObject):
     def pictures(self, fid: int) -> tuple[ClipPicture, ...] | None:
         self.asked.append(fid)
         return self.ready.get(fid)
+
+    def composite(self, fid: int) -> tuple[ClipPicture, ...] | None:
+        return self.composites.get(fid)
+
+    def result(self, fid: int) -> SimpleNamespace | None:
+        return SimpleNamespace(loss=self.losses[fid]) if fid in self.losses else None
 
     def arrive(self, fid: int, pictures: tuple[ClipPicture, ...]) -> None:
         self.ready[fid] = pictures

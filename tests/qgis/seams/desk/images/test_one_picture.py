@@ -11,6 +11,8 @@ from qgis.PyQt.QtWidgets import QApplication, QWidget
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
+from seam_inspector.plugin.seams.desk.images.picture_strip import distinct
+from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
 
 from tests.qgis.seams.desk.images.images_desk import (
     Session,
@@ -54,7 +56,7 @@ def test_the_mosaic_is_large_and_space_shows_the_first_source(panel: ImagesPanel
 
 
 def test_a_click_chooses_the_source_and_it_stays_chosen(panel: ImagesPanel, desk: QWidget, session: Session) -> None:
-    first, second = panel.strip.buttons
+    first, second, _composite = panel.strip.buttons
     assert first.isChecked()
     second.click()
     assert (first.isChecked(), second.isChecked()) == (False, True)
@@ -69,12 +71,66 @@ def test_a_click_chooses_the_source_and_it_stays_chosen(panel: ImagesPanel, desk
     assert "Space: strip_1.tif" in text(panel)
 
 
-def test_the_composite_is_named_so(panel: ImagesPanel, session: Session) -> None:
-    mosaic, *sources = make_pictures(1)
-    session.arrive(1, (mosaic, *sources, ClipPicture("composite", False, noise(9), is_composite=True)))
+def test_the_source_that_covers_most_comes_first(panel: ImagesPanel, session: Session) -> None:
+    mosaic, first, second = make_pictures()
+    session.arrive(1, (mosaic, replace(first, covered=0.4), second))
+    assert "Space: strip_2.tif" in text(panel)
+
+
+def test_the_composite_is_made_when_it_is_chosen(panel: ImagesPanel, desk: QWidget, session: Session) -> None:
+    hover(panel.large)
     panel.strip.buttons[-1].click()
-    assert panel.strip.buttons[-1].text() == "composite"
+    assert "reading" in text(panel)
+    press(desk)
+    assert shown(panel) == "mosaic.tif"
+    release(desk)
+    made = ClipPicture("composite", False, noise(9), is_composite=True)
+    session.composites[1] = (made,)
+    session.picturesArrived.emit(1)
     assert "Space: composite" in text(panel)
+    press(desk)
+    assert panel.large.shown is made
+    release(desk)
+    session.composites[2] = ()  # of the next window there is none
+    session.select([2])
+    session.arrive(2, make_pictures())
+    assert "no source explains it" in text(panel)
+    assert panel.strip.buttons[-1].isChecked()
+
+
+def test_lost_detail_is_painted_over_the_window(panel: ImagesPanel, session: Session) -> None:
+    pixels = np.full((384, 384, 3), 90, np.uint8)
+    session.arrive(1, (ClipPicture("mosaic.tif", True, pixels, inside=PixelWindow(160, 160, 64, 64)),))
+    kept = np.ones((8, 8), np.float32)
+    kept[:, :4] = 0.3
+    session.losses[1] = LossPicture(kept)
+    session.resultArrived.emit(1)
+    bare = painted(panel.large)
+    assert (bare == 90).mean() > 0.9
+    session.loss_view.toggle()
+    with_loss = painted(panel.large)
+    changed = np.argwhere(abs(with_loss.astype(int) - bare).max(axis=2) > 20)
+    middle = [side // 2 for side in bare.shape[:2]]
+    assert changed.min(axis=0) == pytest.approx([middle[0] - 64, middle[1] - 64], abs=2)
+    assert changed.max(axis=0) == pytest.approx([middle[0] + 64, middle[1]], abs=2)
+    wanted = [0.4 * 90 + 0.6 * colour for colour in (163, 0, 38)]
+    assert with_loss[middle[0], middle[1] - 20].tolist() == pytest.approx(wanted, abs=2)
+    session.loss_view.toggle()
+    assert np.array_equal(painted(panel.large), bare)
+
+
+@pytest.mark.parametrize(
+    ("names", "wanted"),
+    [
+        (["DJI_0025_ortho.tif", "DJI_0031_ortho.tif"], ["0025", "0031"]),
+        (["west.tif", "east.tif"], ["west", "east"]),
+        (["a/1.tif", "b.tif"], ["a/1", "b"]),
+        (["only.tif"], ["only.tif"]),
+        (["same.tif", "same.tif"], ["same.tif", "same.tif"]),
+    ],
+)
+def test_labels_tell_what_names_do_not_share(names: list[str], wanted: list[str]) -> None:
+    assert distinct(names) == wanted
 
 
 def test_side_by_side_and_back_keeps_the_pictures(panel: ImagesPanel) -> None:

@@ -1,0 +1,85 @@
+"""The hard cut of the sources that the mosaic follows in a window: what it is compared with, and what can be shown."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..compared_image import ComparedImage, MeasuredClip, on_common_bands
+from ..seam_cells import UNKNOWN
+from ..tone import Tone
+from .composite import Composite, follows_at, make_composite
+from .expected_mosaic import ExpectedMosaic, expected_mosaic
+from .followed_source import FollowedSource
+from .placed_sources import PlacedSources, follow_sources
+
+MIN_CAUSE_FIT = 0.05  # of the fine detail; strangers explain 0.01 to 0.03
+MIN_EXPLAINED_SHARE = 0.05  # of the pixels: with less there is nothing to compare with
+
+
+@dataclass(frozen=True, eq=False)
+class HardCut:
+    """A window of the mosaic and its sources on their common bands, and which of them every pixel follows."""
+
+    mosaic: ComparedImage
+    sources: tuple[ComparedImage, ...]
+    expected: ExpectedMosaic
+    """What the mosaic would look like; its labels are those of the sources."""
+    following: FollowedSource
+    tones: tuple[dict[str, Tone | None], ...]
+    """What became of each source's grey values in the mosaic, by band."""
+    composite: Composite
+
+    @property
+    def explained(self) -> float:
+        """Share of the pixels whose fine detail the sources explain."""
+        return np.count_nonzero(self.expected.labels != UNKNOWN) / self.expected.labels.size
+
+    @property
+    def is_unclear(self) -> bool:
+        """Whether the sources say too little of the mosaic for the cut to mean anything."""
+        return self.following.fit < MIN_CAUSE_FIT or self.explained < MIN_EXPLAINED_SHARE
+
+
+def cut_hard(
+    mosaic: MeasuredClip, sources: Sequence[MeasuredClip], levels: int, labels: np.ndarray | None = None
+) -> HardCut:
+    """Cut at least one source as the mosaic follows it.
+
+    ``labels``, (rows, columns) uint8, says which source each pixel was taken from where that is known, else
+    ``seam_cells.UNKNOWN``.
+    """
+    image, *images = on_common_bands((mosaic, *sources), levels)
+    followed = follow_sources(image, images)
+    expected, labels = _expected(image, images, followed, labels)
+    following = _merged(followed, labels, len(images))
+    tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
+    composite = make_composite(image.bands, [other.bands for other in images], image.names, labels, tones)
+    return HardCut(image, tuple(images), expected, following, tuple(tones), composite)
+
+
+def _expected(
+    image: ComparedImage, images: Sequence[ComparedImage], followed: PlacedSources, known: np.ndarray | None
+) -> tuple[ExpectedMosaic, np.ndarray]:
+    """What the mosaic would look like cut hard, its labels those of the sources; and labels for the composite."""
+    valid = {i: mask for i, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
+    moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
+    found = expected_mosaic(image.plane, followed.planes, followed.fine, followed.following, valid, known, moved)
+    numbers = np.full(256, UNKNOWN, np.uint8)
+    numbers[: len(followed.source_of)] = followed.source_of
+    found = replace(found, labels=numbers[found.labels])
+    nothing = (found.labels == UNKNOWN).all()
+    return found, numbers[followed.following.labels] if nothing else found.labels
+
+
+def _merged(followed: PlacedSources, labels: np.ndarray, count: int) -> FollowedSource:
+    """The first estimate with better labels, of ``count`` sources."""
+    shares = tuple(np.count_nonzero(labels == i) / labels.size for i in range(count))
+    return replace(followed.following, labels=labels, shares=shares)
+
+
+def _where_followed(following: FollowedSource, source: int, levels: int) -> np.ndarray:
+    """Squares of 2^R px from which a source's tone is taken; all of one that is not followed."""
+    where = follows_at(following, source, levels)
+    return where if source in following.followed else np.ones_like(where)
