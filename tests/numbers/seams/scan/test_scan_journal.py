@@ -225,7 +225,7 @@ def test_another_scan_is_refused_until_the_first_one_ends_or_dies(path: Path) ->
 
 def test_on_windows_a_byte_far_behind_the_file_is_locked(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What is locked there can't be read by others, and a copy of the journal may be wanted."""
-    from seam_inspector.plugin.seams.measure.scan.journal import file_lock
+    from seam_inspector.plugin.imagery.records import file_lock
 
     asked = []
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..journal.array_records import packed, unpacked
+from .....imagery.records.array_records import packed, unpacked
 from .cell_table import CellTable
 from .scan_block import BlockScan
 

@@ -1,33 +1,29 @@
 """What a scan has measured so far, on disk, so that one that was stopped in any way goes on where it was.
 
 The file: ``_MAGIC``, a record whose key is empty and whose payload is the fingerprint, then a record for each result.
-A record: length of the key (4 bytes), of the payload (8 bytes), BLAKE2 of both lengths, the key and the payload
-(16 bytes), key (UTF-8), payload; numbers little-endian. Only ever appended to.
+Records are those of ``imagery/records``. Only ever appended to.
 """
 from __future__ import annotations
 
 import contextlib
 import errno
 import os
-import struct
 import time
 from collections.abc import KeysView
-from hashlib import blake2b
 from pathlib import Path
 from typing import BinaryIO
 
 from .....imagery.errors import SettingsError
 from .....imagery.message import Message
+from .....imagery.records.file_lock import lock_file
+from .....imagery.records.record_bytes import append_record, is_cut_off, read_all, record_at, record_size, write_all
 from ... import messages
-from .file_lock import lock_file
 from .scan_fingerprint import what_changed
 
 MOST_LOST_SECONDS = 2.0
 """Of work, when the power fails: to wait for the disk at every block would take longer than to put the block there."""
 
 _MAGIC = b"Seam Inspector: journal of a scan, 1\n"
-_HEAD = struct.Struct("<IQ16s")
-_LENGTHS = struct.Struct("<IQ")
 _SMALL = 65536  # a journal that was killed before its fingerprint was on the disk is no larger
 
 
@@ -67,7 +63,7 @@ class ScanJournal:
         """A result. Raises KeyError where it is not done, SettingsError when the disk lost it meanwhile."""
         place = self._places[key]
         try:
-            found = _record_at(self._file, place, self._end)
+            found = record_at(self._file, place, self._end)
         except OSError as error:
             raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=error.strerror)) from None
         if found is None or found[0] != key:
@@ -82,7 +78,7 @@ class ScanJournal:
         Raises SettingsError when the disk is full; what was saved before stays, and more may be tried.
         """
         try:
-            end = _append(self._file, self._end, key, payload)
+            end = append_record(self._file, self._end, key, payload)
             if time.monotonic() - self._on_disk > MOST_LOST_SECONDS:
                 os.fsync(self._file.fileno())
                 self._on_disk = time.monotonic()
@@ -133,23 +129,23 @@ def _opened(path: Path) -> BinaryIO:
 def _resumed(path: Path, file: BinaryIO, fingerprint: str) -> tuple[ScanJournal, Message | None]:
     """What is whole in the file, cut after it. Raises OSError; SettingsError for a file that is no journal."""
     size = os.fstat(file.fileno()).st_size
-    start = _read_all(file, len(_MAGIC))
+    start = read_all(file, len(_MAGIC))
     was_never_whole = start != _MAGIC and size <= _SMALL and _MAGIC.startswith(_whole_text(file).rstrip(b"\0"))
     if start != _MAGIC and not was_never_whole:
         raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path))
-    first = _record_at(file, len(_MAGIC), size) if start == _MAGIC else None
+    first = record_at(file, len(_MAGIC), size) if start == _MAGIC else None
     if first is None or first[0] or first[1] != fingerprint.encode():
-        lost = start == _MAGIC and not _is_cut_off(file, len(_MAGIC), size)
+        lost = start == _MAGIC and not is_cut_off(file, len(_MAGIC), size)
         journal = _anew(path, file, fingerprint)
         if first is not None:
             return journal, messages.SCAN_ANEW(what=what_changed(first[1].decode(errors="replace"), fingerprint))
         return journal, messages.SCAN_ANEW_DAMAGED(path=path) if lost else None
     places: dict[str, int] = {}
-    end = len(_MAGIC) + _HEAD.size + len(first[1])
-    while (record := _record_at(file, end, size)) is not None:
+    end = len(_MAGIC) + record_size(*first)
+    while (record := record_at(file, end, size)) is not None:
         places[record[0]] = end
-        end += _HEAD.size + len(record[0].encode()) + len(record[1])
-    damaged = not _is_cut_off(file, end, size)
+        end += record_size(*record)
+    damaged = not is_cut_off(file, end, size)
     file.truncate(end)
     journal = ScanJournal(path, file, places, end)
     if damaged:
@@ -161,8 +157,8 @@ def _anew(path: Path, file: BinaryIO, fingerprint: str) -> ScanJournal:
     """Raises OSError."""
     file.truncate(0)
     file.seek(0)
-    _write_all(file, _MAGIC)
-    end = _append(file, len(_MAGIC), "", fingerprint.encode())
+    write_all(file, _MAGIC)
+    end = append_record(file, len(_MAGIC), "", fingerprint.encode())
     if os.name != "nt":  # so that the name of the file, too, is on the disk
         folder = os.open(path.parent, os.O_RDONLY)
         try:
@@ -173,66 +169,6 @@ def _anew(path: Path, file: BinaryIO, fingerprint: str) -> ScanJournal:
     return ScanJournal(path, file, {}, end)
 
 
-def _append(file: BinaryIO, end: int, key: str, payload: bytes) -> int:
-    """Write a record at the end; the new end. Raises OSError."""
-    name = key.encode()
-    lengths = _LENGTHS.pack(len(name), len(payload))
-    file.seek(end)
-    _write_all(file, _HEAD.pack(len(name), len(payload), _checksum(lengths, name, payload)) + name + payload)
-    return end + _HEAD.size + len(name) + len(payload)
-
-
-def _record_at(file: BinaryIO, place: int, size: int) -> tuple[str, bytes] | None:
-    """Key and payload of the record at a place; None where none stands there whole. Raises OSError."""
-    file.seek(place)
-    head = _read_all(file, _HEAD.size)
-    if len(head) < _HEAD.size:
-        return None
-    name_length, payload_length, checksum = _HEAD.unpack(head)
-    if place + _HEAD.size + name_length + payload_length > size:
-        return None
-    name, payload = _read_all(file, name_length), _read_all(file, payload_length)
-    if _checksum(head[: _LENGTHS.size], name, payload) != checksum:
-        return None
-    return name.decode(), payload
-
-
-def _is_cut_off(file: BinaryIO, place: int, size: int) -> bool:
-    """Whether what follows the last whole record is no more than one that was being written, or nothing.
-
-    After a power loss its pages may be there in part, the others zero.
-    """
-    file.seek(place)
-    head = _read_all(file, _HEAD.size)
-    if len(head) < _HEAD.size or not head.strip(b"\0"):
-        return True
-    name_length, payload_length, _ = _HEAD.unpack(head)
-    return bool(place + _HEAD.size + name_length + payload_length >= size)
-
-
 def _whole_text(file: BinaryIO) -> bytes:
     file.seek(0)
-    return _read_all(file, _SMALL)
-
-
-def _checksum(lengths: bytes, name: bytes, payload: bytes) -> bytes:
-    digest = blake2b(lengths, digest_size=16)
-    digest.update(name)
-    digest.update(payload)
-    return digest.digest()
-
-
-def _write_all(file: BinaryIO, data: bytes) -> None:
-    """Raises OSError."""
-    rest = memoryview(data)
-    while rest:
-        rest = rest[file.write(rest):]
-
-
-def _read_all(file: BinaryIO, length: int) -> bytes:
-    """That many bytes, or those up to the end of the file. Raises OSError."""
-    parts, rest = [], length
-    while rest and (part := file.read(rest)):
-        parts.append(part)
-        rest -= len(part)
-    return b"".join(parts)
+    return read_all(file, _SMALL)

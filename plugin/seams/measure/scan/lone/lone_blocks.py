@@ -15,13 +15,13 @@ from .....imagery.grids import PixelWindow
 from .....imagery.message import Message
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster
+from .....imagery.records.array_records import packed, unpacked
 from .....imagery.remote_files import remote_settings
 from ..block_runs import ScanStep
 from ..blocks.block_grid import BlockGrid, BlockKey
 from ..blocks.grey_values import grey_factor
 from ..blocks.rectangles import rectangles
 from ..blocks.seam_squares import SeamSquares
-from ..journal.array_records import packed, unpacked
 from ..journal.journaled import BlockLook, Clock, Crew, held, journaled
 from ..journal.scan_journal import ScanJournal
 from ..lines.piece_index import PieceIndex
