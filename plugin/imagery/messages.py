@@ -95,3 +95,6 @@ REMOTE_IN_PART = Message(
     "{name} came over the network only in part, also when asked again; check that it is complete on its server."
 )
 REMOTE_NOT_OPENED = Message("{name} can't be read over the network ({why}); check its address and GDAL's settings.")
+# files of records
+RECORDS_IN_USE = Message("another QGIS has it open", INFO)
+RECORDS_FOREIGN = Message("the file there is something else", INFO)

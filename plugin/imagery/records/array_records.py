@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import math
 import struct
 import zlib
 from collections.abc import Collection, Mapping
@@ -31,6 +32,8 @@ def unpacked(record: bytes) -> dict[str, np.ndarray]:
     place, found = _LENGTH.size + length, {}
     for name, kind, shape, size, is_compressed in json.loads(record[_LENGTH.size : place]):
         held = record[place : place + size]
-        found[name] = np.frombuffer(zlib.decompress(held) if is_compressed else held, kind).reshape(shape)
+        if is_compressed:
+            held = zlib.decompressobj().decompress(held, max(math.prod(shape) * np.dtype(kind).itemsize, 1))
+        found[name] = np.frombuffer(held, kind).reshape(shape)
         place += size
     return found

@@ -6,6 +6,7 @@ A record: length of the key (4 bytes), of the payload (8 bytes), BLAKE2 of both 
 from __future__ import annotations
 
 import struct
+from collections.abc import Iterator
 from hashlib import blake2b
 from typing import BinaryIO
 
@@ -35,6 +36,24 @@ def record_at(file: BinaryIO, place: int, size: int) -> tuple[str, bytes] | None
     if _checksum(head[: _LENGTHS.size], name, payload) != checksum:
         return None
     return name.decode(), payload
+
+
+def record_ends(file: BinaryIO, place: int, size: int) -> Iterator[tuple[str, int, int, int]]:
+    """Of all records from a place on: key, where it begins, bytes of its payload, where the next one begins.
+
+    Their payloads are not read, so that what was damaged within one shows only when it is. Raises OSError.
+    """
+    while True:
+        file.seek(place)
+        head = read_all(file, _HEAD.size)
+        if len(head) < _HEAD.size:
+            return
+        name_length, payload_length, _ = _HEAD.unpack(head)
+        end = place + _HEAD.size + name_length + payload_length
+        if end > size or not head.strip(b"\0"):
+            return
+        yield read_all(file, name_length).decode(errors="replace"), place, payload_length, end
+        place = end
 
 
 def is_cut_off(file: BinaryIO, place: int, size: int) -> bool:

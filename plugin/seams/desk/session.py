@@ -13,6 +13,7 @@ from ...imagery.errors import SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.message import Message
 from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.desk.timers import single_shot
 from ...toolkit.layer_editing import edit_step
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
@@ -30,6 +31,7 @@ from .inputs.block_cache import BlockCache
 from .inputs.inputs_watch import InputsWatch
 from .inputs.layer_places import LayerPlaces
 from .inputs.project_inputs import Inputs, load_inputs, save_inputs
+from .keeping.keeping import Keeping
 from .loss_view import LossView
 from .map.seam_finder import SeamFinder
 from .map.window_coverage import Coverage, WindowCoverage
@@ -72,6 +74,8 @@ class Session(QObject):
         self._watch.windowsChanged.connect(self.windowsChanged)
         self._watch.selectionChanged.connect(self.selectionChanged)
         self._watch.replaced.connect(self._windows_replaced)
+        self._keeping = Keeping(self._watch, self)
+        self._keeping.told.connect(self._tell)
         self._background = BackgroundTasks(self)
         self._background.failed.connect(self._tell)
         self._results = WindowResults(self._block, self._watch, self._background, self)
@@ -85,6 +89,7 @@ class Session(QObject):
         self._new.told.connect(self._tell)
         self._pictures = WindowPictures(self._block, self._watch, self._background, self)
         self._pictures.arrived.connect(self.picturesArrived)
+        self._searcher = single_shot(self, self._find_left)  # the project is still being read when it tells so
         self._connections: list[tuple[Any, Callable[..., None]]] = [
             (self._project.readProject, self._load),
             (self._project.cleared, self._load),
@@ -108,6 +113,8 @@ class Session(QObject):
         self._inputs_background.close()
         self._background.close()
         self._results.close()
+        self._searcher.stop()
+        self._keeping.close()
         self._watch.close()
 
     # Inputs
@@ -225,6 +232,7 @@ class Session(QObject):
                 with edit_step(layer, tr("Judge windows")):
                     prepared = self._watch.prepare(others, self.inputs.levels, values)
                     window_layer.write_judgement(layer, prepared, values)
+                self._keeping.note_judged(layer)
 
     # Work in the background
 
@@ -293,6 +301,13 @@ class Session(QObject):
         self._block.inputs = load_inputs(self._project)
         self._places.load()
         self._layers_changed()
+        self._searcher.start()
+
+    def _find_left(self) -> None:
+        """Windows of this project that were never saved with it: a QGIS ended before."""
+        if self._watch.layer is None and (path := self._keeping.left_in(self._project)) is not None:
+            with self._raised():
+                self._take_layer(self._project.addMapLayer(window_layer.open_window_layer(path)).id())
 
     def _save(self, *_: object) -> None:
         """Save the windows with the project, as its user expects."""
@@ -319,6 +334,8 @@ class Session(QObject):
         if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
             self._forget_windows()
             self._watch.watch(layer)
+            if self._watch.layer is not None:
+                self._keeping.follow(self._watch.layer, self.inputs.levels)
         self._opened()
 
     def _opened(self) -> None:
@@ -337,11 +354,14 @@ class Session(QObject):
         self._seams.refresh(anew=True)
 
     def _windows_replaced(self) -> None:
+        if (layer := self._watch.layer) is not None:
+            self._keeping.leave([layer.id()])
         self._forget_windows()
         self._layers_changed()
 
     def _forget_layers(self, ids: list[str]) -> None:
         self._layers.leave(ids)
+        self._keeping.leave(ids)
         if (layer := self._watch.layer) is not None and layer.id() in ids:
             self._forget_windows()
 

@@ -67,6 +67,19 @@ WINDOWS_NOT_SAVED = Message(
     "The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that "
     "layer elsewhere."
 )
+WINDOWS_RESTORED = Message(
+    "QGIS ended before the windows in {name} were saved; what was changed last in {count} of them is back. Save the "
+    "layer to keep it.",
+    WARNING,
+)
+WINDOWS_NOT_KEPT = Message(
+    "What is judged is safe only once you save the layer: it can't be kept in {path} meanwhile ({error}).", WARNING
+)
+WINDOWS_WITHOUT_FILE = Message(
+    "The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a "
+    "GeoPackage to keep them.",
+    WARNING,
+)
 WINDOWS_RENUMBERED = Message("{count} windows had no number of their own and were given the next free ones.", WARNING)
 # why a window is not comparable
 NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or move the window.", INFO)

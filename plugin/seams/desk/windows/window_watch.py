@@ -202,6 +202,12 @@ class WindowWatch(QObject):
                 self._versions[number].setdefault(row.measured, set()).add(version)
         self._mark_all()
 
+    def mark_stale(self, numbers: Iterable[int]) -> None:
+        """The values that these windows have are outdated, whatever the present inputs are."""
+        self._windows()
+        self._versions.update((number, {}) for number in numbers if number in self._fids)
+        self._mark_all()
+
     def save_stale(self) -> None:
         """The marks are kept with the layer in the project."""
         if self._layer is not None:

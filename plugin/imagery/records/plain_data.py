@@ -1,0 +1,168 @@
+"""Frozen dataclasses as JSON and arrays, and back: a file that somebody sent can bring numbers and words, and no code.
+
+What is read is only ever made into the classes that the given class's annotations name, and into sentences that are
+known. Floats come back to the last digit; arrays of float32, which are pictures, to a two-thousandth.
+"""
+from __future__ import annotations
+
+import ast
+import builtins
+import dataclasses
+import json
+import sys
+import typing
+from collections.abc import Mapping
+from enum import Enum
+from functools import cache
+from typing import Any, Union
+
+import numpy as np
+
+from ..message import Level, Message
+from .array_records import packed, unpacked
+
+_JSON = "json"
+_MESSAGE = ("template", "level", "values")
+
+
+class NotUnderstoodError(Exception):
+    """A record of another version, or by somebody else."""
+
+
+def record_of(value: object) -> bytes:
+    """A dataclass of numbers, words, enums, arrays, messages, and tuples, mappings and dataclasses of those."""
+    arrays: dict[str, np.ndarray] = {}
+    text = json.dumps(_plain(value, arrays), separators=(",", ":")).encode()
+    held = {_JSON: np.frombuffer(text, np.uint8), **arrays}
+    return packed(held, held)
+
+
+def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any:
+    """The instance of a dataclass; ``sentences`` are the known ones, by template. Raises NotUnderstoodError."""
+    try:
+        arrays = unpacked(record)
+        return _Reader(arrays, sentences).read(kind, json.loads(arrays[_JSON].tobytes()))
+    except NotUnderstoodError:
+        raise
+    except Exception as error:  # whatever the bytes are
+        raise NotUnderstoodError(f"{type(error).__name__}: {error}") from None
+
+
+def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:
+    if isinstance(value, Enum):
+        return value.value
+    if isinstance(value, np.generic):
+        return value.item()
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    if isinstance(value, np.ndarray):
+        name = str(len(arrays))
+        arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
+        return name
+    if isinstance(value, Message):
+        values = {name: _word(one, arrays) for name, one in value.values.items()}
+        return dict(zip(_MESSAGE, (value.template, value.level.value, values)))
+    if dataclasses.is_dataclass(value):
+        return {field.name: _plain(getattr(value, field.name), arrays) for field in dataclasses.fields(value)}
+    if isinstance(value, Mapping):
+        return {_plain(key, arrays): _plain(one, arrays) for key, one in value.items()}
+    if isinstance(value, (tuple, list)):
+        return [_plain(one, arrays) for one in value]
+    raise TypeError(f"no record of {type(value).__name__}")
+
+
+def _word(value: object, arrays: dict[str, np.ndarray]) -> Any:
+    """What goes into a sentence; paths and errors as they are shown."""
+    known = value is None or isinstance(value, (bool, int, float, str, tuple, Message, np.generic))
+    return _plain(value, arrays) if known else str(value)
+
+
+class _Reader:
+    def __init__(self, arrays: Mapping[str, np.ndarray], sentences: Mapping[str, Message]) -> None:
+        self._arrays, self._sentences = arrays, sentences
+
+    def read(self, kind: Any, plain: Any) -> Any:
+        """Raises NotUnderstoodError, or whatever the data is not fit for."""
+        origin, inner = typing.get_origin(kind), typing.get_args(kind)
+        if origin is Union:
+            return self._one_of(inner, plain)
+        if origin is tuple:
+            kinds = [inner[0]] * len(plain) if len(inner) == 2 and inner[1] is ... else list(inner)
+            return tuple(self._list(kinds, plain))
+        if isinstance(origin, type) and issubclass(origin, Mapping):
+            return {self.read(inner[0], key): self.read(inner[1], one) for key, one in plain.items()}
+        return self._single(kind, plain)
+
+    def _single(self, kind: Any, plain: Any) -> Any:
+        if kind is type(None) or kind in (bool, int, str):
+            return _checked(type(plain) is kind, plain)
+        if kind is float:
+            return float(_checked(type(plain) in (int, float), plain))
+        if kind is np.ndarray:
+            found = self._arrays[plain]
+            return found.astype(np.float32) if found.dtype == np.float16 else found
+        if kind is Message:
+            return self._message(plain)
+        if issubclass(kind, Enum):
+            return kind(plain)
+        if not dataclasses.is_dataclass(kind):
+            raise NotUnderstoodError(str(kind))
+        make: Any = kind
+        kinds = _annotations(make)
+        return make(**{name: self.read(kinds[name], one) for name, one in plain.items()})
+
+    def _list(self, kinds: list[Any], plain: list[Any]) -> list[Any]:
+        _checked(type(plain) is list and len(kinds) == len(plain), plain)
+        return [self.read(kind, one) for kind, one in zip(kinds, plain)]
+
+    def _one_of(self, kinds: tuple[Any, ...], plain: Any) -> Any:
+        if plain is None and type(None) in kinds:
+            return None
+        others = [kind for kind in kinds if kind is not type(None)]
+        for kind in others[:-1]:
+            try:
+                return self.read(kind, plain)
+            except (NotUnderstoodError, ValueError, TypeError, KeyError):
+                continue
+        return self.read(others[-1], plain)
+
+    def _message(self, plain: Any) -> Message:
+        template, level, values = (plain[name] for name in _MESSAGE)
+        found = dataclasses.replace(self._sentences[template], level=Level(level))
+        message = found(**{name: self._in_sentence(one) for name, one in values.items()}) if values else found
+        str(message)  # values of another kind than it takes
+        return message
+
+    def _in_sentence(self, plain: Any) -> Any:
+        if isinstance(plain, dict):
+            return self._message(plain)
+        return tuple(map(self._in_sentence, plain)) if isinstance(plain, list) else plain
+
+
+def _checked(is_fit: bool, plain: Any) -> Any:
+    if not is_fit:
+        raise NotUnderstoodError(repr(plain)[:80])
+    return plain
+
+
+@cache
+def _annotations(kind: type) -> dict[str, Any]:
+    """The kinds of a class's fields. Python 3.9 does not know ``int | None`` of its own annotations."""
+    names = {**vars(builtins), **vars(sys.modules[kind.__module__])}
+    return {name: _kind(ast.parse(text, mode="eval").body, names) for name, text in kind.__annotations__.items()}
+
+
+def _kind(node: ast.expr, names: Mapping[str, Any]) -> Any:
+    if isinstance(node, ast.Name):
+        return names[node.id]
+    if isinstance(node, ast.Attribute):
+        return getattr(_kind(node.value, names), node.attr)
+    if isinstance(node, ast.Constant):
+        return type(None) if node.value is None else node.value
+    if isinstance(node, ast.BinOp):
+        return Union[_kind(node.left, names), _kind(node.right, names)]
+    if isinstance(node, ast.Tuple):
+        return tuple(_kind(one, names) for one in node.elts)
+    if isinstance(node, ast.Subscript):
+        return _kind(node.value, names)[_kind(node.slice, names)]
+    raise NotUnderstoodError(ast.dump(node))

@@ -1,0 +1,103 @@
+"""Nothing that was judged or measured is lost: what is kept beside the window layers that are looked at."""
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from functools import partial
+from pathlib import Path
+
+from qgis.core import QgsProject, QgsVectorLayer
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ....imagery.errors import SeamInspectorError
+from ....toolkit import layers
+from ...measure import messages
+from ..windows.window_watch import WindowWatch
+from .restoring import restore
+from .unsaved_windows import UnsavedWindows, owner_of
+from .window_files import UNSAVED, path_beside
+
+
+class Keeping(QObject):
+    """Of every layer that is followed, until it goes."""
+
+    told = pyqtSignal(object)
+    """A Message."""
+
+    def __init__(self, watch: WindowWatch, parent: QObject) -> None:
+        super().__init__(parent)
+        self._watch = watch
+        self._unsaved: dict[str, UnsavedWindows] = {}  # by the layer's id
+        self._complained: set[str] = set()  # layers of which was said that they can't be kept
+
+    def follow(self, layer: QgsVectorLayer, levels: int) -> None:
+        """Keep what is changed in a layer from now on; what was left of it comes back into it."""
+        if layer.id() in self._unsaved:
+            return
+        path = path_beside(layer, UNSAVED)
+        if path is None:
+            return
+        unsaved = UnsavedWindows(layer, path, self._stale, self)
+        unsaved.failed.connect(partial(self._failed, layer.id(), str(path)))
+        self._unsaved[layer.id()] = unsaved
+        left = unsaved.left() if path.is_file() and not layer.isModified() else []
+        if not left:
+            return
+        try:
+            count = restore(self._watch, left, levels)
+        except SeamInspectorError as error:
+            self.told.emit(error.message)
+            return
+        if count:
+            self.told.emit(messages.WINDOWS_RESTORED(count=count, name=layer.name()))
+        else:
+            unsaved.drop()
+
+    def note_judged(self, layer: QgsVectorLayer) -> None:
+        """Something was judged that is worth being kept."""
+        if layer.id() not in self._unsaved:
+            self._complain(layer, messages.WINDOWS_WITHOUT_FILE(name=layer.name()))
+
+    def left_in(self, project: QgsProject) -> Path | None:
+        """The file of windows that were never saved with a project which ended without saving, and lack in it."""
+        if not project.homePath() or not project.fileName():
+            return None
+        there = {layers.layer_path(one) for one in project.mapLayers().values() if isinstance(one, QgsVectorLayer)}
+        for path in sorted(Path(project.homePath()).glob(f"*.gpkg{UNSAVED}")):
+            windows = path.with_suffix("")
+            if str(windows) not in there and windows.is_file() and owner_of(path) == project.fileName():
+                return windows
+        return None
+
+    def leave(self, ids: Iterable[str]) -> None:
+        """These layers go."""
+        for layer_id in ids:
+            if (unsaved := self._unsaved.pop(layer_id, None)) is not None:
+                unsaved.close()
+
+    def close(self) -> None:
+        """What is not saved in layers that are still there stays open in them, and QGIS itself asks about it."""
+        for unsaved in self._unsaved.values():
+            unsaved.drop()
+            unsaved.close()
+        self._unsaved.clear()
+
+    def flush(self) -> None:
+        """Wait until all is on the disk."""
+        for unsaved in self._unsaved.values():
+            unsaved.flush()
+
+    def _stale(self, layer: QgsVectorLayer) -> Collection[int]:
+        if layer is not self._watch.layer:
+            return ()
+        return {row.window_id for row in self._watch.rows() if row.stale}
+
+    def _failed(self, layer_id: str, path: str, error: object) -> None:
+        layer = self._unsaved[layer_id].layer if layer_id in self._unsaved else None
+        if layer is not None:
+            self._complain(layer, messages.WINDOWS_NOT_KEPT(path=path, error=error))
+
+    def _complain(self, layer: QgsVectorLayer, message: object) -> None:
+        """Once."""
+        if layer.id() not in self._complained:
+            self._complained.add(layer.id())
+            self.told.emit(message)
