@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _LOWEST_TOP, _HIGHEST_TOP = 1.2, 2.0  # of the axis of shares, between which the values choose
 _FARTHEST_PX = 400.0  # where the last bin, which has no end, is drawn to
+_ROOMY_LINES = 13  # of the font: a lower chart has no title below its axis
 _TICK_STEPS = (1.0, 2.0, 5.0)
 
 
@@ -52,16 +53,33 @@ def level_colour(level: int, style: ChartStyle) -> QColor:
     return QColor(style.sources[(level - 1) % len(style.sources)])
 
 
-def bin_words(shown: ShownProfile, one: ProfileBin) -> str:
-    """What was measured in a bin."""
+def bin_words(shown: ShownProfile, one: ProfileBin) -> list[str]:
+    """What was measured in a bin, in full and in short."""
     values = {
         "near": shown_number(one.near_px * shown.pixel_m), "far": shown_number(one.far_px * shown.pixel_m),
         "kept": percent(one.kept), "low": percent(one.low), "high": percent(one.high),
     }  # fmt: skip
-    text = tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)")
     if isinf(one.far_px):
-        text = tr("beyond {near} m from the seam: {kept} % kept ({low} to {high} %)")
-    return text.format(**values)
+        long, short = tr("beyond {near} m from the seam: {kept} % kept ({low} to {high} %)"), tr("> {near} m: {kept} %")
+    else:
+        long = tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)")
+        short = tr("{near} to {far} m: {kept} %")
+    return [long.format(**values), short.format(**values)]
+
+
+def summary_words(shown: ShownProfile) -> list[str]:
+    """What is kept beside the seam, in full and in short."""
+    profile = shown.profile
+    if profile.kept[0] is None:
+        return [""]
+    values = {
+        "kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high),
+        "width": shown_number(profile.band_width_px * shown.pixel_m, 1),
+    }  # fmt: skip
+    words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
+    if profile.band_width_px:
+        words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), in a band of {width} m less than 90 %"))
+    return [text.format(**values) for text in words]
 
 
 class ProfilePainter:
@@ -74,7 +92,8 @@ class ProfilePainter:
         self._shown, self._style, self._metrics, self._room = shown, style, metrics, room
         line = metrics.height()
         left = metrics.horizontalAdvance("100 %") + 0.6 * line
-        self.axes = room.adjusted(left, 0.6 * line, -0.9 * line, -2.5 * line)
+        self._is_roomy = room.height() > _ROOMY_LINES * line
+        self.axes = room.adjusted(left, 0.6 * line, -0.9 * line, -(2.5 if self._is_roomy else 1.5) * line)
         highest = max((one.kept for level in shown.levels for one in shown.bins(level)), default=1.0)
         self._top = min(max(1.08 * highest, _LOWEST_TOP), _HIGHEST_TOP)
 
@@ -152,7 +171,12 @@ class ProfilePainter:
             end = x + width / 2
             painter.drawLine(QLineF(x, axes.bottom(), x, axes.bottom() + line / 5))
             painter.drawText(QPointF(x - width / 2, axes.bottom() + 1.1 * line), words)
+        if not self._is_roomy:
+            painter.drawText(QPointF(axes.right() - 0.1 * line, axes.bottom() + 1.1 * line), "m")
+            return
         words = tr("distance from the seam (m)")
+        if metrics.horizontalAdvance(words) > axes.width():
+            words = tr("from the seam (m)")
         painter.drawText(
             QPointF(axes.center().x() - metrics.horizontalAdvance(words) / 2, axes.bottom() + 2.2 * line), words
         )

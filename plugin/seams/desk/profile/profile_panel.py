@@ -4,20 +4,22 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QEvent, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QIcon, QPalette, QPixmap, QShowEvent
+from qgis.PyQt.QtGui import QIcon, QPalette, QPixmap, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStackedWidget, QToolButton, QVBoxLayout, QWidget
 
 from ....toolkit.desk.chart_look import chart_style
 from ....toolkit.desk.timers import single_shot
-from ....toolkit.translation import percent, sentence, shown_number, tr
+from ....toolkit.translation import sentence, tr
 from .profile_chart import ProfileChart
 from .profile_export import ProfileExport
-from .profile_painter import bin_words, level_colour
+from .profile_painter import bin_words, level_colour, summary_words
 
 if TYPE_CHECKING:
     from ...measure.inspection import WindowResult
     from ...measure.profile.seam_profile import ProfileBin, SeamProfile
     from ..session import Session
+
+_TITLE_CHARACTERS = 38  # a narrower panel has no title; the axis says what it is
 
 
 class ProfilePanel(QWidget):
@@ -80,6 +82,11 @@ class ProfilePanel(QWidget):
         super().showEvent(event)
         self._refresh_soon()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._title.setVisible(self.width() > _TITLE_CHARACTERS * self.fontMetrics().averageCharWidth())
+        self._say()
+
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange):
@@ -102,7 +109,7 @@ class ProfilePanel(QWidget):
         self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._status.setTextFormat(Qt.TextFormat.PlainText)
         self._status.setMargin(line // 6)
-        title = QLabel(tr("Seam profile"))
+        self._title = title = QLabel(tr("Seam profile"))
         title.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
         )
@@ -110,7 +117,6 @@ class ProfilePanel(QWidget):
         self._export.told.connect(self._session.messageRaised)
         self._tools = QHBoxLayout()
         self._tools.addWidget(title)
-        self._tools.addSpacing(line // 2)
         self._tools.addStretch()
         self._tools.addWidget(self._export)
         layout = QVBoxLayout(self)
@@ -137,7 +143,7 @@ class ProfilePanel(QWidget):
             button.setToolTip(tip.format(level=level))
             button.toggled.connect(self._choose_levels)
             self._levels.append(button)
-            self._tools.insertWidget(1 + level, button)
+            self._tools.insertWidget(level, button)  # after the title
         self._colour_levels()
 
     def _colour_levels(self) -> None:
@@ -184,18 +190,13 @@ class ProfilePanel(QWidget):
         self.pointed.emit(one)
 
     def _say(self) -> None:
-        """What the mouse points at, else what is kept beside the seam."""
+        """What the mouse points at, else what is kept beside the seam; in short where there is no room for it all."""
         shown = self.chart.shown if self._pages.currentWidget() is self.chart else None
-        text = ""
+        words = [""]
         if shown is not None:
-            one, profile = self.chart.pointed_bin, shown.profile
-            if one is not None:
-                text = bin_words(shown, one)
-            elif profile.kept[0] is not None:
-                values = {"kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high)}
-                text = tr("Beside the seam {kept} % kept ({low} to {high} %)").format(**values)
-                if profile.band_width_px:
-                    width = shown_number(profile.band_width_px * shown.pixel_m, 1)
-                    text += tr(", band of {width} m").format(width=width)
-        self._status.setText(text)
-        self._status.setToolTip(text)
+            one = self.chart.pointed_bin
+            words = bin_words(shown, one) if one is not None else summary_words(shown)
+        metrics, room = self._status.fontMetrics(), self._status.width() - 2 * self._status.margin()
+        fitting = (text for text in words if metrics.horizontalAdvance(text) <= room)
+        self._status.setText(next(fitting, words[-1]))
+        self._status.setToolTip(words[0])

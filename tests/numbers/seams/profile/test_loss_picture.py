@@ -137,3 +137,15 @@ def test_without_ground_to_compare_with_there_is_none_and_it_can_cross_processes
     again = pickle.loads(pickle.dumps(found))
     np.testing.assert_array_equal(again.kept, found.kept if found else None)
     assert again.cell_px == LOSS_CELL_PX
+
+
+def test_the_seam_is_told_where_sources_meet() -> None:
+    made = blend(0)
+    found = picture_of(made)
+    assert found is not None
+    row, column = (found.seam.T.astype(int) * 2)
+    assert found.seam.dtype == np.uint16
+    assert made.distance[row, column].max() <= 3
+    beside = np.argwhere(made.distance < 1)
+    apart = np.hypot(*(beside[:, np.newaxis] - np.stack([row, column], axis=1)[np.newaxis]).transpose(2, 0, 1))
+    assert apart.min(axis=1).max() <= 3

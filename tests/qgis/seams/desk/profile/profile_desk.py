@@ -1,0 +1,111 @@
+"""A session with one window that was measured, on a map, without tasks."""
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject, QgsRasterLayer
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.loss_view import LossView
+from seam_inspector.plugin.seams.measure.inspection import WindowResult
+from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
+from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
+from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
+
+from tests.qgis.scenes import ORIGIN, PIXEL
+
+INFINITE = float("inf")
+PROFILE = SeamProfile(
+    (0.56, 0.81, None), 0.51, 0.62, 20.0, 0.05,
+    (
+        ProfileBin(1, 0, 8, 0.5, 0.45, 0.56, 0.5, 1200.0), ProfileBin(1, 8, 16, 0.8, 0.7, 0.9, 0.8, 1200.0),
+        ProfileBin(1, 64, INFINITE, 1.0, 0.9, 1.1, 1.0, 5e4), ProfileBin(2, 0, 16, 0.7, 0.6, 0.8, 0.7, 1200.0),
+    ),
+)  # fmt: skip
+WINDOW = PixelWindow(64, 32, 100, 120)
+"""No multiple of the cells of 8 px."""
+SEAM_COLUMN = 40
+"""In the window, px; the seam runs from its top to its bottom."""
+
+
+class Explained:
+    """What a result's explanation tells the desk."""
+
+    def __init__(self, profile: SeamProfile | None = PROFILE, loss: LossPicture | None = None) -> None:
+        self.profile, self.has_seam = profile, profile is not None
+        self.loss = loss if loss is not None else loss_of_window()
+
+
+def loss_of_window() -> LossPicture:
+    """Half of the detail is lost in the cells of the seam."""
+    kept = np.ones((15, 13), np.float32)
+    kept[:, SEAM_COLUMN // 8] = 0.55
+    rows = np.arange(WINDOW.height // 2)
+    seam = np.stack([rows, np.full_like(rows, SEAM_COLUMN // 2)], axis=1).astype(np.uint16)
+    return LossPicture(kept, 8, seam)
+
+
+def result(explained: Any = None, verdict: Verdict = Verdict.SIGNIFICANT) -> WindowResult:
+    """Of the window."""
+    judgement = Judgement(verdict, Ratios((0.5, 0.6, 0.7), 1.0))
+    found = WindowResult(7, WINDOW, judgement, verdict, explanation=explained, ground_sample_distance=PIXEL)
+    return replace(found, explanation=explained if explained is not None else Explained())
+
+
+class ProfileSession(QObject):
+    """One window, selected."""
+
+    inputsChanged = pyqtSignal()
+    windowsChanged = pyqtSignal()
+    selectionChanged = pyqtSignal()
+    resultArrived = pyqtSignal(int)
+    messageRaised = pyqtSignal(str, int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.inputs = Inputs()
+        self.loss_view = LossView(self)
+        self.grid = Grid(*ORIGIN, PIXEL, PIXEL, 512, 512)
+        self.results: dict[int, WindowResult] = {1: result()}
+        self.rows = {1: WindowRecord(7, None, "significant", fid=1), 2: WindowRecord(8, None, fid=2)}
+        self.chosen, self.pending = [1], False
+        self._layer = QgsRasterLayer("", "mosaic")
+        self._layer.setCrs(QgsCoordinateReferenceSystem("EPSG:32633"))
+
+    def mosaic_layer(self) -> QgsRasterLayer:
+        return self._layer
+
+    def mosaic_grid(self) -> Grid:
+        return self.grid
+
+    def windows(self) -> list[WindowRecord]:
+        return list(self.rows.values())
+
+    def row(self, fid: int) -> WindowRecord | None:
+        return self.rows.get(fid)
+
+    def selected(self) -> list[int]:
+        return self.chosen
+
+    def select(self, fids: list[int]) -> None:
+        self.chosen = fids
+        self.selectionChanged.emit()
+
+    def result(self, fid: int) -> WindowResult | None:
+        return self.results.get(fid)
+
+    def is_pending(self, fid: int) -> bool:
+        return self.pending
+
+
+def on_map(column: float, row: float, crs: QgsCoordinateReferenceSystem) -> tuple[float, float]:
+    """A place in the mosaic's pixels, in the map's reference system."""
+    utm = QgsCoordinateReferenceSystem("EPSG:32633")
+    point = QgsCoordinateTransform(utm, crs, QgsProject.instance()).transform(
+        ORIGIN[0] + column * PIXEL, ORIGIN[1] - row * PIXEL
+    )
+    return point.x(), point.y()

@@ -1,0 +1,166 @@
+"""Lost detail on the map: where it lies, whatever way the map is turned, and what is left afterwards."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
+from qgis.gui import QgsMapCanvas
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtWidgets import QApplication
+from seam_inspector.plugin.seams.desk.map.loss_legend import LossLegend
+from seam_inspector.plugin.seams.desk.map.loss_overlay import LossOverlay
+from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
+from seam_inspector.plugin.seams.desk.map.profile_on_map import ProfileOnMap
+
+from tests.qgis.scenes import PIXEL
+from tests.qgis.seams.desk.profile.profile_desk import (
+    PROFILE,
+    SEAM_COLUMN,
+    WINDOW,
+    Explained,
+    ProfileSession,
+    on_map,
+    result,
+)
+from tests.qgis.seams.desk.session_desk import settle, wait_until
+
+UTM33 = QgsCoordinateReferenceSystem("EPSG:32633")
+MAPS = [("EPSG:32633", 0.0), ("EPSG:32633", 33.0), ("EPSG:3857", 0.0), ("EPSG:4326", -50.0)]
+
+
+@pytest.fixture(params=MAPS)
+def canvas(qgis_app: QApplication, request: pytest.FixtureRequest) -> Iterator[QgsMapCanvas]:
+    """A map on all of the window, in some reference system and some way round."""
+    code, rotation = request.param
+    canvas = QgsMapCanvas()
+    canvas.resize(500, 500)
+    canvas.setDestinationCrs(QgsCoordinateReferenceSystem(code))
+    canvas.setRotation(rotation)
+    corners = [on_map(WINDOW.column + x, WINDOW.row + y, canvas.mapSettings().destinationCrs())
+               for x in (-20, WINDOW.width + 20) for y in (-20, WINDOW.height + 20)]  # fmt: skip
+    canvas.setExtent(QgsRectangle(*np.min(corners, axis=0), *np.max(corners, axis=0)))
+    canvas.show()
+    settle(0.1)
+    yield canvas
+    canvas.close()
+    canvas.deleteLater()
+    settle()
+
+
+def colour_at(canvas: QgsMapCanvas, column: float, row: float) -> QColor:
+    """On the screen, of a place in the window's pixels."""
+    place = on_map(WINDOW.column + column, WINDOW.row + row, canvas.mapSettings().destinationCrs())
+    pixel = canvas.getCoordinateTransform().transform(QgsPointXY(*place))
+    return QColor(canvas.grab().toImage().pixel(round(pixel.x()), round(pixel.y())))
+
+
+def is_on(colour: QColor) -> bool:
+    return colour.getRgb()[:3] != (255, 255, 255)
+
+
+def test_every_pixel_lies_where_it_is_on_the_ground(canvas: QgsMapCanvas) -> None:
+    """Squares of 20 px in turn, up to two pixels from their edges."""
+    overlay = PictureOverlay(canvas, smooth=False)
+    row, column = np.mgrid[:6, :5]
+    rgba = np.zeros((6, 5, 4), np.uint8)
+    rgba[(row + column) % 2 == 0] = (200, 0, 0, 255)
+    session = ProfileSession()
+    extent = session.grid.window_extent(WINDOW)
+    overlay.show([PlacedPicture(rgba_image(rgba), extent, extent)], UTM33)
+    settle()
+    for y in range(6):
+        for x in range(5):
+            for off_y, off_x in ((2, 2), (2, 18), (18, 2), (18, 18)):
+                seen = colour_at(canvas, 20 * x + off_x, 20 * y + off_y)
+                assert is_on(seen) == ((x + y) % 2 == 0), (x, y, off_x, off_y)
+    overlay.hide()
+    settle()
+    assert not is_on(colour_at(canvas, 10, 10))
+    overlay.close()
+
+
+def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: QgsMapCanvas) -> None:
+    session = ProfileSession()
+    before = len(canvas.scene().items())
+    overlay = LossOverlay(canvas, session)
+    assert overlay.pictures == ()
+    session.loss_view.toggle()
+    settle()
+    (legend,) = canvas.findChildren(LossLegend)
+    assert legend.isVisible()
+    assert legend.geometry().right() < canvas.width()
+    legend.hide()  # the map may be seen behind it
+    assert colour_at(canvas, SEAM_COLUMN + 4, 60).red() > 200
+    assert colour_at(canvas, SEAM_COLUMN + 4, 60).green() < 120
+    for column in (10, SEAM_COLUMN - 10, SEAM_COLUMN + 20, 90, 103):
+        assert not is_on(colour_at(canvas, column, 60)), column
+    assert is_on(colour_at(canvas, SEAM_COLUMN + 4, 118))
+    assert not is_on(colour_at(canvas, SEAM_COLUMN + 4, 123))
+    session.loss_view.toggle()
+    settle()
+    assert overlay.pictures == ()
+    overlay.close()
+    settle()
+    assert len(canvas.scene().items()) == before
+    assert canvas.findChildren(LossLegend) == []
+
+
+def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis_app: QApplication) -> None:
+    canvas, session = QgsMapCanvas(), ProfileSession()
+    found, session.results = session.results, {}
+    overlay = LossOverlay(canvas, session)
+    session.loss_view.show(True)
+    (legend,) = canvas.findChildren(LossLegend)
+    assert len(legend.lines()) == 2  # there is none yet
+    session.results = found
+    session.resultArrived.emit(1)
+    wait_until(lambda: len(overlay.pictures) == 1)
+    assert len(legend.lines()) == 6
+    session.rows[1] = replace(session.rows[1], stale=True)
+    session.windowsChanged.emit()
+    wait_until(lambda: not overlay.pictures)
+    overlay.close()
+
+
+def test_the_mouse_on_the_map_has_its_distance_from_the_seam(canvas: QgsMapCanvas) -> None:
+    session = ProfileSession()
+    on = ProfileOnMap(canvas, session)
+    told: list[float | None] = []
+    on.distanceChanged.connect(told.append)
+    crs = canvas.mapSettings().destinationCrs()
+
+    def point(column: float, row: float) -> QgsPointXY:
+        return QgsPointXY(*on_map(WINDOW.column + column, WINDOW.row + row, crs))
+
+    canvas.xyCoordinates.emit(point(60, 50))
+    assert told == []  # no profile is shown
+    on.follow(session.results[1])
+    for column in (2, 30, SEAM_COLUMN + 1, 60, 97):
+        canvas.xyCoordinates.emit(point(column, 50))
+        assert told[-1] == pytest.approx(abs(column - SEAM_COLUMN - 1) * PIXEL, abs=2 * PIXEL), column
+    canvas.xyCoordinates.emit(point(-3, 50))
+    assert told[-1] is None
+    on.close()
+    canvas.xyCoordinates.emit(point(60, 50))
+    assert told[-1] is None
+
+
+def test_the_ground_of_a_bin_is_marked_on_the_map(canvas: QgsMapCanvas) -> None:
+    session = ProfileSession()
+    before = len(canvas.scene().items())
+    on = ProfileOnMap(canvas, session)
+    on.follow(session.results[1])
+    on.highlight(PROFILE.bins[1])  # 8 to 16 px
+    settle()
+    for away, marked in ((0, False), (5, False), (11, True), (14, True), (19, False), (40, False)):
+        for column in (SEAM_COLUMN + 1 - away, SEAM_COLUMN + 1 + away):
+            assert is_on(colour_at(canvas, column, 50)) == marked, (away, column)
+    on.highlight(None)
+    settle()
+    assert not is_on(colour_at(canvas, SEAM_COLUMN + 12, 50))
+    on.follow(result(Explained()))
+    on.close()
+    assert len(canvas.scene().items()) == before

@@ -1,0 +1,182 @@
+"""The seam profile beside the curve: what it says, what it paints, and what leaves it."""
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog
+from seam_inspector.plugin.seams.desk.profile.profile_chart import ProfileChart
+from seam_inspector.plugin.seams.desk.profile.profile_export import COLUMNS, table_text
+from seam_inspector.plugin.seams.desk.profile.profile_painter import level_colour
+from seam_inspector.plugin.seams.desk.profile.profile_panel import ProfilePanel
+from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.toolkit.desk.chart_look import chart_style
+
+from tests.qgis.scenes import PIXEL
+from tests.qgis.seams.desk.profile.profile_desk import PROFILE, Explained, ProfileSession, result
+from tests.qgis.seams.desk.session_desk import settle
+
+
+@pytest.fixture
+def session(qgis_app: QApplication) -> ProfileSession:
+    return ProfileSession()
+
+
+@pytest.fixture
+def panel(session: ProfileSession) -> Iterator[ProfilePanel]:
+    panel = ProfilePanel(session)
+    panel.resize(500, 320)
+    panel.show()
+    settle()
+    yield panel
+    panel.close()
+    panel.deleteLater()
+
+
+def chart_pixel(chart: ProfileChart, distance_m: float, kept: float) -> QColor:
+    placed = chart.painter_for(chart.shown)
+    return chart.grab().toImage().pixelColor(round(placed.x_of(distance_m)), round(placed.y_of(kept)))
+
+
+def near(one: QColor, other: QColor) -> bool:
+    return max(abs(a - b) for a, b in zip(one.getRgb()[:3], other.getRgb()[:3])) < 60
+
+
+def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(panel: ProfilePanel) -> None:
+    chart = panel.chart
+    style = chart_style(chart)
+    line, limit, back = level_colour(1, style), QColor(style.limit), QColor(style.background)
+    assert near(chart_pixel(chart, 4 * PIXEL, 0.5), line)
+    assert near(chart_pixel(chart, 12 * PIXEL, 0.8), line)
+    assert near(chart_pixel(chart, 200 * PIXEL, 1.0), line)
+    inside, outside = chart_pixel(chart, 11 * PIXEL, 0.86), chart_pixel(chart, 11 * PIXEL, 0.95)
+    assert not near(inside, line)
+    assert inside != back
+    assert outside == back
+    placed = chart.painter_for(chart.shown)
+    row = [chart.grab().toImage().pixelColor(x, round(placed.y_of(0.7))) for x in range(300, 340)]
+    assert any(near(colour, limit) for colour in row)  # dashed
+
+
+def test_distance_and_place_are_each_others_inverse(panel: ProfilePanel) -> None:
+    placed = panel.chart.painter_for(panel.chart.shown)
+    for distance in (0.0, 0.3, 1.0, 7.7, 25.0):
+        assert placed.distance_at(placed.x_of(distance)) == pytest.approx(distance, abs=1e-6)
+
+
+def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -> None:
+    told: list[object] = []
+    panel.pointed.connect(told.append)
+    placed = panel.chart.painter_for(panel.chart.shown)
+    QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(12 * PIXEL)), 60))
+    settle()
+    assert told == [PROFILE.bins[1]]
+    assert panel._status.text() == "0.80 to 1.60 m from the seam: 80 % kept (70 to 90 %)"
+    QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(30 * PIXEL)), 60))  # nothing was measured there
+    settle()
+    assert told[-1] is None
+    assert panel._status.text().startswith("Beside the seam 56 % kept (51 to 62 %)")
+    panel.resize(180, 320)
+    settle()
+    assert panel._status.text() == "56 % kept (51 to 62 %)"
+
+
+def test_the_maps_distance_is_marked(panel: ProfilePanel) -> None:
+    before = panel.chart.grab().toImage()
+    panel.mark(12 * PIXEL)
+    assert panel._status.text().startswith("0.80 to 1.60 m")
+    assert panel.chart.grab().toImage() != before
+    panel.mark(None)
+    assert panel.chart.grab().toImage() == before
+
+
+def test_levels_can_be_chosen(panel: ProfilePanel) -> None:
+    second = level_colour(2, chart_style(panel.chart))
+    assert not near(chart_pixel(panel.chart, 6 * PIXEL, 0.7), second)
+    panel._levels[1].click()
+    assert near(chart_pixel(panel.chart, 6 * PIXEL, 0.69), second) or near(
+        chart_pixel(panel.chart, 6 * PIXEL, 0.7), second
+    )
+    panel._levels[0].click()
+    assert panel.chart.shown.levels == {2}
+    assert panel.chart.shown.bin_at(12 * PIXEL) == PROFILE.bins[3]
+    panel._levels[1].click()  # one is always shown
+    assert panel.chart.shown.levels == {1}
+
+
+@pytest.mark.parametrize(
+    ("selected", "found", "pending", "words"),
+    [
+        ([], None, False, "Select a window"),
+        ([1, 2], None, False, "Select one window"),
+        ([2], None, False, "Not inspected yet"),
+        ([2], None, True, "Measuring ..."),
+        ([1], None, False, "Inspect again to see it"),
+        ([1], "curve", True, "Measuring ..."),
+        ([1], "no seam", False, "There is no seam in the window."),
+        ([1], "little", False, "too little ground"),
+        ([1], "reason", False, "could not be measured"),
+    ],
+)
+def test_words_where_there_is_no_profile(
+    panel: ProfilePanel, session: ProfileSession, selected: list[int], found: str | None, pending: bool, words: str
+) -> None:
+    followed: list[object] = []
+    panel.followed.connect(followed.append)
+    little = Explained(None)
+    little.has_seam = True
+    nothing = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,) * 3, None), messages.TOO_LITTLE_GROUND())
+    results = {
+        "curve": replace(result(), explanation=None), "no seam": result(Explained(None)), "little": result(little),
+        "reason": replace(result(), explanation=None, judgement=nothing), None: None,
+    }  # fmt: skip
+    session.results = {1: results[found]} if results[found] is not None else {}
+    session.pending = pending
+    session.select(selected)
+    settle()
+    assert words.lower() in panel.words.lower() or (found == "reason" and panel.words)
+    assert followed == [None]
+    assert not panel._export.isEnabled()
+
+
+def test_a_profile_that_comes_later_is_shown(panel: ProfilePanel, session: ProfileSession) -> None:
+    session.results[1] = replace(result(), explanation=None)
+    session.pending = True
+    session.resultArrived.emit(1)
+    settle()
+    assert panel.words == "Measuring ..."
+    session.results[1] = result()
+    session.resultArrived.emit(1)
+    settle()
+    assert panel.words == ""
+    assert panel.chart.shown.profile == PROFILE
+
+
+def test_the_table_and_the_picture_leave_it(
+    panel: ProfilePanel, session: ProfileSession, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows = list(csv.DictReader(table_text(session.results[1], ",").splitlines()))
+    assert list(rows[0]) == list(COLUMNS)
+    assert [(float(row["from"]), row["to"], float(row["kept"])) for row in rows] == [
+        (0, "0.8", 0.5), (0.8, "1.6", 0.8), (6.4, "", 1.0), (0, "1.6", 0.7),
+    ]  # fmt: skip
+    assert float(rows[0]["area"]) == pytest.approx(1200 * PIXEL**2)
+    for ending in ("png", "csv"):
+        chosen = str(tmp_path / f"it.{ending}")
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, to=chosen: (to, ""))
+        getattr(panel._export, f"save_{ending}")()
+        assert Path(chosen).stat().st_size > 100
+    panel._export.copy_values()
+    assert QApplication.clipboard().text().startswith("window_id\tlevel")
+
+
+def test_it_is_high_enough_on_a_small_screen(panel: ProfilePanel) -> None:
+    assert panel.chart.minimumHeight() >= 150
+    assert panel.focusPolicy() == Qt.FocusPolicy.NoFocus
