@@ -1,26 +1,24 @@
 """The picture of lost detail, painted over a picture of the window."""
 from __future__ import annotations
 
-import numpy as np
 from qgis.PyQt.QtCore import QPointF, QRectF
-from qgis.PyQt.QtGui import QImage, QPainter
+from qgis.PyQt.QtGui import QPainter
 
 from ....imagery.grids import PixelWindow
 from ...loss_colours import loss_rgba
 from ...measure.profile.loss_picture import LossPicture
+from ..map.picture_overlay import rgba_image
 from .viewport import Viewport
 
 _OPACITY = 0.6  # what lies beneath is what is judged
 
 
 class LossImage:
-    """On its array's own memory; it keeps the array as long as it lives."""
+    """Ready to be painted at any scale."""
 
     def __init__(self, loss: LossPicture) -> None:
         self.loss = loss
-        self._pixels = np.ascontiguousarray(loss_rgba(loss.kept))
-        rows, columns = self._pixels.shape[:2]
-        self._image = QImage(self._pixels.data, columns, rows, 4 * columns, QImage.Format.Format_RGBA8888)
+        self._image = rgba_image(loss_rgba(loss.kept))
 
     def paint(
         self, painter: QPainter, corner: QPointF, viewport: Viewport, ratio: float, inside: PixelWindow | None

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from typing import Any
+from uuid import uuid4
 
 from qgis.core import QgsMapLayer, QgsRasterLayer
 from qgis.gui import QgsMapCanvas
@@ -12,8 +13,11 @@ from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QShortcut
 
+from ....imagery.gdal_calls import drop_from_memory
+from ....toolkit.background_task import Job
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
+from .composite_layer import composite_job
 from .map_picture import MapPicture
 from .swipe_handle import SwipeHandle
 from .swipe_item import SwipeItem
@@ -27,8 +31,8 @@ class Swipe(QObject):
 
     changed = pyqtSignal()
     """It began, ended, or compares with something else."""
-    failed = pyqtSignal(str)
-    """What could not be opened."""
+    failed = pyqtSignal(object)
+    """The Message why there is nothing to compare with; it has ended."""
 
     def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
         super().__init__(parent)
@@ -37,6 +41,7 @@ class Swipe(QObject):
         self._mosaic: QgsRasterLayer | None = None
         self._sources: set[str] = set()  # ids of layers that would hide the mosaic
         self._layer: QgsRasterLayer | None = None  # what it is compared with
+        self._file = ""  # in memory: the composite
         self._turn = 0
         self.choice: SwipeChoice | None = None
         """What the mosaic is compared with; None when it is not."""
@@ -77,11 +82,10 @@ class Swipe(QObject):
             self._lay_on_canvas()
         self._turn += 1
         self._background.cancel_others({self._turn})
-        assert choice.ref is not None
+        self._forget_file()
         self._background.start(
-            tr("Open {name}").format(name=choice.title), opening_job(choice.ref), partial(self._take, self._turn),
-            self._turn,
-        )  # fmt: skip
+            tr("Open {name}").format(name=choice.title), self._job(choice), partial(self._take, self._turn), self._turn
+        )
         self._draw()
         self.changed.emit()
 
@@ -94,6 +98,7 @@ class Swipe(QObject):
         self._background.cancel_others(set())
         self._own.close()
         self._other.close()
+        self._forget_file()
         while self._connections:
             signal, slot = self._connections.pop()
             if not sip.isdeleted(self._canvas):
@@ -183,16 +188,28 @@ class Swipe(QObject):
 
     # What is drawn
 
+    def _job(self, choice: SwipeChoice) -> Job:
+        if choice.ref is not None:
+            return opening_job(choice.ref)
+        assert choice.request is not None
+        self._file = f"/vsimem/seam_inspector_composite_{uuid4().hex}.tif"
+        return composite_job(choice.request, self._file)
+
     def _take(self, turn: int, layer: object) -> None:
-        if turn != self._turn or self.choice is None or not isinstance(layer, QgsRasterLayer):
+        if turn != self._turn:
             return
-        if not layer.isValid():
-            name = self.choice.title
+        if isinstance(layer, QgsRasterLayer):
+            self._layer = layer
+            self._draw()
+        else:
             self.stop()
-            self.failed.emit(name)
-            return
-        self._layer = layer
-        self._draw()
+            self.failed.emit(layer)
+
+    def _forget_file(self) -> None:
+        """Of the composite before; what is still drawn keeps it open."""
+        file, self._file = self._file, ""
+        if file:
+            drop_from_memory(file)
 
     def _draw(self, *_: object) -> None:
         """As the canvas is drawn now; it asks for it each time it begins."""

@@ -9,15 +9,15 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QWidget
 
-from ....imagery import messages as imagery_messages
 from ....imagery.grids import Extent, extents_meet
+from ....imagery.message import Message
 from ....toolkit.desk.greyed import allow
 from ....toolkit.layers import box_extent
 from ....toolkit.message_bar import bar_level
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import sentence, tr
 from ...measure import messages
-from ...measure.inspection import Block
+from ...measure.inspection import Block, WindowRequest
 from .swipe import Swipe
 from .swiped_layer import SwipeChoice, source_layers
 
@@ -69,7 +69,11 @@ class SwipeAction(QObject):
             return []
         found = [source for source in block.sources if extents_meet(source.extent, place)]
         found.sort(key=lambda source: -_shared(source.extent, place))  # stable: else in the order of the inputs
-        return [SwipeChoice(source.ref.name, source.ref) for source in found]
+        choices = [SwipeChoice(source.ref.name, source.ref) for source in found]
+        request = self._request()
+        if request is not None and choices:
+            choices.append(SwipeChoice(tr("composite"), request=request))
+        return choices
 
     def start(self, choice: SwipeChoice) -> None:
         """Compare the mosaic with this."""
@@ -104,6 +108,8 @@ class SwipeAction(QObject):
             self.swipe.stop()
         elif block is not None and (choices := self.choices()):
             current = self.swipe.choice
+            if current is not None and current.ref is None:
+                current = choices[-1]  # of another window
             self.start(current if current in choices else choices[0])
         elif problem is not None and problem != messages.MOSAIC_OPENING():
             self.swipe.stop()
@@ -133,14 +139,18 @@ class SwipeAction(QObject):
     def _show_state(self) -> None:
         self.action.setChecked(self.swipe.is_on)
 
-    def _tell_failure(self, name: str) -> None:
-        message = imagery_messages.NOT_READABLE(name=name)
+    def _tell_failure(self, message: Message) -> None:
         self.told.emit(sentence(message), bar_level(message))
+
+    def _request(self) -> WindowRequest | None:
+        """The selected window."""
+        selected = self._session.selected()
+        request = self._session.request(selected[0]) if selected else None
+        return request if request is not None and request.window is not None else None
 
     def _place(self, block: Block) -> Extent | None:
         """The selected window, else what is seen of the map, on the mosaic."""
-        selected = self._session.selected()
-        request = self._session.request(selected[0]) if selected else None
+        request = self._request()
         if request is not None and request.window is not None:
             return block.mosaic.grid.window_extent(request.window)
         mosaic = self._session.mosaic_layer()

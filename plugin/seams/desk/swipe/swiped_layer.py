@@ -14,8 +14,10 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QCoreApplication
 from qgis.PyQt.QtXml import QDomDocument
 
+from ....imagery import messages as imagery_messages
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_task import Cancelled, Job
+from ...measure.inspection import WindowRequest
 
 
 @dataclass(frozen=True)
@@ -25,22 +27,31 @@ class SwipeChoice:
     title: str
     """What it is called on the map."""
     ref: RasterRef | None = None
-    """A source; None: the hard-cut composite of the selected window."""
+    """A source; None: the hard-cut composite."""
+    request: WindowRequest | None = None
+    """The window that the composite is of."""
 
 
 def opening_job(ref: RasterRef) -> Job:
-    """Opens a raster in the task's thread, since that may take long; yields its QgsRasterLayer."""
+    """Opens a raster in the task's thread, since that may take long; yields its QgsRasterLayer, or the Message why
+    it can't be."""
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        options = QgsRasterLayer.LayerOptions()
-        options.skipCrsValidation = True  # that would ask the user
-        layer = QgsRasterLayer(ref.path, ref.name, "gdal", options)
-        if ref.wkt and not layer.crs().isValid():
-            layer.setCrs(QgsCoordinateReferenceSystem.fromWkt(ref.wkt))
-        layer.moveToThread(QCoreApplication.instance().thread())
-        yield 1.0, layer
+        layer = private_layer(ref)
+        yield 1.0, layer if layer.isValid() else imagery_messages.NOT_READABLE(name=ref.name)
 
     return job
+
+
+def private_layer(ref: RasterRef) -> QgsRasterLayer:
+    """Opened in whatever thread, to be used in that of the interface."""
+    options = QgsRasterLayer.LayerOptions()
+    options.skipCrsValidation = True  # that would ask the user
+    layer = QgsRasterLayer(ref.path, ref.name, "gdal", options)
+    if ref.wkt and not layer.crs().isValid():
+        layer.setCrs(QgsCoordinateReferenceSystem.fromWkt(ref.wkt))
+    layer.moveToThread(QCoreApplication.instance().thread())
+    return layer
 
 
 def looks_alike(layer: QgsRasterLayer, mosaic: QgsRasterLayer) -> bool:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from osgeo import gdal
 from qgis.core import (
     QgsContrastEnhancement,
     QgsCoordinateReferenceSystem,
@@ -26,12 +27,13 @@ from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QSize, Qt
 from qgis.PyQt.QtGui import QColor, QImage, QMouseEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QMainWindow, QShortcut
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.desk.swipe.swipe_action import SwipeAction
 from seam_inspector.plugin.seams.desk.swipe.swipe_handle import SwipeHandle
 from seam_inspector.plugin.seams.desk.swipe.swiped_layer import looks_alike
 
 from tests.numbers.synthetic import orthoimage, write_raster
-from tests.qgis.seams.desk.session_desk import Desk, settle, wait_for_tasks, wait_until
+from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 SIZE = QSize(400, 300)
 MARGIN = 40  # px beside the handle, and below the names, that are not compared
@@ -105,6 +107,10 @@ def pixels(image: QImage) -> np.ndarray:
 
 def same(one: np.ndarray, other: np.ndarray) -> bool:
     return bool((abs(one.astype(int) - other) <= 1).mean() > 0.999)
+
+
+def composites_in_memory() -> list[str]:
+    return [path for path in gdal.ReadDirRecursive("/vsimem/") or () if "composite" in path]
 
 
 @pytest.fixture
@@ -250,6 +256,37 @@ def test_it_follows_the_selected_window_and_keeps_what_was_chosen(map_: Map) -> 
     map_.wait()
     assert map_.swipe.choice is not None
     assert map_.swipe.choice.title == "west.tif"
+
+
+def test_the_composite_of_the_selected_window(map_: Map) -> None:
+    """Sharp where the mosaic is blurred, the mosaic around it; no file of it is left."""
+    desk = map_.desk
+    fid = desk.add(PixelWindow(320, 64, 128, 128))
+    desk.session.select([fid])
+    composite = map_.action.choices()[-1]
+    assert composite.title == "composite"
+    map_.action.start(composite)
+    map_.swipe.move(0.0)
+    map_.wait()
+    box = QgsRectangle(*desk.session.mosaic_grid().window_extent(PixelWindow(320, 64, 128, 128)))
+    map_.canvas.setExtent(box.scaled(2.5))
+    map_.wait()
+    mosaic, seen = map_.alone(Path(desk.mosaic.source())), map_.seen()
+    to_pixel = map_.canvas.getCoordinateTransform()
+    corners = (box.xMinimum(), box.yMaximum()), (box.xMaximum(), box.yMinimum())
+    (left, top), (right, below) = ((round(p.x()), round(p.y())) for p in (to_pixel.transform(x, y) for x, y in corners))
+    assert same(seen[top + 2 : below, right + 2 :], mosaic[top + 2 : below, right + 2 :])
+    inside = np.s_[max(top, 0) + 40 : below - 2, left + 60 : right - 2]
+    detail = [np.diff(one[inside].astype(float).mean(axis=2), axis=1).std() for one in (seen, mosaic)]
+    assert detail[0] > 1.3 * detail[1]
+    assert len(composites_in_memory()) == 1
+    other = desk.add(SHARP_WINDOW)
+    desk.session.select([other])
+    map_.wait()
+    assert map_.swipe.choice is not None
+    assert map_.swipe.choice.request.window == SHARP_WINDOW
+    map_.swipe.stop()
+    assert composites_in_memory() == []
 
 
 @pytest.mark.parametrize("way", ["mosaic", "project", "unload"])
