@@ -8,27 +8,27 @@ from concurrent.futures import ThreadPoolExecutor
 from ..imagery.lines.seamlines import find_seams
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster, RasterRef
-from ..imagery.reading.readings import ReadEach, one_by_one
 from ..toolkit.background_task import Ahead, Cancelled, Job
 from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
 from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
 from .measure.inspection import InspectionSettings, WindowRequest
 from .measure.nearest_seam import SeamIndex
+from .measure.window.measured_window import MeasureWindow, measure_window
 from .measure.window.window_composite import WindowComposite, window_composite
 from .measure.window.window_result import WindowClips
 from .measure.window_placing import place_windows
 from .measure.window_runs import inspect_one, inspect_windows
 
 
-def inspection_job(requests: Iterable[WindowRequest], count: int, read_each: ReadEach = one_by_one) -> Job:
+def inspection_job(requests: Iterable[WindowRequest], count: int, measure: MeasureWindow = measure_window) -> Job:
     """Inspects ``count`` windows; yields a WindowResult each, in their order.
 
-    Of a single window, for which somebody waits, the WindowClips come ahead, and ``read_each`` reads its rasters.
+    Of a single window, for which somebody waits, the WindowClips come ahead, and ``measure`` may be faster.
     """
 
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         if count == 1:
-            for found in inspect_one(next(iter(requests)), read_each):
+            for found in inspect_one(next(iter(requests)), measure):
                 yield (0.0, Ahead(found)) if isinstance(found, WindowClips) else (1.0, found)
                 if cancelled():
                     return

@@ -21,6 +21,7 @@ from ..clip_pictures import ClipPicture
 from ..measure import messages
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import Block, WindowRequest
+from ..measure.live.live_window import LiveWindow
 from ..measure.observers import FIRST, Operator
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
@@ -32,6 +33,7 @@ from .inputs.inputs_watch import InputsWatch
 from .inputs.layer_places import LayerPlaces
 from .inputs.project_inputs import Inputs, load_inputs, save_inputs
 from .keeping.keeping import Keeping
+from .live.live_windows import LiveWindows
 from .loss_view import LossView
 from .map.seam_finder import SeamFinder
 from .map.window_coverage import Coverage, WindowCoverage
@@ -49,6 +51,7 @@ class Session(QObject):
     selectionChanged = pyqtSignal()
     curvesArrived = pyqtSignal(int)
     resultArrived = pyqtSignal(int)
+    liveChanged = pyqtSignal()
     picturesArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
     messageRaised = pyqtSignal(str, int)
@@ -78,7 +81,11 @@ class Session(QObject):
         self._keeping.told.connect(self._tell)
         self._background = BackgroundTasks(self)
         self._background.failed.connect(self._tell)
-        self._results = WindowResults(self._block, self._watch, self._background, self)
+        self._live = LiveWindows(self._block, self)
+        self._live.changed.connect(self.liveChanged)
+        self._live.failed.connect(self._tell)
+        self._results = WindowResults(self._block, self._watch, self._background, self, self._live.measure)
+        self._results.curvesArrived.connect(self._live.stay_open)
         self._results.curvesArrived.connect(self.curvesArrived)
         self._results.arrived.connect(self.resultArrived)
         self._results.progressChanged.connect(self.progressChanged)
@@ -108,6 +115,7 @@ class Session(QObject):
             signal, slot = self._connections.pop()
             signal.disconnect(slot)
         self._new.abandon()
+        self._live.close()
         self._layers.close()
         self._coverage.close()
         self._inputs_background.close()
@@ -185,6 +193,21 @@ class Session(QObject):
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within ``reach``, all in the mosaic's reference system."""
         return self._seams.nearest(x, y, reach)
+
+    # The window under the mouse
+
+    @property
+    def live(self) -> LiveWindow | None:
+        """The window that is being drawn or moved, as far as it is known; ``liveChanged`` tells."""
+        return self._live.current
+
+    def hover(self, window: PixelWindow, is_live: bool) -> None:
+        """A window that a click or the end of a drag would make; ``is_live``: its curves are to be seen meanwhile."""
+        self._live.hover(window, is_live)
+
+    def leave(self) -> None:
+        """The mouse is over no window any more."""
+        self._live.leave()
 
     # Windows
 
@@ -294,6 +317,8 @@ class Session(QObject):
     # The project
 
     def _load(self, *_: object) -> None:
+        self._live.leave()
+        self._live.let_go()
         self._inputs_background.abandon()
         self._block.forget()
         self._seams.forget()
@@ -346,6 +371,7 @@ class Session(QObject):
         self.inputsChanged.emit()
 
     def _files_changed(self) -> None:
+        self._live.let_go()
         self._block.refresh(anew=True)
         self._coverage.follow(None)  # what lies in the files may be something else
         self._opened()
@@ -360,6 +386,7 @@ class Session(QObject):
         self._layers_changed()
 
     def _forget_layers(self, ids: list[str]) -> None:
+        self._live.let_go()  # or their files could not be moved or deleted
         self._layers.leave(ids)
         self._keeping.leave(ids)
         if (layer := self._watch.layer) is not None and layer.id() in ids:

@@ -9,14 +9,13 @@ from ...imagery.errors import SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.message import Message
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.reading.readings import ReadEach, one_by_one
 from ...imagery.wavelets import check_decomposition
 from . import limits, messages
 from .seam_cells import Cell, cells_over
 from .source_images import Source, gather_sources, sources_in
 from .verdicts import check_max_ratio, check_min_kept
 from .window.explained_window import explain_window
-from .window.measured_window import MeasuredWindow, measure_window
+from .window.measured_window import MeasuredWindow, MeasureWindow, measure_window
 from .window.window_result import WindowClips, WindowResult, not_comparable
 from .window_records import REFERENCES
 
@@ -114,10 +113,13 @@ def inspect_window(request: WindowRequest) -> WindowResult:
 
 
 def inspect_in_stages(
-    request: WindowRequest, read_each: ReadEach = one_by_one
+    request: WindowRequest, measure: MeasureWindow = measure_window
 ) -> Iterator[WindowClips | WindowResult]:
-    """The same: the curves as soon as they are there, unless there are none, then all."""
-    measured = measure_window(request, read_each)
+    """The same: the curves as soon as they are there, unless there are none, then all.
+
+    ``measure`` may know a faster way to the first of them.
+    """
+    measured = measure(request)
     if isinstance(measured, MeasuredWindow):
         yield measured.clips
         yield explain_window(measured)

@@ -8,9 +8,9 @@ from typing import Callable, TypeVar
 
 from ...imagery.errors import WorkersLostError
 from ...imagery.message import Message
-from ...imagery.reading.readings import ReadEach
 from . import messages
 from .inspection import WindowRequest, inspect_in_stages, inspect_window
+from .window.measured_window import MeasureWindow
 from .window.window_result import WindowClips, WindowResult, not_comparable
 
 Request = TypeVar("Request")
@@ -26,10 +26,10 @@ def inspect_windows(
     return in_order(requests, inspect_window, not_comparable, executor, ahead, cancelled)
 
 
-def inspect_one(request: WindowRequest, read_each: ReadEach) -> Iterator[WindowClips | WindowResult]:
+def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[WindowClips | WindowResult]:
     """``inspect_in_stages`` for a window that somebody waits for; what nobody foresaw becomes the reason likewise."""
     try:
-        yield from inspect_in_stages(request, read_each)
+        yield from inspect_in_stages(request, measure)
     except Exception as error:  # as an executor keeps it for ``in_order``
         yield not_comparable(request, _unforeseen(error))
 

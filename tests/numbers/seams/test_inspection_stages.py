@@ -54,7 +54,7 @@ def test_a_window_that_cannot_be_measured_has_its_reason_alone(block: Block) -> 
 
 
 def test_what_nobody_foresaw_becomes_the_reason(block: Block) -> None:
-    def broken(_readings: object) -> list:
+    def broken(_request: object) -> None:
         raise ZeroDivisionError("of the test")
 
     (result,) = inspect_one(window_request(block, 3, extent_of(block), InspectionSettings()), broken)

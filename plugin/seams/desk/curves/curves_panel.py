@@ -14,7 +14,7 @@ from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve, significance_limit
 from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
 from .curves_export import CurvesExport
-from .curves_selection import selected_windows, title
+from .curves_selection import live_title, selected_windows, title
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,6 +52,7 @@ class CurvesPanel(ChartPanel):
         session.inputsChanged.connect(self._refresh_now)
         session.windowsChanged.connect(self._refresh_soon)
         session.progressChanged.connect(self._on_progress)
+        session.liveChanged.connect(self._refresh_now)
         session.curvesArrived.connect(self._on_result)
         session.resultArrived.connect(self._on_result)
 
@@ -130,22 +131,28 @@ class CurvesPanel(ChartPanel):
         """Only changes are drawn."""
         if not self.isVisible():
             return
-        results, missing = selected_windows(self._session)
+        live = self._session.live
+        results, missing = selected_windows(self._session) if live is None else ([live.clips], "")
         if not results:
             self._show_text(missing)
             return
         if self._chart is None and self._loader.is_alive():
             self._refresh_soon()
             return
-        self._fill_bands(bands_of(results))
+        if live is None:
+            self._fill_bands(bands_of(results))
         try:
             if self._chart is None:
                 self._build_chart()
         except ImportError:
             self._show_text(chart_missing())
             return
-        self._idle_text = title(self._session, results)
-        self._draw(results, self._curves(results))
+        if live is None:
+            self._idle_text = title(self._session, results)
+            self._draw(results, self._curves(results, self._bands.currentData()))
+        else:
+            self._idle_text = live_title(live)
+            self._draw(results, self._curves(results, next(iter(live.clips.clips[0].curves))))
 
     def _fill_bands(self, names: list[str]) -> None:
         if names != [self._bands.itemData(row) for row in range(self._bands.count())]:
@@ -154,8 +161,7 @@ class CurvesPanel(ChartPanel):
                 self._bands.addItem(band_title(name), name)
         self._bands.setCurrentIndex(max(self._bands.findData(self._band), 0))
 
-    def _curves(self, results: list[WindowCurves]) -> tuple[ChartCurve, ...]:
-        band = self._bands.currentData()
+    def _curves(self, results: list[WindowCurves], band: str) -> tuple[ChartCurve, ...]:
         if len(results) > 1:
             return tuple(mean_curves(results, band))
         for clip in results[0].clips[1:]:

@@ -4,9 +4,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from ....toolkit.band_titles import band_title
 from ....toolkit.translation import sentence, tr
 
 if TYPE_CHECKING:
+    from ...measure.live.live_window import LiveWindow
     from ...measure.window.window_result import WindowCurves
     from ..session import Session
 
@@ -32,6 +34,13 @@ def title(session: Session, results: Sequence[WindowCurves]) -> str:
     if row is not None and row.stale:
         text += tr(", out of date: inspect it again")
     return text
+
+
+def live_title(live: LiveWindow) -> str:
+    """Which window is drawn while it is being moved."""
+    template = tr("Live, {band}: {columns} x {rows} px under the mouse")
+    band = band_title(next(iter(live.clips.clips[0].curves)))
+    return template.format(band=band, columns=live.window.width, rows=live.window.height)
 
 
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:

@@ -15,8 +15,8 @@ from .loss_legend import LossLegend
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
     from ...measure.profile.loss_picture import LossPicture
+    from ...measure.window.window_result import WindowResult
     from ..session import Session
 
 _TOGETHER_MS = 100  # windows that come within this time are painted once

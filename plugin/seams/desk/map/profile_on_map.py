@@ -13,8 +13,8 @@ from .picture_overlay import PictureOverlay, rgba_image
 if TYPE_CHECKING:
     import numpy as np
 
-    from ...measure.inspection import WindowResult
     from ...measure.profile.seam_profile import ProfileBin
+    from ...measure.window.window_result import WindowResult
     from ..session import Session
 
 _MOST_SAMPLES = 512  # a side: a distance transform of more would hold up the interface

@@ -152,6 +152,7 @@ class WindowTool(DrawingTool):
         self._end_drag()
         self._cursor = None
         self._overlay.hide()
+        self._session.leave()
 
     def _window_there(self) -> WindowRecord | None:
         """The window that a click would select."""
@@ -171,6 +172,7 @@ class WindowTool(DrawingTool):
         if there is not None and there.extent is not None and windows is not None:
             text = tr("window {number}: click selects it, drag draws another").format(number=there.window_id)
             self._overlay.show(QgsRectangle(*there.extent), text, windows.crs())
+            self._session.leave()
             return
         draft, layer = self._draft(), self._session.mosaic_layer()
         if draft is not None and layer is not None:
@@ -179,6 +181,10 @@ class WindowTool(DrawingTool):
         elif self._cursor is not None:  # beside the cursor
             text = sentence(self._session.problem() or imagery_messages.WINDOW_OUTSIDE())
             self._overlay.show(QgsRectangle(self._cursor, self._cursor), text, tone=OutlineTone.REFUSED)
+        if draft is not None and draft.window is not None:
+            self._session.hover(draft.window, is_live=self._is_drag or draft.seam_point is not None)
+        else:
+            self._session.leave()
 
     def _draft(self) -> _Draft | None:
         """None without mosaic, or where the map has no place on it."""

@@ -19,7 +19,7 @@ from ....toolkit.translation import tr
 from .profile_painter import ProfilePainter, ShownProfile
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
+    from ...measure.window.window_result import WindowResult
 
 COLUMNS = ("window_id", "level", "from", "to", "kept", "low", "high", "area")
 """Distances in m, area in m2."""

@@ -15,8 +15,8 @@ from .profile_export import ProfileExport
 from .profile_painter import bin_words, level_colour, summary_words
 
 if TYPE_CHECKING:
-    from ...measure.inspection import WindowResult
     from ...measure.profile.seam_profile import ProfileBin, SeamProfile
+    from ...measure.window.window_result import WindowResult
     from ..session import Session
 
 _TITLE_CHARACTERS = 38  # a narrower panel has no title; the axis says what it is
@@ -41,6 +41,7 @@ class ProfilePanel(QWidget):
         self._build()
         for signal in (
             session.selectionChanged, session.inputsChanged, session.windowsChanged, session.resultArrived,
+            session.liveChanged,
         ):  # fmt: skip
             signal.connect(self._refresh_soon)
 
@@ -62,7 +63,13 @@ class ProfilePanel(QWidget):
         self._say()
 
     def refresh(self) -> None:
-        """Show the selected window's."""
+        """Show the selected window's, or that of the window under the mouse while that is being moved."""
+        live = self._session.live
+        self.chart.setEnabled(live is None or live.profile is not None)  # else it is another window's
+        if live is not None:
+            if live.profile is not None:
+                self.show_profile(live.profile, live.ground_sample_distance, self._session.inputs.min_kept)
+            return
         selected = self._session.selected()
         result = self._session.result(selected[0]) if len(selected) == 1 else None
         profile = result.profile if result is not None else None
@@ -196,6 +203,8 @@ class ProfilePanel(QWidget):
         if shown is not None:
             one = self.chart.pointed_bin
             words = bin_words(shown, one) if one is not None else summary_words(shown)
+            if self._session.live is not None:
+                words = [tr("Live: ") + text for text in words]
         metrics, room = self._status.fontMetrics(), self._status.width() - 2 * self._status.margin()
         fitting = (text for text in words if metrics.horizontalAdvance(text) <= room)
         self._status.setText(next(fitting, words[-1]))

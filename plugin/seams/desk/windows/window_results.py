@@ -12,6 +12,7 @@ from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
+from ...measure.window.measured_window import MeasureWindow, measure_window
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
@@ -32,8 +33,17 @@ class WindowResults(QObject):
     progressChanged = pyqtSignal(int, int)
     """Steps done and asked for; (0, 0) when all is done and written."""
 
-    def __init__(self, block: BlockCache, watch: WindowWatch, background: BackgroundTasks, parent: QObject) -> None:
+    def __init__(
+        self,
+        block: BlockCache,
+        watch: WindowWatch,
+        background: BackgroundTasks,
+        parent: QObject,
+        measure: MeasureWindow = measure_window,
+    ) -> None:
+        """``measure``: how the pixels of a single window are measured."""
         super().__init__(parent)
+        self._measure = measure
         self._block = block
         self._watch = watch
         self._background = background
@@ -78,7 +88,7 @@ class WindowResults(QObject):
             for number in asked:
                 self._results.pop(number, None)
                 self._clips.pop(number, None)
-            job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows))
+            job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows), self._measure)
             self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
 
     def write(self) -> None:

@@ -34,12 +34,12 @@ class HardCut:
     @property
     def explained(self) -> float:
         """Share of the pixels whose fine detail the sources explain."""
-        return np.count_nonzero(self.expected.labels != UNKNOWN) / self.expected.labels.size
+        return _explained(self.expected.labels)
 
     @property
     def is_unclear(self) -> bool:
         """Whether the sources say too little of the mosaic for the cut to mean anything."""
-        return self.following.fit < MIN_CAUSE_FIT or self.explained < MIN_EXPLAINED_SHARE
+        return is_unclear(self.following, self.expected.labels)
 
 
 def cut_hard(
@@ -52,14 +52,19 @@ def cut_hard(
     """
     image, *images = on_common_bands((mosaic, *sources), levels)
     followed = follow_sources(image, images)
-    expected, labels = _expected(image, images, followed, labels)
+    expected, labels = expected_cut(image, images, followed, labels)
     following = _merged(followed, labels, len(images))
     tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
     composite = make_composite(image.bands, [other.bands for other in images], image.names, labels, tones)
     return HardCut(image, tuple(images), expected, following, tuple(tones), composite)
 
 
-def _expected(
+def is_unclear(following: FollowedSource, labels: np.ndarray) -> bool:
+    """Whether the sources say too little of the mosaic; ``labels`` are those of the expected one."""
+    return following.fit < MIN_CAUSE_FIT or _explained(labels) < MIN_EXPLAINED_SHARE
+
+
+def expected_cut(
     image: ComparedImage, images: Sequence[ComparedImage], followed: PlacedSources, known: np.ndarray | None
 ) -> tuple[ExpectedMosaic, np.ndarray]:
     """What the mosaic would look like cut hard, its labels those of the sources; and labels for the composite."""
@@ -71,6 +76,11 @@ def _expected(
     found = replace(found, labels=numbers[found.labels])
     nothing = (found.labels == UNKNOWN).all()
     return found, numbers[followed.following.labels] if nothing else found.labels
+
+
+def _explained(labels: np.ndarray) -> float:
+    """Share of the pixels with a label."""
+    return np.count_nonzero(labels != UNKNOWN) / labels.size
 
 
 def _merged(followed: PlacedSources, labels: np.ndarray, count: int) -> FollowedSource:

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable, Union
 
 from ....imagery import limits as imagery_limits
 from ....imagery.band_curves import measure_clip, measure_directions
@@ -60,7 +60,13 @@ class MeasuredWindow:
         return bool(self.judged) and self.mosaic.curves[self.band].variance > 0 and not has_no_detail
 
 
-def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> MeasuredWindow | Message | None:
+Measured = Union[MeasuredWindow, Message, None]
+"""A window, or why there is none, as its request or its mosaic has it."""
+
+MeasureWindow = Callable[["WindowRequest"], Measured]
+
+
+def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> Measured:
     """Read and measure the clips of a window; why there are none where there is no window or no mosaic.
 
     ``read_each`` opens the rasters, and may read them side by side.

@@ -27,6 +27,8 @@ class FakeSession(QObject):
         self.source_count, self.unread = 3, 0
         self.missing: float | None = 0.0
         self.judgeable: PixelWindow | None = None
+        self.hovered: tuple[PixelWindow, bool] | None = None
+        """The window under the mouse, and whether its curves follow."""
         self.added: list[PixelWindow] = []
         self.settings: list[Inputs] = []
         self.layer: QgsVectorLayer | None = None
@@ -69,6 +71,12 @@ class FakeSession(QObject):
 
     def select(self, fids: list[int]) -> None:
         self.chosen = list(fids)
+
+    def hover(self, window: PixelWindow, is_live: bool) -> None:
+        self.hovered = window, is_live
+
+    def leave(self) -> None:
+        self.hovered = None
 
     def add_window(self, window: PixelWindow) -> int | None:
         self.added.append(window)

@@ -24,6 +24,7 @@ from seam_inspector.plugin.seams.charts.window_curves import point_words
 from seam_inspector.plugin.seams.desk.curves.curves_chart import CurvesChart
 from seam_inspector.plugin.seams.desk.curves.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict, judge
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowClips, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
@@ -49,6 +50,7 @@ class FakeSession(QObject):
     inputsChanged = pyqtSignal()
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
+    liveChanged = pyqtSignal()
     curvesArrived = pyqtSignal(int)
     resultArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
@@ -58,6 +60,7 @@ class FakeSession(QObject):
         super().__init__()
         self.inputs = Inputs()
         self.is_busy = False
+        self.live: LiveWindow | None = None
         self.results: dict[int, WindowResult] = {}
         self.first: dict[int, WindowClips] = {}
         self.rows_by_fid: dict[int, WindowRecord] = {}

@@ -190,9 +190,9 @@ class _BoundSignal:
 
 SIGNALS: dict[type, tuple[str, ...]] = {
     Session: ("inputsChanged", "windowsChanged", "selectionChanged", "resultArrived", "picturesArrived",
-              "progressChanged", "messageRaised"),
+              "curvesArrived", "progressChanged", "messageRaised"),
     WindowWatch: ("windowsChanged", "selectionChanged", "replaced"),
-    WindowResults: ("arrived", "failed", "progressChanged"),
+    WindowResults: ("arrived", "curvesArrived", "failed", "progressChanged"),
     NewWindows: ("layerMade", "drawn", "told"),
     WindowPictures: ("arrived",),
     BlockCache: ("opened",),

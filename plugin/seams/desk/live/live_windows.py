@@ -1,0 +1,131 @@
+"""The window under the mouse: measured while it moves, and measured ahead where the mouse rests."""
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ....imagery.grids import PixelWindow
+from ....imagery.reading.reading_lanes import ReadingLanes
+from ....toolkit.desk.latest_only import LatestOnly
+from ....toolkit.desk.timers import single_shot
+from ...measure.inspection import WindowRequest, window_request
+from ...measure.live.live_window import LivePixels, LiveWindow, live_profile, read_live
+from ...measure.window.measured_ahead import MeasuredAhead
+
+if TYPE_CHECKING:
+    from ...measure.profile.seam_profile import SeamProfile
+    from ..inputs.block_cache import BlockCache
+
+_REST_MS = 60  # a mouse that stays this long may be about to click
+_IDLE_MS = 20_000  # after that the files are closed and the pixels forgotten
+_NO_NUMBER = 0
+
+
+class LiveWindows(QObject):
+    """Three threads, each busy with what was asked for last: curves, seam profiles, and windows measured ahead.
+
+    ``measure`` is how a single window is to be measured: what was measured ahead is there at once.
+    """
+
+    changed = pyqtSignal()
+    """There is another live window, or more is known of it, or there is none any more."""
+    failed = pyqtSignal(object)
+    """A Message."""
+
+    def __init__(self, block: BlockCache, parent: QObject) -> None:
+        super().__init__(parent)
+        self._block = block
+        self._lanes = ReadingLanes()
+        self.measure = MeasuredAhead(self._lanes)
+        self._current: LiveWindow | None = None
+        self._hovered: PixelWindow | None = None
+        self._curves = LatestOnly("seam-inspector-live-curves", self)
+        self._curves.arrived.connect(self._take_pixels)
+        self._profiles = LatestOnly("seam-inspector-live-profile", self)
+        self._profiles.arrived.connect(self._take_profile)
+        self._ahead = LatestOnly("seam-inspector-ahead", self)
+        for worker in (self._curves, self._profiles, self._ahead):
+            worker.failed.connect(self.failed)
+        self._rest = single_shot(self, self._measure_ahead, _REST_MS)
+        self._idle = single_shot(self, self.let_go, _IDLE_MS)
+
+    @property
+    def current(self) -> LiveWindow | None:
+        """The window that is being moved, as far as it is known."""
+        return self._current
+
+    def hover(self, window: PixelWindow, is_live: bool) -> None:
+        """The window under the mouse; ``is_live`` when its curves are to be seen while it moves."""
+        if window == self._hovered and (self._current is not None or not is_live):
+            return
+        self._hovered = window
+        self._rest.start()
+        self.stay_open()
+        if is_live:
+            request = self._request(window)
+            if request is not None:
+                self._curves.ask(partial(read_live, request, self._lanes))
+        elif self._current is not None:
+            self._stop()
+
+    def leave(self) -> None:
+        """The mouse is elsewhere."""
+        self._rest.stop()
+        self._hovered = None
+        self._stop()
+
+    def stay_open(self, *_: object) -> None:
+        """Somebody is at work: the files are used for a while longer."""
+        self._idle.start()
+
+    def let_go(self) -> None:
+        """Close all files and forget their pixels: what they hold may change."""
+        self._idle.stop()
+        self._ahead.forget()
+        self.measure.forget()
+        self._lanes.let_go()
+
+    def close(self) -> None:
+        """Nothing is measured any more."""
+        self.leave()
+        for worker in (self._curves, self._profiles, self._ahead):
+            worker.close()
+        self.let_go()
+        self._lanes.close()
+
+    def _stop(self) -> None:
+        self._curves.forget()
+        self._profiles.forget()
+        if self._current is not None:
+            self._current = None
+            self.changed.emit()
+
+    def _request(self, window: PixelWindow) -> WindowRequest | None:
+        block = self._block.silent()
+        if block is None:
+            return None
+        return window_request(block, _NO_NUMBER, block.mosaic.grid.window_extent(window), self._block.settings())
+
+    def _measure_ahead(self) -> None:
+        request = self._request(self._hovered) if self._hovered is not None else None
+        if request is not None:
+            self._ahead.ask(partial(self._without_result, request))
+
+    def _without_result(self, request: WindowRequest) -> None:
+        self.measure(request)
+
+    def _take_pixels(self, pixels: LivePixels) -> None:
+        window, before = pixels.request.window, self._current
+        assert window is not None
+        profile = before.profile if before is not None else None
+        self._current = LiveWindow(window, pixels.clips, pixels.request.mosaic.ground_sample_distance, profile)
+        self._profiles.ask(lambda: (live_profile(pixels),))
+        self.changed.emit()
+
+    def _take_profile(self, found: tuple[SeamProfile | None]) -> None:
+        if self._current is not None:
+            self._current = replace(self._current, profile=found[0])
+            self.changed.emit()

@@ -1,0 +1,110 @@
+"""A window that is being moved: what can be known of it many times a second, from the judged band alone."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from ....imagery.band_curves import judged_plane
+from ....imagery.clips import Clip, read_clip
+from ....imagery.errors import RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.open_raster import OpenRaster
+from ....imagery.reading.readings import ReadEach
+from ....imagery.wavelets import Curve, clip_curves, detail_components
+from ..compared_image import ComparedImage, MeasuredClip
+from ..following.hard_cut import expected_cut, is_unclear
+from ..following.placed_sources import follow_sources
+from ..inspection import WindowRequest
+from ..profile.detail_cells import detail_cells
+from ..profile.seam_profile import SeamProfile, seam_profile
+from ..verdicts import judge
+from ..window.explained_window import known_labels
+from ..window.window_result import ClipResult, WindowClips
+
+
+@dataclass(frozen=True, eq=False)
+class LivePixels:
+    """The judged band of the rasters in a window, and its curves."""
+
+    request: WindowRequest
+    band: str
+    images: tuple[ComparedImage, ...]
+    """The mosaic, then the sources that the verdict would be taken against."""
+    judged: tuple[MeasuredClip, ...]
+    """Those sources; their curves are among the ``clips``."""
+    clips: WindowClips
+
+
+@dataclass(frozen=True)
+class LiveWindow:
+    """What is known of the window that is being moved."""
+
+    window: PixelWindow
+    clips: WindowClips
+    """With the curves of the judged band alone."""
+    ground_sample_distance: float
+    """The mosaic's pixel size, m."""
+    profile: SeamProfile | None = None
+    """What is kept along the seam, a moment ago: it takes longer than the curves."""
+
+
+def read_live(request: WindowRequest, read_each: ReadEach) -> LivePixels | None:
+    """Read and measure the judged band of a window; None where the mosaic has no pixels there."""
+    if request.window is None:
+        return None
+    band = request.mosaic.judged_band
+    refs = [request.mosaic.ref, *(source.ref for source in request.sources)]
+    found = read_each([(ref, partial(_read, request, band, is_source)) for is_source, ref in enumerate(refs)])
+    if isinstance(found[0], RasterError) or found[0] is None:
+        return None
+    mosaic, *sources = [one for one in found if one is not None and not isinstance(one, RasterError)]
+    judged = [one for one in sources if not one[0].resampled] or sources
+    named = [(mosaic, "mosaic"), *((one, "source") for one in sources)]
+    clips = tuple(
+        ClipResult(clip.raster.ref.name, role, {band: curve}) for (clip, _, curve), role in named if curve is not None
+    )
+    assert mosaic[2] is not None
+    whole = [curve for _, _, curve in judged if curve is not None]
+    paper = judge(mosaic[2], whole, request.settings.max_ratio)
+    images = tuple(_image(clip, plane, band) for clip, plane, _ in (mosaic, *judged))
+    against = tuple(MeasuredClip(clip, {}, {}) for clip, _, _ in judged)
+    return LivePixels(request, band, images, against, WindowClips(request.window_id, request.window, clips, paper))
+
+
+def live_profile(pixels: LivePixels) -> SeamProfile | None:
+    """What is kept along the seam, as a whole inspection has it; None without a seam or where it can't be told."""
+    if not pixels.judged:
+        return None
+    image, *images = pixels.images
+    settings = pixels.request.settings
+    followed = follow_sources(image, images)
+    known = known_labels(pixels.request, pixels.judged)
+    expected, _ = expected_cut(image, images, followed, known)
+    if is_unclear(followed.following, expected.labels):
+        return None
+    planes = np.stack([image.plane, expected.plane])
+    details = list(detail_components(planes, settings.wavelet, settings.levels))
+    return seam_profile(detail_cells(details, expected.labels))
+
+
+_Read = tuple[Clip, np.ndarray, "Curve | None"]
+
+
+def _read(request: WindowRequest, band: str, is_source: int, raster: OpenRaster) -> _Read | None:
+    """Clip, plane and curve; no curve of a source that covers the window only partly, None of one without the band."""
+    assert request.window is not None
+    if raster.raster.judged_band != band:
+        return None
+    clip = read_clip(raster, request.mosaic, request.window, partly=bool(is_source))
+    plane = judged_plane(clip.bands, clip.raster.band_names)
+    if clip.valid is not None:
+        return clip, plane, None
+    (curve,), _ = clip_curves(plane[np.newaxis], request.settings.wavelet, request.settings.levels)
+    return None if is_source and curve.variance == 0 else (clip, plane, curve)
+
+
+def _image(clip: Clip, plane: np.ndarray, band: str) -> ComparedImage:
+    offset = clip.offset_x, clip.offset_y
+    return ComparedImage(plane[np.newaxis], (band,), {}, {}, clip.raster, offset, clip.valid)

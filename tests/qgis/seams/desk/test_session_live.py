@@ -1,0 +1,102 @@
+"""The window under the mouse: live curves, measured ahead where the mouse rests, files let go."""
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.seams.desk.profile.curves_and_profile import CurvesAndProfile
+from seam_inspector.plugin.seams.measure.window import measured_ahead
+
+from tests.qgis.scenes import BLURRED
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, Desk, settle, wait_until
+
+ACROSS = PixelWindow(BLURRED[0] + 8, BLURRED[1] + 8, 64, 64)
+
+
+def open_count(desk: Desk) -> int:
+    return int(desk.session._live._lanes.open_count())
+
+
+def test_curves_follow_the_mouse_and_end_with_it(desk: Desk) -> None:
+    session, told = desk.session, []
+    session.liveChanged.connect(lambda: told.append(session.live))
+    assert session.live is None
+    for window in (BLURRED_WINDOW, ACROSS):
+        session.hover(window, is_live=True)
+        wait_until(lambda window=window: session.live is not None and session.live.window == window)
+    clips = session.live.clips.clips
+    assert [clip.raster for clip in clips] == ["mosaic.tif", "west.tif", "east.tif"]
+    assert [list(clip.curves) for clip in clips] == [["luminance"]] * 3
+    session.leave()
+    assert session.live is None
+    assert told[-1] is None
+    count = len(told)
+    settle(0.3)
+    assert len(told) == count
+    assert session.windows() == []
+    assert desk.messages == []
+
+
+def test_a_click_where_the_mouse_rested_reads_nothing_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+    measured: list[PixelWindow] = []
+    measure = measured_ahead.measure_window
+
+    def counted(request: Any, *others: Any) -> Any:
+        measured.append(request.window)
+        return measure(request, *others)
+
+    monkeypatch.setattr(measured_ahead, "measure_window", counted)
+    session = desk.session
+    session.hover(BLURRED_WINDOW, is_live=False)
+    wait_until(lambda: measured == [BLURRED_WINDOW])
+    assert session.live is None
+    session.leave()
+    session.add_window(BLURRED_WINDOW)
+    desk.wait()
+    assert measured == [BLURRED_WINDOW]
+    assert desk.rows()[1].verdict == "significant"
+    session.add_window(ACROSS)
+    desk.wait()
+    assert measured == [BLURRED_WINDOW, ACROSS]
+
+
+def test_files_are_let_go_with_their_layers_and_the_project(desk: Desk) -> None:
+    session = desk.session
+    session.hover(BLURRED_WINDOW, is_live=True)
+    wait_until(lambda: session.live is not None)
+    assert open_count(desk) == 3
+    desk.project.removeMapLayer(desk.sources[0].id())
+    assert open_count(desk) == 0
+    session.hover(ACROSS, is_live=True)
+    wait_until(lambda: session.live is not None and session.live.window == ACROSS)
+    assert open_count(desk) == 2
+    desk.project.clear()
+    assert open_count(desk) == 0
+    assert session.live is None
+
+
+def test_files_are_let_go_when_nobody_moves_the_mouse(desk: Desk) -> None:
+    live = desk.session._live
+    live._idle.setInterval(500)
+    desk.session.hover(BLURRED_WINDOW, is_live=True)
+    wait_until(lambda: desk.session.live is not None)
+    wait_until(lambda: open_count(desk) == 0)
+
+
+def test_the_charts_show_what_is_live_then_the_selected_window_again(desk: Desk) -> None:
+    session, panel = desk.session, CurvesAndProfile(desk.session)
+    panel.resize(400, 700)
+    panel.show()
+    fid = desk.add(BLURRED_WINDOW)
+    wait_until(lambda: panel.curves.shown == [session.result(fid)])
+    idle = panel.curves._status.text()
+    session.hover(ACROSS, is_live=True)
+    wait_until(lambda: session.live is not None and panel.curves.shown == [session.live.clips])
+    assert panel.curves._status.text() == "Live, luminance: 64 x 64 px under the mouse"
+    assert not panel.curves._export.isEnabled()
+    session.leave()
+    wait_until(lambda: panel.curves.shown == [session.result(fid)])
+    assert panel.curves._status.text() == idle
+    assert panel.profile.chart.isEnabled()
+    panel.close()
