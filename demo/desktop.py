@@ -69,10 +69,11 @@ def play(
     screen: str = "1600x1000",
     theme: str = "default",
     scale: int = 1,
+    locale: str = "en_US",
 ) -> Run:
     """Start QGIS, play a scenario, wait for the end of the process. The profile is made in the folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    profiles = _make_profile(folder / "profiles", theme)
+    profiles = _make_profile(folder / "profiles", theme, locale)
     job, status_file, log = folder / "job.json", folder / "status.json", folder / "qgis.log"
     status_file.unlink(missing_ok=True)
     job.write_text(
@@ -128,14 +129,14 @@ def _run(command: list[str], environment: dict[str, str], output: Any, seconds: 
                     continue
 
 
-def _make_profile(folder: Path, theme: str) -> Path:
+def _make_profile(folder: Path, theme: str, locale: str) -> Path:
     """A profile with nothing but the plugin, linked and enabled."""
     shutil.rmtree(folder, ignore_errors=True)
     plugins, settings = folder / "profiles/default/python/plugins", folder / "profiles/default/QGIS/QGIS3.ini"
     for path in (plugins, settings.parent):
         path.mkdir(parents=True)
     (plugins / "seam_inspector").symlink_to(_PLUGIN.resolve(), target_is_directory=True)
-    settings.write_text(_SETTINGS.format(locale="en_US", theme=theme))
+    settings.write_text(_SETTINGS.format(locale=locale, theme=theme))
     return folder
 
 

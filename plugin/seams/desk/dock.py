@@ -14,22 +14,18 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.gui import QgisInterface
-from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
     QGridLayout,
     QProgressBar,
-    QSplitter,
     QTabWidget,
-    QToolBar,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
+from ...toolkit.desk.fitting_tool_bar import FittingToolBar
 from ...toolkit.desk.greyed import allow
-from ...toolkit.desk.scroll_body import ScrollBody
 from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.timers import single_shot
 from ...toolkit.desk.tool_dock import ToolDock
@@ -38,6 +34,7 @@ from ...toolkit.resources import icon_path
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
 from ..scan_job import ScanDone
+from .dock_body import DockBody
 from .inputs.inputs_panel import InputsPanel
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
@@ -160,12 +157,8 @@ class InspectionDock(ToolDock):
         self._worst_inspector.start()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Side by side when the dock is wide, one above the other when it is narrow."""
         super().resizeEvent(event)
-        orientation = Qt.Orientation.Horizontal if self.is_wide else Qt.Orientation.Vertical
-        if orientation != self._splitter.orientation():
-            self._splitter.setOrientation(orientation)
-            self._splitter.setSizes([2000, 3000])  # shares; Qt fits them to the room there is
+        self._body.arrange(self.is_wide)
 
     def _make_actions(self) -> None:
         self.place = self._action(
@@ -200,19 +193,9 @@ class InspectionDock(ToolDock):
         return action
 
     def _lay_out(self) -> None:
-        toolbar = QToolBar()
-        size = self.fontMetrics().height() + 6
-        toolbar.setIconSize(QSize(size, size))
-        toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        texts = (self.place, self.inspect)
         steps = (self.steps.undo, self.steps.redo)
-        toolbar.addActions(
-            [self.draw, *texts, self.scan, self.inspect_selected, self.swiping.action, *steps, self.report]
-        )
-        for action in toolbar.actions():
-            toolbar.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
-            if action not in texts:  # the others are known by their icons, to save width
-                toolbar.widgetForAction(action).setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        actions = [self.draw, self.place, self.inspect, self.scan, self.inspect_selected, self.swiping.action]
+        toolbar = FittingToolBar([*actions, *steps, self.report], worded=[self.inspect, self.place])
         for action in (self.scan, self.swiping.action):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         toolbar.widgetForAction(self.scan).addAction(self.worst)
@@ -224,27 +207,9 @@ class InspectionDock(ToolDock):
         lost.setDefaultAction(self.lost.action)
         lost.setAutoRaise(True)
         tabs.setCornerWidget(lost)
-        chart_side = QWidget()
-        chart_layout = QVBoxLayout(chart_side)
-        chart_layout.setContentsMargins(0, 0, 0, 0)
-        chart_layout.addWidget(tabs, 1)
-        chart_layout.addWidget(self.judge)
-        self._splitter = QSplitter(Qt.Orientation.Vertical)
-        self._splitter.addWidget(self.windows)
-        self._splitter.addWidget(chart_side)
-        self._splitter.setStretchFactor(0, 2)
-        self._splitter.setStretchFactor(1, 3)
-        self._splitter.setChildrenCollapsible(False)
-        body = QWidget()
-        layout = QVBoxLayout(body)
-        layout.setContentsMargins(4, 2, 4, 4)
-        layout.setSpacing(3)
-        layout.addWidget(self.inputs)
-        layout.addWidget(toolbar)
-        layout.addWidget(self._splitter, 1)
-        layout.addWidget(self._progress_row())
-        body.addActions(self.judge.actions_for_dock())
-        self.setWidget(ScrollBody(body))
+        self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
+        self._body.addActions(self.judge.actions_for_dock())
+        self.setWidget(self._body)
 
     def _progress_row(self) -> QWidget:
         """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""

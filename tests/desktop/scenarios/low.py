@@ -23,14 +23,12 @@ def play(desk: Desk) -> None:
     desk.report["window"] = [desk.window.width(), desk.window.height()]
     desk.report["dock"] = [desk.dock.width(), desk.dock.height()]
     desk.screenshot(shots / "low_inputs.png")
-    body = desk.dock.widget()
-    bar = body.verticalScrollBar()
-    desk.report["scrolls"] = bar.maximum() > 0
-    body.ensureWidgetVisible(desk.dock.judge)
-    desk.pause(0.3)
-    judge = desk.dock.judge
+    body, judge = desk.dock.widget(), desk.dock.judge
+    desk.report["scrolls"] = body.scroll.verticalScrollBar().maximum() > 0
     bottom = judge.mapTo(body, judge.rect().bottomLeft()).y()
     desk.report["reached"] = 0 < bottom <= body.height()
+    body.scroll.ensureWidgetVisible(desk.dock.windows.table)
+    desk.pause(0.3)
     desk.screenshot(shots / "low_judge.png")
     inputs.box.fold(True)
     desk.pause(0.5)

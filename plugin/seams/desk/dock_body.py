@@ -1,0 +1,51 @@
+"""Where the parts of the desk are: one above the other, or side by side where the dock is wide."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtWidgets import QBoxLayout, QSplitter, QToolBar, QVBoxLayout, QWidget
+
+from ...toolkit.desk.scroll_body import ScrollBody
+
+_SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
+
+
+class DockBody(QWidget):
+    """Inputs, toolbar, windows and tabs, which scroll on a low screen; judgement and progress, always in sight."""
+
+    def __init__(
+        self, inputs: QWidget, toolbar: QToolBar, windows: QWidget, tabs: QWidget, judge: QWidget, progress: QWidget
+    ) -> None:
+        super().__init__()
+        self._head = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._head.setSpacing(3)
+        self._head.addWidget(inputs, 1)
+        self._head.addWidget(toolbar)
+        self._head.setAlignment(toolbar, Qt.AlignmentFlag.AlignTop)
+        self._splitter = QSplitter(Qt.Orientation.Vertical)
+        for widget, share in ((windows, 2), (tabs, 3)):
+            self._splitter.addWidget(widget)
+            self._splitter.setStretchFactor(self._splitter.count() - 1, share)
+        self._splitter.setChildrenCollapsible(False)
+        upper = QWidget()
+        layout = QVBoxLayout(upper)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(3)
+        layout.addLayout(self._head)
+        layout.addWidget(self._splitter, 1)
+        self.scroll = ScrollBody(upper)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 2, 4, 4)
+        layout.setSpacing(3)
+        layout.addWidget(self.scroll, 1)
+        layout.addWidget(judge)
+        layout.addWidget(progress)
+
+    def arrange(self, is_wide: bool) -> None:
+        """A wide dock is mostly a low one: it has the toolbar beside the inputs, and the tabs beside the windows."""
+        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
+        if orientation == self._splitter.orientation():
+            return
+        self._splitter.setOrientation(orientation)
+        self._splitter.setSizes(_SHARES)
+        direction = QBoxLayout.Direction
+        self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
