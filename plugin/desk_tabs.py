@@ -18,6 +18,7 @@ TABS = (
             "kept by the distance from the seam",
         ),
         CurvesAndProfile,
+        tells_verdict=True,
     ),
     DeskTab(
         "images",

@@ -36,6 +36,7 @@ from ..measure import messages
 from ..scan_job import ScanDone
 from .dock_body import DockBody
 from .inputs.inputs_panel import InputsPanel
+from .judging.judging_desk import JudgingDesk
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .report_writer import ReportWriter
@@ -44,7 +45,6 @@ from .scan.scan_group import show_layer
 from .scan.scan_message import ScanMessage
 from .session import Session
 from .swipe.swipe_action import SwipeAction
-from .windows.judge_bar import JudgeBar
 from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
 
@@ -67,7 +67,8 @@ class InspectionDock(ToolDock):
         )
         self.inputs = InputsPanel(self.session)
         self.windows = WindowsPanel(self.session)
-        self.judge = JudgeBar(self.session, order=self.windows.ordered_fids)
+        self.judging = JudgingDesk(self.session, self.windows, self._canvas, iface.mainWindow(), self)
+        self.judge = self.judging.bar
         self._tabs = tuple(tabs)
         self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
         self.lost = LostDetail(iface, self.session, self)
@@ -95,9 +96,11 @@ class InspectionDock(ToolDock):
         self.scans.found.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._repaint_windows)
-        self.windows.orderChanged.connect(self.judge.refresh)
         self.windows.zoomRequested.connect(self.zoom_to)
-        self.judge.stepped.connect(self.keep_in_view)
+        self.windows.told.connect(self._show_message)
+        self.judging.model.stepped.connect(self.zoom_to)
+        self.judging.model.changed.connect(self._hide_tabs)
+        self._hide_tabs()
         self._enable_actions()
 
     def close_desk(self) -> None:
@@ -108,9 +111,10 @@ class InspectionDock(ToolDock):
         self._worst_inspector.stop()
         self._findings.close()
         self.scans.close()
+        self.judging.close()
         self.lost.close()
         self.session.close()
-        for panel in (self.inputs, self.windows, self.judge, *self.panels.values()):
+        for panel in (self.inputs, self.windows, *self.panels.values()):
             panel.close()
 
     def zoom_to(self, fid: int) -> None:
@@ -124,16 +128,6 @@ class InspectionDock(ToolDock):
         view = QgsRectangle.fromCenterAndSize(QgsRectangle(*row.extent).center(), width, height)
         if (shown := self._on_map(layer, view)) is not None:
             self._canvas.setExtent(shown)
-            self._canvas.refresh()
-
-    def keep_in_view(self, fid: int) -> None:
-        """Bring the middle of a window into sight where it is not, at the map's scale."""
-        row, layer = self.session.row(fid), self.session.window_layer()
-        if row is None or row.extent is None or layer is None:
-            return
-        box = self._on_map(layer, QgsRectangle(*row.extent))
-        if box is not None and not self._canvas.extent().contains(box.center()):
-            self._canvas.setCenter(box.center())
             self._canvas.refresh()
 
     def _on_map(self, layer: QgsVectorLayer, box: QgsRectangle) -> QgsRectangle | None:
@@ -153,6 +147,7 @@ class InspectionDock(ToolDock):
         load_style(layer, "windows")
         show_layer(QgsProject.instance(), layer)
         self.session.set_inputs(replace(self.session.inputs, windows=layer.id()))
+        self.judging.model.change(order="table")
         self.windows.sort_by_number()
         self._worst_inspector.start()
 
@@ -199,7 +194,7 @@ class InspectionDock(ToolDock):
         for action in (self.scan, self.swiping.action):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         toolbar.widgetForAction(self.scan).addAction(self.worst)
-        tabs = QTabWidget()
+        self._tab_widget = tabs = QTabWidget()
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))
         tabs.setDocumentMode(True)
@@ -208,8 +203,12 @@ class InspectionDock(ToolDock):
         lost.setAutoRaise(True)
         tabs.setCornerWidget(lost)
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
-        self._body.addActions(self.judge.actions_for_dock())
         self.setWidget(self._body)
+
+    def _hide_tabs(self) -> None:
+        """While the tool's verdict is hidden, so are the tabs that tell it."""
+        for place, tab in enumerate(self._tabs):
+            self._tab_widget.setTabVisible(place, not (tab.tells_verdict and self.judging.model.is_blind))
 
     def _progress_row(self) -> QWidget:
         """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""

@@ -152,6 +152,9 @@ PAIRS_WITHOUT_CONTRAST = Message(
     "The table of pairs has no field 'contrast_1', so the absolute contrast is not judged; inspect the windows anew to "
     "have it.", WARNING
 )
+TABLE_NOT_SAVED = Message("The table can't be saved as {path}: {error}.")
+FILTER_NOT_UNDERSTOOD = Message("The filter is not understood: {error}. Example: kept < 0.7 and cause = 'feathering'.")
+FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
 FIELD_NOT_HELD = Message(
     "The file of the layer {name} can't hold a field '{field}': save the windows as a GeoPackage and use that layer."
 )

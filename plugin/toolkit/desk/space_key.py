@@ -2,10 +2,11 @@
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QWidget
+
+from .keyboard import is_keyboard_free
 
 _KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
-_TEXT_FIELDS = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox)
 
 
 class SpaceKey(QObject):
@@ -71,7 +72,7 @@ class SpaceKey(QObject):
             return False
         if not self._is_held:
             plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
-            if kind == QEvent.Type.KeyRelease or not plain or not _is_free():
+            if kind == QEvent.Type.KeyRelease or not plain or not is_keyboard_free():
                 return False
         if kind == QEvent.Type.ShortcutOverride:
             event.accept()  # so that it comes as a key press and not as somebody's shortcut
@@ -80,14 +81,3 @@ class SpaceKey(QObject):
         elif not event.isAutoRepeat():
             self._hold(False)
         return True
-
-
-def _is_free() -> bool:
-    """Whether nobody is typing, and no menu or dialog waits for an answer."""
-    if QApplication.activeModalWidget() is not None or QApplication.activePopupWidget() is not None:
-        return False
-    focus = QApplication.focusWidget()
-    if focus is None:
-        return True
-    typing = isinstance(focus, _TEXT_FIELDS) or focus.inherits("QsciScintilla")
-    return not typing and not (isinstance(focus, QComboBox) and focus.isEditable())

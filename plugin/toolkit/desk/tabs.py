@@ -63,3 +63,5 @@ class DeskTab:
     tooltip: str
     make: Callable[[Any], QWidget]
     """From the desk's model, an ``InspectedWindows``, to the tab's panel."""
+    tells_verdict: bool = False
+    """Whether it shows what was found, which is hidden while somebody judges blind."""

@@ -79,9 +79,11 @@ def judge(desk: Desk) -> None:
     fid = next(row.fid for row in session.windows() if row.verdict != "not_comparable")
     session.select([fid])
     desk.wait(lambda: desk.curves_of(fid), 20, "curve of the window to judge")
+    desk.report["sentence"] = desk.dock.judge.sentence()
     desk.press(Qt.Key.Key_V)
     assert session.row(fid).observer == "visible"
-    desk.report["sentence"] = desk.dock.judge.sentence()
+    assert session.selected() != [fid], "the next window"
+    session.select([fid])
     desk.rest_mouse()
 
 

@@ -70,9 +70,10 @@ def judge(desk: Desk) -> None:
     first = session.windows()[0]
     session.select([first.fid])
     desk.pause(0.5)
+    desk.report["sentence"] = desk.dock.judge.sentence()
     desk.press(Qt.Key.Key_V)
     assert session.row(first.fid).observer == "visible"
-    desk.report["sentence"] = desk.dock.judge.sentence()
+    session.select([first.fid])
     desk.report["table"] = desk.table()
     desk.dock.draw.trigger()  # off: the tool of before is back
     assert desk.canvas.mapTool() is not desk.dock.tool

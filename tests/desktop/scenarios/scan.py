@@ -96,7 +96,6 @@ def judge_worst(desk: Desk) -> None:
     walked = []
     for _ in range(min(3, len(desk.session.windows()) - 1)):
         desk.press(Qt.Key.Key_V)
-        desk.press(Qt.Key.Key_N)
         walked += [desk.session.row(fid).window_id for fid in desk.session.selected()]
         desk.report.setdefault("in_view", []).append(in_view(desk))
     desk.report["walked"] = walked

@@ -23,7 +23,7 @@ _ALIGNED_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _CENTRED = int(Qt.AlignmentFlag.AlignCenter)
 ALIGNED_LEFT = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
 _SEVERITY = {verdict: place for place, verdict in enumerate(VERDICTS) if verdict}
-_OBSERVERS = {"visible": 0, "invisible": 1}
+_OBSERVERS = {"visible": 0, "invisible": 1, "unsure": 2}
 _RATIO_TIP = QT_TRANSLATE_NOOP(
     "@default", "Detail at level {level} in the mosaic as a multiple of the least sharp source's."
 )
@@ -44,6 +44,11 @@ class TableColumn(NamedTuple):
     short_heading: str = ""
     level: int = 0
     """Of a ratio: 1..R."""
+
+    @property
+    def field(self) -> str:
+        """That tells it from all other columns."""
+        return f"{self.name}_{self.level}" if self.level else self.name
 
     def title(self, short: bool = False) -> str:
         """The heading."""

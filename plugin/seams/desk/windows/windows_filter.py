@@ -6,8 +6,11 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
 
+from ....imagery.errors import SettingsError
+from ....imagery.message import Message
 from ...cause_words import cause_word
 from ...verdict_words import observer_word, verdict_word
+from .number_filter import is_expression, window_test
 from .windows_model import WindowsModel
 
 if TYPE_CHECKING:
@@ -21,6 +24,8 @@ class WindowsFilter(QSortFilterProxyModel):
         super().__init__(parent)
         self._model = model
         self._words: list[str] = []
+        self._test: Callable[[WindowRecord], bool] | None = None  # of an expression
+        self._passes: dict[WindowRecord, bool] = {}
         self._accepts: Callable[[WindowRecord], bool] | None = None
         self._told: dict[tuple[str, str, str], list[str]] = {}
         self._fids: list[int] | None = None
@@ -33,7 +38,7 @@ class WindowsFilter(QSortFilterProxyModel):
     @property
     def is_on(self) -> bool:
         """Whether some windows may be left out."""
-        return bool(self._words) or self._accepts is not None
+        return bool(self._words) or self._test is not None or self._accepts is not None
 
     def fids(self) -> list[int]:
         """The windows shown, from top to bottom; not to be changed. Row by row through Qt takes ten times as long."""
@@ -53,11 +58,24 @@ class WindowsFilter(QSortFilterProxyModel):
         self.fids()
         return self._rows.get(fid, -1)
 
-    def set_filter(self, text: str, accepts: Callable[[WindowRecord], bool] | None) -> None:
-        """Show the windows that match all words of a text, and only those a test accepts."""
-        self._words, self._accepts = text.casefold().split(), accepts
+    def set_filter(self, text: str, accepts: Callable[[WindowRecord], bool] | None) -> Message | None:
+        """Show the windows that match an expression, or all words of a text, and only those a test accepts.
+
+        Returns what is wrong with an expression; the text before it stays in force then.
+        """
+        problem, rows = None, self._model.windows()
+        try:
+            test = window_test(text, max((len(row.ratios) for row in rows), default=3)) if is_expression(text) else None
+            if test is not None and rows:
+                test(rows[0])  # what is wrong with its values shows only there
+            self._words, self._test = [] if test else text.casefold().split(), test
+        except SettingsError as error:
+            problem = error.message
+        self._accepts = accepts
+        self._passes = {}
         self._forget()
         self.invalidateFilter()
+        return problem
 
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
         self._model.sort(column, order)
@@ -66,7 +84,21 @@ class WindowsFilter(QSortFilterProxyModel):
         return not self.is_on or self._shows(self._model.windows()[place])
 
     def _shows(self, row: WindowRecord) -> bool:
-        return (self._accepts is None or self._accepts(row)) and all(self._matches(row, word) for word in self._words)
+        if self._accepts is not None and not self._accepts(row):
+            return False
+        if self._test is not None:
+            return self._passes_test(row)
+        return all(self._matches(row, word) for word in self._words)
+
+    def _passes_test(self, row: WindowRecord) -> bool:
+        """Kept, as Qt asks for every row again whenever one changes."""
+        assert self._test is not None
+        if row not in self._passes:
+            try:
+                self._passes[row] = self._test(row)
+            except SettingsError:  # it can't be said of this window
+                self._passes[row] = False
+        return self._passes[row]
 
     def _matches(self, row: WindowRecord, word: str) -> bool:
         """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
 from qgis.PyQt.QtGui import QFont, QIcon
 
+from .more_columns import all_columns, used_columns
 from .verdict_chips import verdict_chip
-from .windows_columns import ALIGNED_LEFT, WINDOW_ID, columns_of
+from .windows_columns import ALIGNED_LEFT, WINDOW_ID, TableColumn, columns_of
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult
@@ -32,9 +33,14 @@ class WindowsModel(QAbstractTableModel):
     ) -> None:
         super().__init__(parent)
         self._result = result  # of a window, by its feature id: the numbers in tooltips
-        self.columns = columns_of(3)
+        self._levels, self._used = 3, frozenset[str]()
+        self.columns = all_columns(columns_of(self._levels), self._used)
+        self.is_blind = False
+        """Whether tooltips keep to themselves what was found."""
         self._short_titles = False
-        self.sorted_by = WINDOW_ID
+        self.sorted_by: TableColumn | None = WINDOW_ID
+        """None in an order that is no column's."""
+        self._key: Callable[[WindowRecord], Any] = WINDOW_ID.key
         self.sort_order = _ASCENDING
         self._rows: list[WindowRecord] = []
         self._places: dict[int, int] = {}
@@ -46,6 +52,11 @@ class WindowsModel(QAbstractTableModel):
         """From top to bottom; not to be changed."""
         return self._rows
 
+    @property
+    def has_stale(self) -> bool:
+        """Whether a window is to be inspected again."""
+        return any(row.stale for row in self._rows)
+
     def set_short_titles(self, short: bool) -> None:
         """Whether headings have to be short."""
         if short != self._short_titles:
@@ -55,9 +66,10 @@ class WindowsModel(QAbstractTableModel):
     def set_windows(self, windows: Iterable[WindowRecord]) -> None:
         """Show these, with as little stir as can be: selection and persistent indexes stay with their windows."""
         rows = self._in_order(windows)
-        levels = max((len(row.ratios) for row in rows), default=0)
-        if levels and levels != sum(column.level > 0 for column in self.columns):
-            self._reset(rows, levels)
+        levels, used = max((len(row.ratios) for row in rows), default=0) or self._levels, used_columns(rows)
+        if (levels, used) != (self._levels, self._used):
+            self._levels, self._used = levels, used
+            self._reset(rows, all_columns(columns_of(levels), used))
             return
         wanted = {row.fid: row for row in rows}
         gone = _runs(place for place, row in enumerate(self._rows) if row.fid not in wanted)
@@ -86,6 +98,12 @@ class WindowsModel(QAbstractTableModel):
         self.sort_order = order
         if 0 <= column < len(self.columns):
             self.sorted_by = self.columns[column]
+            self._key = self.sorted_by.key
+        self._rearrange(self._in_order(self._rows))
+
+    def sort_by(self, key: Callable[[WindowRecord], Any]) -> None:
+        """In an order that is no column's."""
+        self.sorted_by, self.sort_order, self._key = None, _ASCENDING, key
         self._rearrange(self._in_order(self._rows))
 
     def rowCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008
@@ -107,7 +125,7 @@ class WindowsModel(QAbstractTableModel):
         if role == _FONT and row.stale:
             return self._italic
         if role == _TOOL_TIP:
-            return column.tip(row, self._result(row.fid))
+            return None if self.is_blind else column.tip(row, self._result(row.fid))
         return None
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
@@ -123,7 +141,7 @@ class WindowsModel(QAbstractTableModel):
         return None
 
     def _in_order(self, windows: Iterable[WindowRecord]) -> list[WindowRecord]:
-        rows, key = sorted(windows, key=WINDOW_ID.key), self.sorted_by.key
+        rows, key = sorted(windows, key=WINDOW_ID.key), self._key
         present = sorted((row for row in rows if key(row) is not None), key=key, reverse=self.sort_order != _ASCENDING)
         return present + [row for row in rows if key(row) is None]
 
@@ -137,12 +155,12 @@ class WindowsModel(QAbstractTableModel):
         self.changePersistentIndexList(before, after)
         self.layoutChanged.emit([], QAbstractTableModel.LayoutChangeHint.VerticalSortHint)
 
-    def _reset(self, rows: list[WindowRecord], levels: int = 0) -> None:
+    def _reset(self, rows: list[WindowRecord], columns: tuple[TableColumn, ...] = ()) -> None:
         self.beginResetModel()
-        if levels:
-            self.columns = columns_of(levels)
-            if self.sorted_by not in self.columns:
-                self.sorted_by, self.sort_order = WINDOW_ID, _ASCENDING
+        if columns:
+            self.columns = columns
+            if self.sorted_by is not None and self.sorted_by not in columns:
+                self.sorted_by, self.sort_order, self._key = WINDOW_ID, _ASCENDING, WINDOW_ID.key
                 rows = self._in_order(rows)
         self._set_rows(rows)
         self.endResetModel()

@@ -1,10 +1,11 @@
 """The windows as a sortable, filterable table whose selection is the window layer's."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from operator import attrgetter
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
@@ -14,7 +15,9 @@ from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QAction,
+    QApplication,
     QComboBox,
+    QFileDialog,
     QHBoxLayout,
     QLabel,
     QMenu,
@@ -23,8 +26,14 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....toolkit.translation import tr
+from ....toolkit.desk.timers import single_shot
+from ....toolkit.message_bar import bar_level
+from ....toolkit.translation import sentence, tr
+from ...measure import messages
+from ...measure.observers import FIRST, INVISIBLE, UNSURE, VISIBLE
 from ...verdict_words import VERDICTS, verdict_word
+from ..judging.window_orders import ORDERS, TABLE, WindowOrder, operators_disagree, tool_and_observer_disagree
+from .table_export import copied_rows, write_csv
 from .verdict_chips import verdict_chip
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
@@ -34,6 +43,8 @@ if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
+_TYPED_MS = 500  # without a letter: what is searched for stands
+_DIFFERENCES = ("tool_differs", "operators_differ")
 _SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
 
 
@@ -44,18 +55,33 @@ class WindowsPanel(QWidget):
     """Feature id of the window to be looked at."""
     orderChanged = pyqtSignal()
     """Other windows are shown, or in another order."""
+    judged = pyqtSignal(str)
+    """The operator's word on the selected windows; empty takes it back."""
+    orderChosen = pyqtSignal(str)
+    """Name of the order in which the operator wants the windows."""
+    filterChosen = pyqtSignal()
+    told = pyqtSignal(str, int)
+    """A sentence for the message bar, and its level."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self._is_following = False
+        self.operator = FIRST
+        """Whose verdicts the filter asks for."""
         self._windows = WindowsModel(self, session.result)
         self._shown = WindowsFilter(self._windows, self)
         self._search = QgsFilterLineEdit(self)  # before the table, for Tab
         self._verdicts = QComboBox(self)
+        self._orders = QComboBox(self)
+        self._problem = QLabel(self)
+        self._filter_time = single_shot(self, self._tell_filter, _TYPED_MS)
         self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self._shown, self)
-        self.table.setToolTip(tr("Double click zooms to a window; Del removes the selected ones."))
+        self.table.setToolTip(
+            tr("Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on "
+               "the headings chooses columns, a drag moves them.")
+        )
         self.table.setAccessibleName(tr("Windows"))
         self._set_up_filter()
         self._menu = self._make_menu()
@@ -63,6 +89,9 @@ class WindowsPanel(QWidget):
 
         self._search.textChanged.connect(self._filter)
         self._verdicts.currentIndexChanged.connect(self._filter)
+        self._orders.activated.connect(self._choose_order)
+        self.table.horizontalHeader().sectionClicked.connect(self._show_table_order)
+        self.table.copyRequested.connect(self.copy)
         self.table.selectionModel().selectionChanged.connect(self._lead)
         self.table.doubleClicked.connect(self._zoom_to)
         self.table.zoomRequested.connect(self._zoom)
@@ -77,6 +106,47 @@ class WindowsPanel(QWidget):
         """As it was before the operator sorted otherwise."""
         self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
 
+    def show_order(self, order: WindowOrder) -> None:
+        """Show the windows in an order that is no column's, or go on in a column's."""
+        self._orders.setCurrentIndex(self._orders.findData(order.name))
+        if order.key is not None:
+            with self._following():
+                self._windows.sort_by(order.key)
+            self.table.show_sorting()
+        elif self._windows.sorted_by is None:
+            self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+
+    def set_blind(self, own: frozenset[str] | None) -> None:
+        """Show these columns and no others, and offer nothing that tells what was found; None: show all."""
+        self.table.set_blind(own)
+        for box, telling in ((self._verdicts, self._telling_kinds), (self._orders, self._telling_orders)):
+            for place in telling:
+                box.model().item(place).setEnabled(own is None)
+        if own is not None and self._verdicts.currentIndex() in self._telling_kinds:
+            self._verdicts.setCurrentIndex(0)
+
+    def filter(self) -> tuple[str, str]:
+        """What is searched for, and the name of the kind of windows that is shown."""
+        place = self._verdicts.currentIndex()
+        return self._search.text(), self._kinds[place] if place > 0 else ""
+
+    def set_filter(self, search: str, kind: str) -> None:
+        """Filter as it was before."""
+        if (search, kind) != self.filter():
+            self._search.setText(search)
+            self._verdicts.setCurrentIndex(self._kinds.index(kind) if kind in self._kinds else 0)
+
+    def copy(self) -> None:
+        """The selected rows to the clipboard."""
+        rows = [row for row in map(self._session.row, self.table.selected_fids()) if row is not None]
+        if rows:
+            QApplication.clipboard().setText(copied_rows(self.table.visible_columns(), rows))
+
+    def save_csv(self, path: Path) -> None:
+        """The windows that are shown, with all of their numbers; raises OSError."""
+        rows = [row for row in map(self._session.row, self._shown.fids()) if row is not None]
+        write_csv(path, self._windows.columns if not self._windows.is_blind else self.table.visible_columns(), rows)
+
     def ordered_fids(self) -> list[int]:
         """The windows as they are shown, from top to bottom."""
         return list(self._shown.fids())
@@ -89,7 +159,13 @@ class WindowsPanel(QWidget):
 
     def _filter(self, *_: object) -> None:
         with self._following():
-            self._shown.set_filter(self._search.text(), self._verdicts.currentData())
+            problem = self._shown.set_filter(self._search.text(), self._verdicts.currentData())
+        self._problem.setText("" if problem is None else sentence(problem))
+        self._problem.setVisible(problem is not None)
+        self._filter_time.start()
+
+    def _tell_filter(self) -> None:
+        self.filterChosen.emit()
 
     @contextmanager
     def _following(self) -> Iterator[None]:
@@ -175,14 +251,26 @@ class WindowsPanel(QWidget):
     def _inspect(self) -> None:
         self._session.inspect(self.table.selected_fids())
 
-    def _judge_visible(self) -> None:
-        self._session.judge(self.table.selected_fids(), "visible")
+    def _judge(self, word: str) -> None:
+        if set(self.table.selected_fids()) != set(self._session.selected()):  # the filter hides some
+            self._session.select(self.table.selected_fids())
+        self.judged.emit(word)
 
-    def _judge_invisible(self) -> None:
-        self._session.judge(self.table.selected_fids(), "invisible")
+    def _choose_order(self, place: int) -> None:
+        self.orderChosen.emit(self._orders.itemData(place))
 
-    def _judge_none(self) -> None:
-        self._session.judge(self.table.selected_fids(), "")
+    def _show_table_order(self, *_: object) -> None:
+        self.orderChosen.emit(TABLE.name)
+
+    def _ask_for_csv(self) -> None:
+        path, _ = QFileDialog.getSaveFileName(self, tr("Save the windows"), "windows.csv", tr("CSV files (*.csv)"))
+        if not path:
+            return
+        try:
+            self.save_csv(Path(path))
+        except OSError as error:
+            problem = messages.TABLE_NOT_SAVED(path=path, error=error.strerror or error)
+            self.told.emit(sentence(problem), bar_level(problem))
 
     def _remove(self) -> None:
         fids = self.table.selected_fids()
@@ -200,15 +288,36 @@ class WindowsPanel(QWidget):
         self._search.setShowClearButton(True)
         self._search.setPlaceholderText(tr("Filter windows"))
         self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
+        self._kinds = [""]
         self._verdicts.addItem(tr("all"), None)
         for verdict in VERDICTS:
             self._verdicts.addItem(verdict_chip(verdict), verdict_word(verdict), partial(_has_verdict, verdict))
-        for text, tip, accepts in (
-            (tr("not judged"), tr("Windows without the observer's word."), _is_not_judged),
-            (tr("changed"), tr("Windows to be inspected again."), attrgetter("stale")),
+            self._kinds.append(verdict or "not_inspected")
+        for kind, text, tip, accepts in (
+            ("not_judged", tr("not judged"), tr("Windows without the observer's word."), self._is_not_judged),
+            ("unsure", tr("not sure"), tr("Windows where the observer was not sure."), self._is_unsure),
+            ("stale", tr("changed"), tr("Windows to be inspected again."), attrgetter("stale")),
+            (
+                "tool_differs", tr("tool differs"),
+                tr("Windows where the tool's verdict and an observer's word disagree."), tool_and_observer_disagree,
+            ),
+            (
+                "operators_differ", tr("operators differ"), tr("Windows where the two operators disagree."),
+                operators_disagree,
+            ),
         ):
             self._verdicts.addItem(text, accepts)
             self._verdicts.setItemData(self._verdicts.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+            self._kinds.append(kind)
+        self._telling_kinds = [place for place, kind in enumerate(self._kinds) if kind in (*VERDICTS, *_DIFFERENCES)]
+        self._telling_kinds.remove(0)
+        for order in ORDERS:
+            self._orders.addItem(tr(order.title), order.name)
+            self._orders.setItemData(self._orders.count() - 1, tr(order.tooltip), Qt.ItemDataRole.ToolTipRole)
+        self._telling_orders = [place for place, order in enumerate(ORDERS) if order.tells_verdict]
+        self._orders.setCurrentIndex(self._orders.findData(TABLE.name))
+        self._orders.setToolTip(tr("In which order windows are shown and judged."))
+        self._orders.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._verdicts.setMaxVisibleItems(self._verdicts.count())
         self._verdicts.setToolTip(tr("Which windows are shown."))
         self._verdicts.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
@@ -218,10 +327,14 @@ class WindowsPanel(QWidget):
         line = QHBoxLayout()
         line.addWidget(self._search, 1)
         line.addWidget(self._verdicts)
+        line.addWidget(self._orders)
         line.addWidget(self._count)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        self._problem.setWordWrap(True)
+        self._problem.setVisible(False)
         layout.addLayout(line)
+        layout.addWidget(self._problem)
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
 
@@ -234,12 +347,19 @@ class WindowsPanel(QWidget):
              tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
             (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows anew."), None),
             None,
-            (tr("Judge visible"), "mActionShowAllLayers", self._judge_visible,
+            (tr("Judge visible"), "mActionShowAllLayers", partial(self._judge, VISIBLE),
              tr("The loss of detail can be seen at 2x magnification."), None),
-            (tr("Judge invisible"), "mActionHideAllLayers", self._judge_invisible,
+            (tr("Judge invisible"), "mActionHideAllLayers", partial(self._judge, INVISIBLE),
              tr("The loss of detail can't be seen at 2x magnification."), None),
-            (tr("Take judgement back"), "mActionUndo", self._judge_none,
+            (tr("Judge not sure"), "mActionHelpContents", partial(self._judge, UNSURE),
+             tr("It can't be said. The window counts as not judged in all results."), None),
+            (tr("Take judgement back"), "mActionUndo", partial(self._judge, ""),
              tr("The selected windows are not judged yet."), None),
+            None,
+            (tr("Copy rows"), "mActionEditCopy", self.copy,
+             tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
+            (tr("Save as CSV ..."), "mActionFileSaveAs", self._ask_for_csv,
+             tr("All windows that are shown, with all of their numbers."), None),
             None,
             (tr("Remove"), "mActionDeleteSelected", self._remove,
              tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
@@ -253,14 +373,20 @@ class WindowsPanel(QWidget):
             if key is not None:
                 action.setShortcut(QKeySequence(key))
                 action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-            action.triggered.connect(slot)
+            action.triggered.connect(slot if not isinstance(slot, partial) else partial(_without_state, slot))
             menu.addAction(action)
         return menu
+
+    def _is_not_judged(self, row: WindowRecord) -> bool:
+        return not getattr(row, self.operator.observer)
+
+    def _is_unsure(self, row: WindowRecord) -> bool:
+        return bool(getattr(row, self.operator.observer) == UNSURE)
 
 
 def _has_verdict(verdict: str, row: WindowRecord) -> bool:
     return row.verdict == verdict
 
 
-def _is_not_judged(row: WindowRecord) -> bool:
-    return not row.observer
+def _without_state(slot: Callable[[], None], _checked: bool = False) -> None:
+    slot()

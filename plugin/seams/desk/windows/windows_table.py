@@ -2,16 +2,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QPoint, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPalette, QResizeEvent
-from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
+from qgis.PyQt.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QMenu,
+    QStyle,
+    QStyleOptionHeader,
+    QTableView,
+    QWidget,
+)
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
 from ....toolkit.translation import tr
 from ...cause_words import cause_word
 from ...measure.causes import Cause
 from ...verdict_words import VERDICTS, observer_word, verdict_word
+from .column_choice import ColumnChoice, columns_menu, load_choice, save_choice
 from .windows_columns import CAUSE, PAPER, TableColumn
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
@@ -25,6 +35,7 @@ class WindowsTable(QTableView):
     """Whole rows are selected. Delete and Enter are the table's own while it has the focus."""
 
     removeRequested = pyqtSignal()
+    copyRequested = pyqtSignal()
     zoomRequested = pyqtSignal()
 
     def __init__(self, windows: WindowsModel, shown: WindowsFilter, parent: QWidget | None = None) -> None:
@@ -33,6 +44,9 @@ class WindowsTable(QTableView):
         """What is said in the middle of an empty table."""
         self._windows = windows
         self._shown = shown
+        self._has_stale = False
+        self._choice = load_choice()
+        self._blind: frozenset[str] | None = None  # columns that tell nothing; None: all may be seen
         self.setModel(shown)
         self.setItemDelegate(ReadableItems(self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -45,6 +59,7 @@ class WindowsTable(QTableView):
         self.setTabKeyNavigation(False)
         self.setSortingEnabled(True)
         self.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.verticalHeader().hide()
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         header = self.horizontalHeader()
@@ -53,7 +68,12 @@ class WindowsTable(QTableView):
         header.setTextElideMode(Qt.TextElideMode.ElideRight)
         header.setMinimumSectionSize(1)
         header.sortIndicatorChanged.connect(self.fit)  # the arrow needs room in its column
-        shown.modelReset.connect(self._show_sorting)
+        header.setSectionsMovable(True)
+        header.sectionMoved.connect(self._keep_order)
+        header.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        header.customContextMenuRequested.connect(self._show_columns_menu)
+        shown.modelReset.connect(self.show_sorting)
+        self._put_in_order()
         self.fit()
 
     def selected_rows(self) -> list[int]:
@@ -81,21 +101,42 @@ class WindowsTable(QTableView):
         rect = self.visualRect(self._shown.index(row, 0))
         return rect.top() >= 0 and rect.bottom() < max(self.viewport().height(), rect.height())
 
+    def visible_columns(self) -> list[TableColumn]:
+        """Those that are seen, from left to right."""
+        header, columns = self.horizontalHeader(), self._windows.columns
+        sections = (header.logicalIndex(place) for place in range(header.count()))
+        return [columns[section] for section in sections if not self.isColumnHidden(section)]
+
+    def set_blind(self, own: frozenset[str] | None) -> None:
+        """Show no other columns than these, by their fields, whatever was chosen; None: all that were chosen."""
+        if own != self._blind:
+            self._blind = own
+            self._windows.is_blind = own is not None
+            self.fit()
+
     def fit(self) -> None:
         """Widths and heights for this font, these columns and this much room."""
         metrics = QFontMetrics(self.font())
         side = metrics.ascent()
         self.setIconSize(QSize(side, side))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
-        room = self.viewport().width()
-        hidden, short, widths = self._choose(metrics, room)
+        self._has_stale = self._windows.has_stale
+        room, columns, chosen = self.viewport().width(), self._windows.columns, self._chosen()
+        if chosen is not None:
+            hidden = {section for section, column in enumerate(columns) if column.field not in chosen}
+            short, widths = False, [self._widths(column, metrics, False) for column in columns]
+        else:
+            hidden, short, widths = self._choose(metrics, room)
         self._windows.set_short_titles(short)
         for section in range(len(widths)):
             self.setColumnHidden(section, section in hidden)
         shown = [section for section in range(len(widths)) if section not in hidden]
-        if shown[-1] == len(widths) - 1:  # the reasons take what is left
-            shown.pop()
-        cause = self._windows.columns.index(CAUSE)
+        if chosen is not None:
+            for section in shown:
+                self.setColumnWidth(section, int(widths[section][_NATURAL]))
+            return
+        shown = [section for section in shown if columns[section].name != "reason"]  # they take what is left
+        cause = columns.index(CAUSE)
         least, natural, airy = (sum(sizes) for sizes in zip(*(widths[section] for section in shown)))
         for section in shown:
             smallest, normal, largest = widths[section]
@@ -116,20 +157,25 @@ class WindowsTable(QTableView):
         Reasons give way first, then the ratios beyond level 1 and the paper's flag, then the causes.
         """
         columns = self._windows.columns
-        reason, cause = len(columns) - 1, columns.index(CAUSE)
+        reason, cause = next(place for place, one in enumerate(columns) if one.name == "reason"), columns.index(CAUSE)
+        off = set(range(reason + 1, len(columns)))  # for the operator to choose
         coarser = {section for section, column in enumerate(columns) if column.level > 1 or column == PAPER}
         long, brief = ([self._widths(column, metrics, short) for column in columns] for short in (False, True))
 
         def needed(widths: list[Widths], size: int, without: set[int]) -> int:
             return sum(sizes[size] for section, sizes in enumerate(widths) if section not in without)
 
-        if room >= needed(long, _AIRY, set()):
-            return set(), False, long
-        for hidden in ({reason}, {reason, *coarser}):
+        if room >= needed(long, _AIRY, off):
+            return off, False, long
+        for hidden in ({reason, *off}, {reason, *off, *coarser}):
             for widths, short, size in ((long, False, _NATURAL), (brief, True, _NATURAL), (brief, True, _LEAST)):
                 if room >= needed(widths, _NATURAL, {*hidden, cause}) + widths[cause][size]:
                     return hidden, short, widths
-        hidden = {reason, cause} if room >= needed(brief, _NATURAL, {reason, cause}) else {reason, cause, *coarser}
+        hidden = {reason, cause, *off}
+        if room < needed(brief, _NATURAL, hidden):
+            hidden |= coarser
+        if room < needed(brief, _NATURAL, hidden):
+            hidden.add(next(place for place, one in enumerate(columns) if one.name == "sources"))
         short = room < needed(long, _NATURAL, hidden)
         return hidden, short, brief if short else long
 
@@ -152,6 +198,8 @@ class WindowsTable(QTableView):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if not _is_own(event):
             super().keyPressEvent(event)
+        elif event.matches(QKeySequence.StandardKey.Copy):
+            self.copyRequested.emit()
         elif event.matches(QKeySequence.StandardKey.Delete):
             self.removeRequested.emit()
         else:
@@ -159,6 +207,8 @@ class WindowsTable(QTableView):
 
     def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
         """Paint the rows that changed, and no others as Qt 5 does."""
+        if self._has_stale != self._windows.has_stale:
+            self.fit()  # a verdict's words are longer then
         top = self.rowViewportPosition(first.row())
         bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
         self.viewport().update(0, top, self.viewport().width(), bottom - top)
@@ -182,20 +232,23 @@ class WindowsTable(QTableView):
         def width(*texts: str) -> int:
             return max(map(metrics.horizontalAdvance, texts)) + margins
 
-        if column.name == "reason":
+        if column.name in ("reason", "causes"):
             return 20 * em, 20 * em, 20 * em
+        if column.name in ("remark", "remark_2"):
+            return 8 * em, 10 * em, 12 * em
         if column.name == "verdict":
             words = [verdict_word(verdict) for verdict in VERDICTS]
             changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
-            least, natural, airy = chip + width(words[0]), chip + width(*words), chip + width(*changed)
+            natural, airy = chip + width(*words), chip + width(*changed)
+            least = natural = airy if self._has_stale else natural
         elif column.name == "cause":
             natural = width(*(cause_word(cause.value) for cause in Cause))
             least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
         elif column == PAPER:
             natural = width(*(verdict_word(verdict) for verdict in VERDICTS))
             least, airy = natural, natural + em
-        elif column.name == "observer":
-            natural = width(observer_word("visible"), observer_word("invisible"))
+        elif column.name in ("observer", "observer_2"):
+            natural = width(*map(observer_word, ("visible", "invisible", "unsure")))
             least, airy = natural, natural + em
         else:
             natural = width({"window_id": "000", "sources": "00", "kept": "99.9 %"}.get(column.name, "0.00"))
@@ -218,17 +271,70 @@ class WindowsTable(QTableView):
             needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
         return max(int(least), int(needed))  # the style's own word is too little in Fusion
 
-    def _show_sorting(self) -> None:
-        """After the columns changed the arrow may stand on another one."""
-        header = self.horizontalHeader()
+    def show_sorting(self) -> None:
+        """The arrow may stand on another column, or on none, after the order or the columns changed."""
+        header, column = self.horizontalHeader(), self._windows.sorted_by
         blocked = header.blockSignals(True)
-        header.setSortIndicator(self._windows.columns.index(self._windows.sorted_by), self._windows.sort_order)
+        section = -1 if column is None else self._windows.columns.index(column)
+        header.setSortIndicator(section, self._windows.sort_order)
         header.blockSignals(blocked)
+        self._put_in_order()
         self.fit()
+
+    # Columns that the operator chose
+
+    def _chosen(self) -> frozenset[str] | None:
+        """The fields of the columns to be seen; None where they are those there is room for."""
+        if self._blind is not None:
+            return self._blind
+        known = {column.field for column in self._windows.columns}.intersection(self._choice.shown)
+        return frozenset(known) or None
+
+    def _put_in_order(self) -> None:
+        """Move the columns to where the operator had them; unknown ones stay where they come."""
+        header, columns = self.horizontalHeader(), self._windows.columns
+        places = {field: place for place, field in enumerate(self._choice.order)}
+        known = iter(sorted((one for one in columns if one.field in places), key=lambda one: places[one.field]))
+        wanted = [next(known) if one.field in places else one for one in columns]
+        blocked = header.blockSignals(True)
+        for place, column in enumerate(wanted):
+            header.moveSection(header.visualIndex(columns.index(column)), place)
+        header.blockSignals(blocked)
+
+    def _keep_order(self, *_: int) -> None:
+        header, columns = self.horizontalHeader(), self._windows.columns
+        order = tuple(columns[header.logicalIndex(place)].field for place in range(header.count()))
+        self._choice = replace(self._choice, order=order)
+        save_choice(self._choice)
+        self.fit()
+
+    def _choose_columns(self, fields: tuple[str, ...]) -> None:
+        self._take_choice(replace(self._choice, shown=fields))
+
+    def _reset_columns(self) -> None:
+        self._take_choice(ColumnChoice())
+
+    def _take_choice(self, choice: ColumnChoice) -> None:
+        self._choice = choice
+        save_choice(choice)
+        self._put_in_order()
+        self.fit()
+
+    def _show_columns_menu(self, place: QPoint) -> None:
+        if self._blind is None:
+            self.columns_menu().popup(self.horizontalHeader().mapToGlobal(place))
+
+    def columns_menu(self) -> QMenu:
+        """Which columns are seen."""
+        visible = [column.field for column in self.visible_columns()]
+        menu = columns_menu(self._windows.columns, visible, self._choose_columns, self._reset_columns, self)
+        menu.aboutToHide.connect(menu.deleteLater)
+        return menu
 
 
 def _is_own(event: QKeyEvent) -> bool:
     enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-    return bool(event.matches(QKeySequence.StandardKey.Delete)) or (
+    keys = (QKeySequence.StandardKey.Delete, QKeySequence.StandardKey.Copy)
+    return any(map(event.matches, keys)) or (
         enter and event.modifiers() in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
     )

@@ -7,7 +7,8 @@ import pytest
 from qgis.core import QgsApplication, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop
 from seam_inspector.plugin.seams.desk.curves.curves_selection import selected_windows
-from seam_inspector.plugin.seams.desk.windows.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging.judging import Judging
 
 from tests.qgis.runs import run
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, pixel_box, windows
@@ -274,7 +275,8 @@ def test_the_window_layer_may_have_another_reference_system(desk: Desk, epsg: in
 
 def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None:
     desk.use(windows(BLURRED, SHARP))
-    bar = JudgeBar(desk.session)
+    judging = Judging(desk.session)
+    bar = JudgeBar(desk.session, judging)
     desk.session.inspect([1])
     assert [desk.session.is_pending(fid) for fid in (1, 2, 99)] == [True, False, False]
     said = {}

@@ -11,8 +11,9 @@ from qgis.PyQt.QtCore import QObject
 from seam_inspector.plugin.seams.desk.images.window_pictures import WindowPictures
 from seam_inspector.plugin.seams.desk.inputs.block_cache import BlockCache
 from seam_inspector.plugin.seams.desk.inputs.inputs_watch import InputsWatch
+from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging.judging import Judging
 from seam_inspector.plugin.seams.desk.session import Session
-from seam_inspector.plugin.seams.desk.windows.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.windows.new_windows import NewWindows
 from seam_inspector.plugin.seams.desk.windows.window_results import WindowResults
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
@@ -147,11 +148,10 @@ def test_keys_that_come_before_the_selection_is_told_are_not_lost(desk: Desk) ->
     desk.session.inspect_pending()
     desk.wait()
     desk.session.select([1])
-    bar = JudgeBar(desk.session)
-    bar.judge_visible()
-    bar.select_next()
-    bar.judge_invisible()
-    bar.select_next()
+    judging = Judging(desk.session)
+    judging.judge("visible")
+    judging.judge("invisible")
+    judging.close()
     assert desk.session.selected() == [3]
     assert [row.observer for row in desk.session.windows()] == ["visible", "invisible", ""]
 
@@ -219,7 +219,8 @@ def reordered(
 
 def test_no_behaviour_hangs_on_the_order_of_connections(reordered: Desk) -> None:
     desk = reordered
-    listener, bar = Listener(desk.session), JudgeBar(desk.session)
+    listener, judging = Listener(desk.session), Judging(desk.session)
+    bar = JudgeBar(desk.session, judging)
     fid = desk.add(BLURRED_WINDOW)
     assert listener.take("windowsChanged", "selectionChanged") == [
         ([""], [fid]), ([""], [fid]), (["significant"], [fid])

@@ -1,66 +1,22 @@
 """The table of windows and the judge bar, on a session without layers."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import csv
 from dataclasses import replace
+from pathlib import Path
 from time import process_time
 
 import pytest
-from qgis.PyQt.QtCore import QItemSelectionModel, QPoint, Qt
+from qgis.PyQt.QtCore import QLocale, QPoint, Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
-from seam_inspector.plugin.seams.desk.windows.judge_bar import JudgeBar
+from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.desk.windows.windows_columns import WINDOW_ID
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
-from seam_inspector.plugin.toolkit.translation import percent
 
-from tests.qgis.seams.desk.windows_session import WindowsSession, window
+from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession, filter_to, window
 
-ROWS = [
-    window(1, "reduced", (0.83, 0.95, 0.99), sources=3, kept=(0.9, 0.95, 1.0)),
-    window(
-        2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2, composite_ratio=0.6, cause="feathering",
-        kept=(0.557, 0.8, 0.97), paper_verdict="reduced",
-    ),
-    window(3),
-    window(4, "not_comparable", reason="No source covers <window> in west_12.tif.", sources=0),
-    window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10, cause="none", kept=(1.02,)),
-    window(12, "significant", (0.45, 0.7, 0.9), sources=1, stale=True),
-]
 ID, VERDICT, KEPT, RATIO_1, RATIO_2, RATIO_3, PAPER, CAUSE, SOURCES, OBSERVER, REASON = range(11)
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
-
-Show = Callable[[QWidget], QWidget]
-
-
-@pytest.fixture
-def session() -> WindowsSession:
-    return WindowsSession(ROWS)
-
-
-@pytest.fixture
-def show(qgis_app: QApplication) -> Iterator[Show]:
-    """Shows a widget until the test is over."""
-    shown: list[QWidget] = []
-
-    def show_widget(widget: QWidget) -> QWidget:
-        shown.append(widget)
-        widget.show()
-        QTest.qWait(1)
-        return widget
-
-    yield show_widget
-    for widget in shown:
-        widget.close()
-        widget.deleteLater()
-
-
-@pytest.fixture
-def panel(session: WindowsSession, show: Show) -> WindowsPanel:
-    panel = WindowsPanel(session)
-    panel.resize(600, 300)
-    show(panel)
-    return panel
 
 
 def many(count: int) -> list:
@@ -69,12 +25,6 @@ def many(count: int) -> list:
 
 def cell(panel: WindowsPanel, fid: int, column: int, role: int = Qt.ItemDataRole.DisplayRole) -> object:
     return panel.table.model().index(panel._shown.row_of(fid), column).data(role)
-
-
-def filter_to(panel: WindowsPanel, text: str = "", choice: str = "all") -> list[int]:
-    panel._search.setText(text)
-    panel._verdicts.setCurrentText(choice)
-    return panel.ordered_fids()
 
 
 def select_row(panel: WindowsPanel, fid: int, *more: int) -> None:
@@ -173,7 +123,8 @@ def test_hints_when_there_is_nothing_to_show(panel: WindowsPanel, session: Windo
     assert not panel.grab().isNull()
 
 
-def test_columns_fit_a_narrow_dock_and_a_wide_one(panel: WindowsPanel) -> None:
+def test_columns_fit_a_narrow_dock_and_a_wide_one(panel: WindowsPanel, session: WindowsSession) -> None:
+    session.change(12, stale=False)
     font = panel.font()
     font.setPixelSize(12)
     panel.setFont(font)
@@ -205,7 +156,7 @@ def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) 
     panel.table.sortByColumn(RATIO_3, ASCENDING)
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])
     titles = [column.title() for column in panel._windows.columns]
-    assert titles == ["id", "verdict", "kept", "ratio 1", "2", "paper", "cause", "sources", "observer", "reason"]
+    assert titles[:10] == ["id", "verdict", "kept", "ratio 1", "2", "paper", "cause", "sources", "observer", "reason"]
     assert panel._windows.sorted_by == WINDOW_ID
     assert panel.table.horizontalHeader().sortIndicatorSection() == ID
 
@@ -384,196 +335,143 @@ def test_context_menu(panel: WindowsPanel, session: WindowsSession) -> None:
     session.calls.clear()
     zoomed: list[int] = []
     panel.zoomRequested.connect(zoomed.append)
+    judged: list[str] = []
+    panel.judged.connect(judged.append)
     for action in panel._menu.actions():
-        if not action.isSeparator():
+        if not action.isSeparator() and action.text() != "Save as CSV ...":
             assert action.toolTip()
             action.trigger()
     assert zoomed == [1]
-    assert session.calls == [
-        ("inspect", [1, 12]),
-        *(("judge", [1, 12], word) for word in ("visible", "invisible", "")),
-        ("remove", [1, 12]),
-    ]
+    assert judged == ["visible", "invisible", "unsure", ""]
+    assert session.calls == [("inspect", [1, 12]), ("remove", [1, 12])]
 
 
-# The judge bar
-
-
-@pytest.fixture
-def bar(session: WindowsSession, panel: WindowsPanel, show: Show) -> JudgeBar:
-    bar = JudgeBar(session, order=panel.ordered_fids)
-    panel.orderChanged.connect(bar.refresh)
-    show(bar)
-    return bar
+# Filter by numbers
 
 
 @pytest.mark.parametrize(
-    ("fids", "sentence"),
+    ("text", "fids"),
     [
-        ([], "Select a window to judge it."),
-        ([1], "Reduced. Beside the seam 10.0 % of the finest detail is lost (5.0 to 15 %)."),
-        (
-            [2],
-            "Significant loss. Beside the seam 44 % of the finest detail is lost (39 to 49 %). Images are feathered.",
-        ),
-        ([3], "Not inspected yet."),
-        ([4], "No source covers <window> in west_12.tif."),
-        (
-            [10],
-            "Preserved. Along the seam as much of the finest detail is left as around it (102 %, 97 to 107 %).",
-        ),
-        ([12], "Significant loss. Detail at level 1 is 45 % of the source's. Changed since: inspect it again."),
-        ([1, 2, 12], "3 windows selected: 2 significant, 1 reduced, 1 changed since."),
+        ("kept < 0.7", [2]), ("kept<0.95 and cause = 'feathering'", [2]), ("kept_1 > 1", [10]),
+        ("ratio_2 >= 0.7", [1, 10, 12]), ("observer = visible", [2]), ("verdict = 'significant' or id = 1", [1, 2, 12]),
+        ("Sources > 2", [1, 10]), ("cause is null", [1, 3, 4, 12]), ("observer <> invisible", [2]),
+        ("reason like '%west%'", [4]), ("ratio / composite_ratio < 0.7", [2]),
     ],
 )
-def test_sentence(bar: JudgeBar, session: WindowsSession, fids: list[int], sentence: str) -> None:
-    session.select(fids)
-    assert bar.sentence() == sentence
+def test_filter_by_an_expression(panel: WindowsPanel, text: str, fids: list[int]) -> None:
+    assert filter_to(panel, text) == fids
+    assert panel._problem.isHidden()
 
 
 @pytest.mark.parametrize(
-    ("ratio", "text"), [(0.38, "38"), (0.9996, "99.9"), (1.0, "100"), (1.004, "100.4"), (0.052, "5.2"), (2.5, "250"),
-     (0.0, "0"), (0.0006, "0.1"), (0.0003, "0.03"), (0.00001, "0.001"), (1e-9, "0.001")]
+    ("text", "said"),
+    [("kept <", "not understood"), ("sharp < 0.7", "'sharp'"), ("kept < )", "not under"), ("abs(1, 2) > 1", "under")],
 )
-def test_percent_never_hides_on_which_side_of_one_a_ratio_is(qgis_app: QApplication, ratio: float, text: str) -> None:
-    assert percent(ratio) == text
+def test_a_wrong_expression_gets_a_sentence_and_changes_nothing(panel: WindowsPanel, text: str, said: str) -> None:
+    filter_to(panel, "kept < 0.7")
+    assert filter_to(panel, text) == [2]
+    assert said in panel._problem.text()
+    assert not panel._problem.isHidden()
+    assert filter_to(panel, "") == [1, 2, 3, 4, 10, 12]
+    assert panel._problem.isHidden()
 
 
-def test_buttons_show_and_write_the_judgement(bar: JudgeBar, session: WindowsSession) -> None:
-    session.select([2])
-    assert (bar._visible.isChecked(), bar._invisible.isChecked()) == (True, False)
-    bar._invisible.click()
-    assert session.row(2).observer == "invisible"  # type: ignore[union-attr]
-    assert (bar._visible.isChecked(), bar._invisible.isChecked()) == (False, True)
-    bar._invisible.click()
-    assert session.row(2).observer == ""  # type: ignore[union-attr]
-    session.select([2, 10])
-    assert (bar._visible.isChecked(), bar._invisible.isChecked()) == (False, False)
-    bar._visible.click()
-    assert {row.fid: row.observer for row in session.rows if row.observer} == {2: "visible", 10: "visible"}
-    session.select([])
-    assert not bar._visible.isEnabled()
-    assert not bar._invisible.isEnabled()
+def test_an_expression_follows_the_windows(panel: WindowsPanel, session: WindowsSession) -> None:
+    filter_to(panel, "kept < 0.7")
+    session.change(1, kept=(0.3,))
+    assert panel.ordered_fids() == [1, 2]
+    session.change(2, kept=(0.8,))
+    assert panel.ordered_fids() == [1]
 
 
-def test_a_judgement_that_was_not_written_is_not_shown(
-    bar: JudgeBar, session: WindowsSession, monkeypatch: pytest.MonkeyPatch
+def test_two_thousand_windows_are_filtered_by_numbers_at_once(panel: WindowsPanel, session: WindowsSession) -> None:
+    session.put(many(2000))
+    started = process_time()
+    assert len(filter_to(panel, "ratio < 0.5")) == 1499
+    assert process_time() - started < 0.5  # seconds, once
+
+
+# Columns
+
+
+def titles(panel: WindowsPanel) -> list[str]:
+    return [column.title() for column in panel.table.visible_columns()]
+
+
+def choose_column(panel: WindowsPanel, title: str) -> None:
+    menu = panel.table.columns_menu()
+    next(action for action in menu.actions() if action.text() == title).trigger()
+
+
+def test_columns_are_chosen_moved_and_kept(
+    panel: WindowsPanel, session: WindowsSession, show: Show, own_settings: None
 ) -> None:
-    session.select([1])
-    monkeypatch.setattr(session, "judge", lambda fids, observer: None)  # the layer is read-only
-    bar._visible.click()
-    assert not bar._visible.isChecked()
+    before = titles(panel)
+    choose_column(panel, "band")
+    choose_column(panel, "verdict")
+    assert titles(panel) == [*(title for title in before if title != "verdict"), "band"]
+    header = panel.table.horizontalHeader()
+    header.moveSection(header.visualIndex(KEPT), 0)
+    other = WindowsPanel(session)
+    show(other)
+    assert titles(other) == titles(panel)
+    assert titles(other)[0] == "kept"
+    choose_column(other, "As there is room")
+    other.resize(panel.size())
+    assert titles(other) == before
 
 
-def test_next_goes_to_compared_windows_not_judged_and_begins_again(
-    bar: JudgeBar, panel: WindowsPanel, session: WindowsSession
-) -> None:
-    bar.select_next()
-    assert session.selected() == [1]
-    bar.select_next()
-    assert session.selected() == [12]
-    bar.select_next()
-    assert session.selected() == [1]
-    panel.table.sortByColumn(VERDICT, ASCENDING)
-    session.select([2])
-    bar.select_next()
-    assert session.selected() == [12]
-    session.judge([1, 12], "visible")
-    assert not bar._next.isEnabled()
-    bar.select_next()
-    assert session.selected() == [12]
+def test_what_operators_say_has_columns_once_it_is_used(panel: WindowsPanel, session: WindowsSession) -> None:
+    panel.resize(1900, 300)
+    QTest.qWait(1)
+    assert "sure" not in titles(panel)
+    session.change(2, confidence=70, remark="by the kerb")
+    assert [title for title in titles(panel) if title != "reason"][-3:] == ["observer", "sure", "remark"]
+    session.change(2, observer_2="unsure")
+    assert "observer 2" in titles(panel)
+    assert filter_to(panel, "confidence > 50") == [2]
 
 
-def test_next_goes_on_where_a_judged_window_left_the_filter(
-    bar: JudgeBar, panel: WindowsPanel, session: WindowsSession
-) -> None:
-    session.put([window(fid, "reduced", (0.9, 1, 1)) for fid in range(1, 6)])
-    filter_to(panel, choice="not judged")
-    session.select([3])
-    bar.judge_visible()
-    assert panel.ordered_fids() == [1, 2, 4, 5]
-    assert session.selected() == [3]  # still there to be judged otherwise
-    bar.select_next()
-    assert session.selected() == [4]
-
-
-def test_steps_and_position(bar: JudgeBar, panel: WindowsPanel, session: WindowsSession) -> None:
-    session.select([2])
-    assert bar._position.text() == "2 of 6"
-    bar._forth.click()
-    assert session.selected() == [3]
-    bar._back.click()
-    bar._back.click()
-    assert session.selected() == [1]
-    assert not bar._back.isEnabled()
-    panel.table.sortByColumn(ID, DESCENDING)
-    assert bar._position.text() == "6 of 6"
-    assert not bar._forth.isEnabled()
-    filter_to(panel, choice="preserved")
-    assert bar._position.text() == "- of 1"
-
-
-def test_without_an_order_it_is_the_layer_s(session: WindowsSession, show: Show) -> None:
-    session.rows.reverse()
-    bar = show(JudgeBar(session))
-    session.select([12])
-    assert bar._position.text() == "1 of 6"  # type: ignore[attr-defined]
-
-
-def test_keys_work_in_the_dock_but_not_in_text_fields(
-    bar: JudgeBar, panel: WindowsPanel, session: WindowsSession, show: Show
-) -> None:
-    dock, line = QWidget(), QLineEdit()
-    layout = QVBoxLayout(dock)
-    for widget in (line, panel, bar):
-        layout.addWidget(widget)
-    dock.addActions(bar.actions_for_dock())
-    show(dock)
-    dock.activateWindow()
-    QTest.qWaitForWindowActive(dock)
-    session.select([1])
-    session.calls.clear()
-    line.setFocus()
-    QTest.keyClicks(line, "vin")
-    assert line.text() == "vin"
-    assert session.calls == []
-    panel.table.setFocus()
-    QTest.keyClick(panel.table, Qt.Key.Key_V)
-    QTest.keyClick(panel.table, Qt.Key.Key_V)  # twice does no harm
-    QTest.keyClick(panel.table, Qt.Key.Key_N)
-    QTest.keyClick(panel.table, Qt.Key.Key_I)
-    assert session.calls == [
-        ("judge", [1], "visible"), ("judge", [1], "visible"), ("select", [12]), ("judge", [12], "invisible")
-    ]
-
-
-@pytest.mark.parametrize("width", [412, 1200])
-def test_the_bar_is_as_narrow_as_the_dock(bar: JudgeBar, session: WindowsSession, width: int) -> None:
-    font = bar.font()
+def test_verdicts_are_not_cut_at_the_usual_width(panel: WindowsPanel) -> None:
+    font = panel.font()
     font.setPixelSize(12)
-    bar.setFont(font)
-    session.select([4])
-    bar.resize(width, 100)
+    panel.setFont(font)
+    panel.resize(412, 300)
     QTest.qWait(1)
-    assert bar.minimumSizeHint().width() <= 412
-    beside = bar._sentence.geometry().bottom() >= bar._visible.geometry().top()
-    assert beside == (width == 1200)
+    delegate, option = panel.table.itemDelegate(), panel.table.viewOptions()
+    for fid in panel.ordered_fids():
+        index = panel.table.model().index(panel._shown.row_of(fid), VERDICT)
+        assert delegate.sizeHint(option, index).width() <= panel.table.columnWidth(VERDICT)
+    assert panel.table.horizontalScrollBar().maximum() == 0
 
 
-def test_every_control_has_a_tooltip(bar: JudgeBar, panel: WindowsPanel) -> None:
-    session_free = (bar._visible, bar._invisible, bar._next, bar._back, bar._forth, bar._position)
-    for widget in (*session_free, panel._search, panel._verdicts, panel._count, panel.table):
-        assert widget.toolTip()
+# Rows as text
 
 
-def test_the_session_outlives_its_widgets(session: WindowsSession, qgis_app: QApplication) -> None:
-    panel = WindowsPanel(session)
-    bar = JudgeBar(session, panel, panel.ordered_fids)
-    panel.orderChanged.connect(bar.refresh)
-    panel.table.selectionModel().select(
-        panel.table.rows_selection([0]), QItemSelectionModel.SelectionFlag.ClearAndSelect
-    )
-    panel.deleteLater()
-    QTest.qWait(1)
-    session.put(many(3))
-    session.select([2])
+def test_selected_rows_are_copied_with_their_headings(panel: WindowsPanel) -> None:
+    panel.resize(420, 300)
+    select_row(panel, 2, 4)
+    QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    lines = [line.split("\t") for line in QApplication.clipboard().text().split("\n")]
+    assert lines[0] == titles(panel)
+    assert [line[:3] for line in lines[1:]] == [["2", "significant", "56 %"], ["4", "not comparable", ""]]
+
+
+@pytest.mark.parametrize(("language", "separator", "number"), [("en", ",", "0.381234"), ("pl", ";", "0,381234")])
+def test_a_csv_file_as_the_operators_spreadsheet_reads_it(
+    panel: WindowsPanel, tmp_path: Path, language: str, separator: str, number: str
+) -> None:
+    before = QLocale()
+    QLocale.setDefault(QLocale(language))
+    try:
+        filter_to(panel, choice="significant")
+        panel.save_csv(tmp_path / "windows.csv")
+    finally:
+        QLocale.setDefault(before)
+    with open(tmp_path / "windows.csv", encoding="utf-8-sig", newline="") as file:
+        rows = list(csv.DictReader(file, delimiter=separator))
+    assert [row["window_id"] for row in rows] == ["2", "12"]
+    assert rows[0]["verdict"] == "significant"
+    assert rows[0]["ratio_1"] == number
+    assert rows[0]["observer"] == "visible"
+    assert rows[1]["kept"] == ""

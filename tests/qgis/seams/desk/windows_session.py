@@ -1,10 +1,14 @@
 """A session without layers and tasks: what the table of windows and the judge bar ask of it."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtWidgets import QWidget
+from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
+from seam_inspector.plugin.seams.measure.observers import FIRST, Operator
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
@@ -55,9 +59,16 @@ class WindowsSession(QObject):
             self.chosen = list(fids)
             self.selectionChanged.emit()
 
-    def judge(self, fids: list[int], observer: str) -> None:
-        self.calls.append(("judge", sorted(fids), observer))
-        self.put([replace(row, observer=observer) if row.fid in fids else row for row in self.rows])
+    def judge(self, fids: list[int], word: str, operator: Operator = FIRST) -> None:
+        self.calls.append(("judge", sorted(fids), word))
+        self._write(fids, {operator.observer: word})
+
+    def note(self, fids: list[int], values: dict[str, Any]) -> None:
+        self.calls.append(("note", sorted(fids), values))
+        self._write(fids, {name: "" if value is None and "remark" in name else value for name, value in values.items()})
+
+    def _write(self, fids: list[int], values: dict[str, Any]) -> None:
+        self.put([replace(row, **values) if row.fid in fids else row for row in self.rows])
 
     def inspect(self, fids: list[int]) -> None:
         self.calls.append(("inspect", sorted(fids)))
@@ -91,3 +102,26 @@ def window(
         kept_high=kept[0] + 0.05 if kept and kept[0] is not None else None,
         stale=stale, paper_verdict=paper_verdict,
     )  # fmt: skip
+
+
+ROWS = [
+    window(1, "reduced", (0.83, 0.95, 0.99), sources=3, kept=(0.9, 0.95, 1.0)),
+    window(
+        2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2, composite_ratio=0.6, cause="feathering",
+        kept=(0.557, 0.8, 0.97), paper_verdict="reduced",
+    ),
+    window(3),
+    window(4, "not_comparable", reason="No source covers <window> in west_12.tif.", sources=0),
+    window(10, "preserved", (1.04, 1.0, None), "invisible", sources=10, cause="none", kept=(1.02,)),
+    window(12, "significant", (0.45, 0.7, 0.9), sources=1, stale=True),
+]
+"""Of all kinds, as the table of windows shows them."""
+
+Show = Callable[[QWidget], QWidget]
+"""Shows a widget until the test is over."""
+
+
+def filter_to(panel: WindowsPanel, text: str = "", choice: str = "all") -> list[int]:
+    panel._search.setText(text)
+    panel._verdicts.setCurrentText(choice)
+    return panel.ordered_fids()

@@ -1,0 +1,241 @@
+"""Says what was found in the selected window, takes the operator's judgement, and goes on to the next one."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
+
+from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QEvent, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
+
+from ....toolkit.desk.clipped_label import ClippedLabel
+from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.translation import tr
+from ...measure.observers import INVISIBLE, UNSURE, VISIBLE
+from ...window_summary import window_sentence
+from ..windows.verdict_chips import verdict_chip, window_tip, windows_sentence
+from .judging import Judging
+from .judging_progress import judging_progress
+from .notes_row import NotesRow
+from .operator_button import OperatorButton
+
+if TYPE_CHECKING:
+    from ...measure.window_records import WindowRecord
+    from ..session import Session
+
+_SENTENCE_LINES = 3
+_SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
+_TENTHS = {key: 10 * digit or 100 for digit, key in enumerate(range(Qt.Key.Key_0, Qt.Key.Key_9 + 1))}
+
+
+class JudgeBar(QWidget):
+    """Sentence, judgement, progress."""
+
+    agreementAsked = pyqtSignal()
+    """The operator wants to know how well both operators agree."""
+
+    def __init__(self, session: Session, judging: Judging, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._judging = judging
+        self._asked = 0
+        self._chip = QLabel(self)
+        self._sentence = ClippedLabel(_SENTENCE_LINES, self)
+        self._visible = self._judging_button(
+            tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
+            tr("The loss of detail can be seen at 2x magnification."),
+        )  # fmt: skip
+        self._invisible = self._judging_button(
+            tr("Invisible (I)"), "mActionHideAllLayers", INVISIBLE,
+            tr("The loss of detail can't be seen at 2x magnification."),
+        )  # fmt: skip
+        self._unsure = self._judging_button(
+            tr("Not sure (U)"), "", UNSURE, tr("It can't be said. The window counts as not judged in all results.")
+        )
+        self._next = self._push_button(
+            tr("Next (N)"), "", judging.go_on,
+            tr("Goes on without judging: to the next compared window that is not judged yet, or the next one (N)."),
+        )  # fmt: skip
+        self._back = self._arrow(Qt.ArrowType.LeftArrow, partial(judging.step, -1), tr("The window before this (P)."))
+        self._position = QLabel(self)
+        self._position.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._forth = self._arrow(Qt.ArrowType.RightArrow, partial(judging.step, 1), tr("The window after this."))
+        self._progress = QLabel(self)
+        self._progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.operators = OperatorButton(judging, self)
+        self.operators.agreementAsked.connect(self.agreementAsked)
+        self.notes = NotesRow(session, judging, self)
+        self._lay_out()
+        session.windowsChanged.connect(self.refresh)
+        session.selectionChanged.connect(self.refresh)
+        session.progressChanged.connect(self._follow_progress)
+        judging.changed.connect(self.refresh)
+        self.refresh()
+
+    def keys(self) -> dict[int, Callable[[], bool]]:
+        """What each key does; it says by False that it has nothing to do.
+
+        They set a judgement and never toggle it.
+        """
+        judge, note = self._judging.judge, self._judging.note
+        return {
+            Qt.Key.Key_V: partial(judge, VISIBLE),
+            Qt.Key.Key_I: partial(judge, INVISIBLE),
+            Qt.Key.Key_U: partial(judge, UNSURE),
+            Qt.Key.Key_N: self._judging.go_on,
+            Qt.Key.Key_P: partial(self._judging.step, -1),
+            Qt.Key.Key_Backspace: self._judging.take_back,
+            Qt.Key.Key_R: self.notes.begin_remark,
+            **{key: partial(note, confidence=tenths) for key, tenths in _TENTHS.items()},
+        }
+
+    REPEATING_KEYS = frozenset((Qt.Key.Key_N, Qt.Key.Key_P))
+    """That go on while they are held."""
+
+    def sentence(self) -> str:
+        """What is said about the selected windows."""
+        return self._sentence.text()
+
+    def refresh(self) -> None:
+        """Show the selected windows' state, and where they stand among the others."""
+        judging, windows = self._judging, self._session.windows()
+        chosen = set(self._session.selected())
+        selected = [row for row in windows if row.fid in chosen]
+        judging.follow()
+        self._say(selected, bool(windows))
+        for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
+            button.setEnabled(bool(selected))
+            button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
+        progress = judging_progress(judging, windows)
+        self._progress.setText(progress.words())
+        self._progress.setToolTip(rich_tip(progress.tip()))
+        self._arrange()
+        self._back.setEnabled(judging.neighbour(-1) is not None)
+        self._forth.setEnabled(judging.neighbour(1) is not None)
+        self._next.setEnabled(judging.can_go_on())
+
+    def _follow_progress(self, _done: int, asked: int) -> None:
+        """Windows are being inspected that were not before, or none any more."""
+        if asked != self._asked:
+            self._asked = asked
+            self.refresh()
+
+    def _clicked(self, word: str, checked: bool) -> None:
+        """A second click on the same button takes the word back."""
+        if checked:
+            self._judging.judge(word)
+        else:
+            self._judging.take_back()
+        self.refresh()  # the buttons show what was written, also when nothing could be
+
+    def _say(self, selected: Sequence[WindowRecord], any_windows: bool) -> None:
+        tip, shows_chip = "", False
+        if selected and self._judging.is_blind:
+            numbers = ", ".join(str(row.window_id) for row in selected[:9])
+            sentence = tr("Window {numbers}. What was found is hidden.").format(numbers=numbers)
+        elif len(selected) == 1:
+            row, shows_chip = selected[0], True
+            if self._session.is_pending(row.fid):
+                sentence = tr("Measuring ...")
+            else:
+                result = self._session.result(row.fid)
+                sentence, tip = window_sentence(row, result), window_tip(row, result)
+            side = self.fontMetrics().ascent()
+            self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
+        elif selected:
+            sentence = windows_sentence(selected)
+        else:
+            sentence = tr("Select a window to judge it.") if any_windows else ""
+        self._chip.setVisible(shows_chip)
+        self._sentence.setText(sentence, tip)
+        judging, position = self._judging, tr("{place} of {count}")
+        place = str(judging.place + 1) if len(selected) == 1 and judging.place >= 0 else "-"
+        count = judging.count
+        self._position.setText(position.format(place=place, count=count) if count else "")
+        widest = position.format(place=count, count=count)
+        self._position.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))  # the arrows stay where they are
+
+    # Widgets
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._arrange()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._arrange()
+
+    def minimumSizeHint(self) -> QSize:
+        """As narrow as the buttons that judge; the others go below them then."""
+        margins = self.contentsMargins()
+        moving = self._moving.minimumSize().width()
+        if self._position.isVisibleTo(self):  # it may give way
+            moving -= self._position.minimumWidth() + self._moving.spacing()
+        width = max(self._judging_row.minimumSize().width(), moving)
+        return QSize(width + margins.left() + margins.right(), super().minimumSizeHint().height())
+
+    def _arrange(self) -> None:
+        """The sentence beside the buttons where there is room, else above; the arrows below where there is little.
+
+        The progress is always whole; where there is least room the position gives way to it.
+        """
+        self._progress.setMinimumWidth(self._progress.fontMetrics().horizontalAdvance(self._progress.text() + "n"))
+        self._position.show()
+        self._position.setVisible(self.width() >= self._moving.minimumSize().width())
+        row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
+        sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
+        beside, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+        self._rows.setDirection(beside if self.width() >= row + sentence else below)
+        self._buttons.setDirection(beside if self.width() >= row else below)
+
+    def _lay_out(self) -> None:
+        words = QHBoxLayout()
+        words.addWidget(self._chip)
+        words.addWidget(self._sentence, 1)
+        self._judging_row, self._moving = QHBoxLayout(), QHBoxLayout()
+        for button in (self._visible, self._invisible, self._unsure, self._next):
+            self._judging_row.addWidget(button)
+        self._judging_row.addStretch(1)
+        self._moving.addWidget(self._progress, 1)
+        for widget in (*self.notes.buttons, self.operators, self._back, self._position, self._forth):
+            self._moving.addWidget(widget)
+        self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._buttons.addLayout(self._judging_row)
+        self._buttons.addLayout(self._moving, 1)
+        below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        below.addLayout(self._buttons)
+        below.addWidget(self.notes)
+        self._rows = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._rows.setContentsMargins(0, 0, 0, 0)
+        self._rows.addLayout(words, 1)
+        self._rows.addLayout(below)
+
+    def _judging_button(self, text: str, icon: str, word: str, tip: str) -> QPushButton:
+        more = tr("Then the next window comes. Click again to take it back.")
+        button = self._push_button(text, icon, partial(self._clicked, word), f"{tip} {more}")
+        button.setCheckable(True)
+        return button
+
+    def _push_button(self, text: str, icon: str, slot: Callable[..., object], tip: str) -> QPushButton:
+        button = QPushButton(text, self)
+        if icon:
+            button.setIcon(QgsApplication.getThemeIcon(f"/{icon}.svg"))
+        button.setToolTip(rich_tip(tip))
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the focus, and Space, where they are
+        button.setAutoDefault(False)
+        button.clicked.connect(slot if isinstance(slot, partial) else lambda *_: slot())
+        return button
+
+    def _arrow(self, direction: Qt.ArrowType, slot: Callable[[], object], tip: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setArrowType(direction)
+        button.setAutoRaise(True)
+        button.setAutoRepeat(True)
+        button.setToolTip(rich_tip(tip))
+        button.setAccessibleName(tip)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.clicked.connect(lambda *_: slot())
+        return button

@@ -1,0 +1,261 @@
+"""Who judges which window and what comes next: the model behind the judge bar and its keys."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ....toolkit.translation import tr
+from ...measure.observers import OPERATORS, Operator
+from ...verdict_words import observer_word
+from .judging_settings import JudgingSettings, load_judging, save_judging
+from .window_orders import WindowOrder, order_named
+
+if TYPE_CHECKING:
+    from ...measure.window_records import WindowRecord
+    from ..session import Session
+
+_BLIND_ORDER = "seam"  # tells nothing
+
+
+class Judging(QObject):
+    """Writes what the present operator says and goes on to the next window that is to be judged."""
+
+    changed = pyqtSignal()
+    """The operator, the order, or what is hidden."""
+    stepped = pyqtSignal(int)
+    """Feature id of the window that the operator went on to."""
+
+    def __init__(
+        self,
+        session: Session,
+        shown: Callable[[], Sequence[int]] | None = None,
+        confirm: Callable[[str], bool] = lambda question: True,
+        parent: QObject | None = None,
+    ) -> None:
+        """``shown``: the windows as the operator sees them, by default the layer's; ``confirm`` asks him."""
+        super().__init__(parent)
+        self._session = session
+        self._shown = shown
+        self._confirm = confirm
+        self._project = QgsProject.instance()
+        self._settings = load_judging(self._project)
+        self._judged: list[int] = []  # numbers, the last one judged at the end
+        self._fids: list[int] = []
+        self._place = -1
+        self._last_place = -1
+        self._connections: list[tuple[Any, Callable[..., None]]] = [
+            (self._project.readProject, self._load),
+            (self._project.cleared, self._load),
+            (self._project.writeProject, self._save),
+        ]
+        for signal, slot in self._connections:
+            signal.connect(slot)
+
+    def close(self) -> None:
+        """Let go of the project; once is enough."""
+        while self._connections:
+            signal, slot = self._connections.pop()
+            signal.disconnect(slot)
+
+    # What the project keeps
+
+    @property
+    def settings(self) -> JudgingSettings:
+        """As the project keeps them."""
+        return self._settings
+
+    @property
+    def operator(self) -> Operator:
+        """Who judges: the fields that his words go to."""
+        return OPERATORS[1] if self._settings.operator == 2 else OPERATORS[0]
+
+    @property
+    def is_blind(self) -> bool:
+        """Whether the tool's verdict and the other operator's are hidden."""
+        return self._settings.is_blind
+
+    @property
+    def order(self) -> WindowOrder:
+        """In which windows are judged."""
+        found = order_named(self._settings.order)
+        return order_named(_BLIND_ORDER) if self.is_blind and found.tells_verdict else found
+
+    def change(self, **settings: object) -> None:
+        """Change some of the settings."""
+        changed = replace(self._settings, **settings)  # type: ignore[arg-type]
+        if changed != self._settings:
+            self._settings = changed
+            save_judging(self._project, changed)
+            self.changed.emit()
+
+    def _load(self, *_: object) -> None:
+        self._settings = load_judging(self._project)
+        self._judged = []
+        self.changed.emit()
+        row = next((row for row in self._session.windows() if row.window_id == self._settings.window), None)
+        if row is not None and not self._session.selected():
+            self._session.select([row.fid])
+
+    def _save(self, *_: object) -> None:
+        """Where the operator is, with the project; alone it would be no reason to ask whether to save it."""
+        row = self._selected_row()
+        if row is not None:
+            self._settings = replace(self._settings, window=row.window_id)
+            save_judging(self._project, self._settings)
+
+    # Judging
+
+    def word(self, row: WindowRecord) -> str:
+        """What the operator says of a window."""
+        return str(getattr(row, self.operator.observer))
+
+    def is_to_judge(self, row: WindowRecord) -> bool:
+        """Whether the operator has to look at it yet."""
+        return row.is_compared and not self.word(row)
+
+    def judge(self, word: str) -> bool:
+        """Write the operator's word on the selected window, and go on. Of several at once he is asked first.
+
+        Whether there was anything to do.
+        """
+        fids = self._session.selected()
+        if not fids:
+            return False
+        if len(fids) > 1:
+            if self._may_judge_all(word, len(fids)):
+                self._session.judge(fids, word, self.operator)
+            return True
+        self.follow()
+        row, following = self._session.row(fids[0]), self._number(self._following())
+        self._session.judge(fids, word, self.operator)
+        row = self._with_number(row.window_id) if row is not None else None
+        if row is not None and self.word(row) == word:  # what could not be written is no reason to go on
+            self._judged = [number for number in self._judged if number != row.window_id] + [row.window_id]
+            self._go_to_number(following)
+        return True
+
+    def take_back(self) -> bool:
+        """Take back what was said of the selected windows; where nothing was, of the window judged last."""
+        rows = [row for row in map(self._session.row, self._session.selected()) if row is not None and self.word(row)]
+        if len(rows) > 1 and not self._may_judge_all("", len(rows)):
+            return True
+        if not rows:
+            last = self._last_judged()
+            if last is None:
+                return False
+            self._go_to_number(last.window_id)
+            rows = [last]
+        self._session.judge([row.fid for row in rows], "", self.operator)
+        return True
+
+    def note(self, **values: object) -> bool:
+        """Write ``confidence`` or ``remark`` of the selected windows."""
+        fids = self._session.selected()
+        if len(fids) > 1 and not self._confirm(tr("Write this into {count} windows?").format(count=len(fids))):
+            return True
+        if fids:
+            self._session.note(fids, {getattr(self.operator, name): value for name, value in values.items()})
+        return bool(fids)
+
+    def _may_judge_all(self, word: str, count: int) -> bool:
+        if word:
+            question = tr("Judge {count} windows as {word}?").format(count=count, word=observer_word(word))
+        else:
+            question = tr("Take back what was said of {count} windows?").format(count=count)
+        return self._confirm(question)
+
+    def _last_judged(self) -> WindowRecord | None:
+        while self._judged:
+            row = self._with_number(self._judged.pop())
+            if row is not None and self.word(row):
+                return row
+        return None
+
+    # Where the selected window stands
+
+    def follow(self) -> None:
+        """Take the windows in the order that they are shown in now, and the place of the selected one."""
+        known = {row.fid for row in self._session.windows()}
+        shown = self._shown() if self._shown is not None else [row.fid for row in self._session.windows()]
+        self._fids = [fid for fid in shown if fid in known]
+        places = {fid: place for place, fid in enumerate(self._fids)}
+        self._place = max((places[fid] for fid in self._session.selected() if fid in places), default=-1)
+        if self._place >= 0:
+            self._last_place = self._place
+
+    @property
+    def place(self) -> int:
+        """Of the selected window among those shown, 0 for the first; -1 for none."""
+        return self._place
+
+    @property
+    def count(self) -> int:
+        """How many windows are shown."""
+        return len(self._fids)
+
+    def neighbour(self, by: int) -> int | None:
+        """The window before or after. One that the filter took away once it was judged still has its place."""
+        if self._place >= 0:
+            place = self._place + by
+        else:
+            place = max(self._last_place, 0) + min(by, 0) if self._last_place >= 0 else 0
+        return self._fids[place] if 0 <= place < len(self._fids) else None
+
+    def next_to_judge(self) -> int | None:
+        """The next compared window without the operator's word; after the last one the first."""
+        start = self._place + 1 if self._place >= 0 else max(self._last_place, 0)
+        current = self._fids[self._place] if self._place >= 0 else None
+        for fid in [*self._fids[start:], *self._fids[:start]]:
+            row = self._session.row(fid)
+            if row is not None and fid != current and self.is_to_judge(row):
+                return fid
+        return None
+
+    def _following(self) -> int | None:
+        """The next one to judge; where all are judged, as in a review, the one after this."""
+        found = self.next_to_judge()
+        return self.neighbour(1) if found is None else found
+
+    def can_go_on(self) -> bool:
+        """Whether there is another window to go on to."""
+        return self._following() is not None
+
+    def go_on(self) -> bool:
+        """Without judging, to the next window that is to be judged, or the next one where all are."""
+        self.follow()
+        self._go_to(self._following())
+        return bool(self._fids)
+
+    def step(self, by: int) -> bool:
+        """To the window before or after."""
+        self.follow()
+        self._go_to(self.neighbour(by))
+        return bool(self._fids)
+
+    def _go_to(self, fid: int | None) -> None:
+        row = None if fid is None else self._session.row(fid)
+        if row is not None:
+            self._session.select([row.fid])
+            self.follow()  # the next key may come before the selection is told
+            self.stepped.emit(row.fid)
+
+    def _go_to_number(self, number: int | None) -> None:
+        row = None if number is None else self._with_number(number)
+        if row is not None:
+            self._go_to(row.fid)
+
+    def _number(self, fid: int | None) -> int | None:
+        """Feature ids change when fields are added or the layer is saved; numbers stay."""
+        row = None if fid is None else self._session.row(fid)
+        return None if row is None else row.window_id
+
+    def _with_number(self, number: int) -> WindowRecord | None:
+        return next((row for row in self._session.windows() if row.window_id == number), None)
+
+    def _selected_row(self) -> WindowRecord | None:
+        fids = self._session.selected()
+        return self._session.row(fids[0]) if len(fids) == 1 else None

@@ -1,0 +1,48 @@
+"""How many windows are judged, and how many are left to judge."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ....toolkit.translation import tr
+from ...measure.observers import DECIDED
+
+if TYPE_CHECKING:
+    from ...measure.window_records import WindowRecord
+    from .judging import Judging
+
+
+@dataclass(frozen=True)
+class JudgingProgress:
+    """Of all windows, by the present operator."""
+
+    count: int
+    judged: int
+    """With a verdict of his."""
+    unsure: int
+    """Where he looked and was not sure."""
+    left: int
+    """To look at yet. The others can't be compared, or are not inspected."""
+
+    def words(self) -> str:
+        """``38 of 109 judged, 21 to go``."""
+        text = tr("{judged} of {count} judged, {left} to go")
+        return text.format(judged=self.judged, count=self.count, left=self.left) if self.count else ""
+
+    def tip(self) -> str:
+        """What the other windows are."""
+        rest = self.count - self.judged - self.unsure - self.left
+        said = tr(
+            "Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}."
+        )
+        return said.format(judged=self.judged, unsure=self.unsure, left=self.left, rest=rest)
+
+
+def judging_progress(judging: Judging, windows: Iterable[WindowRecord]) -> JudgingProgress:
+    """What the present operator has done."""
+    rows = list(windows)
+    words = [judging.word(row) for row in rows]
+    judged = sum(word in DECIDED for word in words)
+    unsure = sum(bool(word) for word in words) - judged
+    return JudgingProgress(len(rows), judged, unsure, sum(map(judging.is_to_judge, rows)))

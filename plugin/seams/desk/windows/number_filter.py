@@ -1,0 +1,124 @@
+"""Windows filtered by their numbers, with QGIS's own expressions: ``kept < 0.7 and cause = 'feathering'``."""
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsFeature, QgsFields
+
+from ....imagery.errors import SettingsError
+from ....toolkit.version_differences import field
+from ...cause_words import cause_word
+from ...measure import messages
+from ...measure.causes import Cause
+from ...verdict_words import VERDICTS, observer_word, verdict_word
+
+if TYPE_CHECKING:
+    from ...measure.window_records import WindowRecord
+
+_Read = Callable[["WindowRecord"], Any]
+_EXPRESSION = re.compile(r"[<>=()]|\bis\s+(not\s+)?null\b|\bi?like\b|\bbetween\b", re.IGNORECASE)
+_BY_LEVEL = {
+    "kept": "kept", "ratio": "ratios", "composite_ratio": "composite_ratios", "expected_ratio": "expected_ratios",
+}  # fmt: skip
+_SINGLE = (
+    "window_id", "verdict", "reason", "sources", "background_ratio", "observer", "confidence", "remark", "observer_2",
+    "confidence_2", "remark_2", "cause", "causes", "reference", "paper_verdict", "kept_low", "kept_high", "band_width",
+    "unclear_share", "explained", "seam_id", "station",
+)  # fmt: skip
+_FRIENDLY = {"id": "window_id", "paper": "paper_verdict", "band": "band_width", "seam": "seam_id", "sure": "confidence"}
+_OTHER_NAMES = {"contrast": "contrast_1", "sharpness": "sharpness_1", "added": "added_1"}
+_TEXTS = ("verdict", "reason", "observer", "remark", "observer_2", "remark_2", "cause", "causes", "reference",
+          "paper_verdict", "paper")  # fmt: skip
+
+
+def is_expression(text: str) -> bool:
+    """Whether a text asks for numbers; else it is words to look for."""
+    return bool(_EXPRESSION.search(text))
+
+
+def window_test(text: str, levels: int) -> Callable[[WindowRecord], bool]:
+    """What an expression says of a window.
+
+    The fields have their names in the layer and those in the table: ``kept`` is ``kept_1``, ``id`` is ``window_id``.
+    Words of verdicts and causes need no quotes. Raises SettingsError with a sentence for an expression that is wrong.
+    """
+    expression = QgsExpression(text)
+    if expression.hasParserError():
+        raise SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=_first_line(expression.parserErrorString())))
+    reads = _reads(levels)
+    words = _words()
+    asked = [name for name in expression.referencedColumns() if name != "#!allattributes!#"]
+    known = {name.lower(): name for name in (*reads, *words)}
+    for name in asked:
+        if name.lower() not in known:
+            raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=", ".join(_examples(reads))))
+    fields = QgsFields()
+    for name in reads:
+        fields.append(field(name, "text" if name in _TEXTS else "real"))
+    for word in words:
+        fields.append(field(word, "text"))
+    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(None))
+    context.setFields(fields)
+    expression.prepare(context)
+    constants = list(words.values())
+    wanted = {name.lower() for name in asked}
+    used = [read if name.lower() in wanted else None for name, read in reads.items()]
+
+    def holds(row: WindowRecord) -> bool:
+        feature = QgsFeature(fields)
+        feature.setAttributes([None if read is None else _value(read(row)) for read in used] + constants)
+        context.setFeature(feature)
+        found = expression.evaluate(context)
+        if expression.hasEvalError():
+            raise SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=_first_line(expression.evalErrorString())))
+        return bool(found)
+
+    return holds
+
+
+def _reads(levels: int) -> dict[str, _Read]:
+    """How each field is read from a record, by all names it has."""
+    reads: dict[str, _Read] = {name: _attribute(name) for name in _SINGLE}
+    reads.update((name, _attribute(attribute)) for name, attribute in _FRIENDLY.items())
+    for friendly, name in _OTHER_NAMES.items():
+        reads[friendly] = reads[name] = _attribute(friendly)
+    for name, attribute in _BY_LEVEL.items():
+        for level in range(1, levels + 1):
+            reads[f"{name}_{level}"] = _at_level(attribute, level)
+        reads[name] = _at_level(attribute, 1)
+    return reads
+
+
+def _attribute(name: str) -> _Read:
+    return lambda row: getattr(row, name)
+
+
+def _at_level(name: str, level: int) -> _Read:
+    def read(row: WindowRecord) -> float | None:
+        values = getattr(row, name)
+        return values[level - 1] if level <= len(values) else None
+
+    return read
+
+
+def _words() -> dict[str, str]:
+    """Words that may stand without quotes, those in the operator's language too, and what tables hold for them."""
+    told = {verdict: verdict_word(verdict) for verdict in VERDICTS if verdict}
+    told |= {cause.value: cause_word(cause.value) for cause in Cause}
+    told |= {word: observer_word(word) for word in ("visible", "invisible", "unsure")}
+    return {word: value for value, shown in told.items() for word in (value, shown) if word.isidentifier()}
+
+
+def _value(value: Any) -> Any:
+    return None if value == "" else value
+
+
+def _examples(reads: dict[str, _Read]) -> list[str]:
+    return [name for name in ("id", "verdict", "kept", "ratio", "cause", "observer", "confidence", "sources")
+            if name in reads]  # fmt: skip
+
+
+def _first_line(text: str) -> str:
+    return next((line.strip().rstrip(".") for line in text.splitlines() if line.strip()), "")

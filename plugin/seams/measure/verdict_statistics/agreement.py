@@ -1,0 +1,83 @@
+"""How well two observers agree on the same windows: Cohen's kappa, the agreement beyond chance."""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..observers import DECIDED
+from .intervals import Interval
+from .roc_area import NORMAL_95
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """What two operators said of the windows that both judged."""
+
+    both_visible: int
+    both_invisible: int
+    first_alone: int
+    """Where the first one alone saw a loss."""
+    second_alone: int
+    kappa: Interval | None
+    """1: always agreed, 0: as often as by chance. None where one word was all that was said."""
+
+    @property
+    def count(self) -> int:
+        """Windows that both judged."""
+        return self.both_visible + self.both_invisible + self.first_alone + self.second_alone
+
+    @property
+    def agreed(self) -> int:
+        """Windows of which both said the same."""
+        return self.both_visible + self.both_invisible
+
+
+def agreement(words: Sequence[tuple[str, str]]) -> Agreement:
+    """Of pairs of words; where one of the two did not judge, or was not sure, a pair does not count."""
+    table = np.zeros((2, 2), np.int64)
+    for first, second in words:
+        if first in DECIDED and second in DECIDED:
+            table[DECIDED.index(first), DECIDED.index(second)] += 1
+    (both, first_alone), (second_alone, neither) = table.tolist()
+    return Agreement(both, neither, first_alone, second_alone, cohen_kappa(table))
+
+
+def cohen_kappa(table: np.ndarray) -> Interval | None:
+    """Cohen's kappa of a square table of counts (first's word, second's word), with its 95 % interval.
+
+    Cohen 1960 (Educational and Psychological Measurement 20, 37-46); the standard error is that of Fleiss, Cohen and
+    Everitt 1969 (Psychological Bulletin 72, 323-327). It is zero where all agree, however few they are; the lower end
+    is then the kappa of as many disagreements as the score interval of none in n allows (Wilson 1927). None where
+    agreement by chance is certain, and for an empty table.
+    """
+    count = float(table.sum())
+    if count == 0:
+        return None
+    shares = table / count
+    rows, columns = shares.sum(axis=1), shares.sum(axis=0)
+    by_chance = float(rows @ columns)
+    if by_chance >= 1:
+        return None
+    agreed = float(np.trace(shares))
+    kappa = (agreed - by_chance) / (1 - by_chance)
+    if agreed == 1:
+        fewest = 1 - NORMAL_95**2 / (count + NORMAL_95**2)
+        return Interval(1.0, (fewest - by_chance) / (1 - by_chance), 1.0)
+    reach = NORMAL_95 * _standard_error(shares, rows, columns, kappa, by_chance) / math.sqrt(count)
+    return Interval(kappa, max(kappa - reach, -1.0), min(kappa + reach, 1.0))
+
+
+def _standard_error(
+    shares: np.ndarray, rows: np.ndarray, columns: np.ndarray, kappa: float, by_chance: float
+) -> float:
+    """Of one window; Fleiss, Cohen and Everitt 1969, equation 13."""
+    rest = 1 - kappa
+    same = np.diag(shares)
+    agreeing = float((same * (1 - (rows + columns) * rest) ** 2).sum())
+    marginals = (columns[:, np.newaxis] + rows[np.newaxis, :]) ** 2
+    apart = rest**2 * float((shares * marginals).sum() - (same * np.diag(marginals)).sum())
+    spread = agreeing + apart - (kappa - by_chance * rest) ** 2
+    return math.sqrt(max(spread, 0.0)) / (1 - by_chance)

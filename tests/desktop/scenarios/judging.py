@@ -1,0 +1,184 @@
+"""A hundred windows of real orthoimages, the worst first, judged by keys alone; a second operator judges blind.
+
+Parameters: ``brighton``, ``screenshots`` (folders).
+"""
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsRectangle
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QApplication, QWidget
+from qgis.utils import iface
+
+from demo.desk import Desk
+from demo.gaps import Gaps
+
+JUDGED = 30
+WORDS = ((Qt.Key.Key_V, "visible"), (Qt.Key.Key_I, "invisible"), (Qt.Key.Key_U, "unsure"))
+
+
+def play(desk: Desk) -> None:
+    """Places, inspects, judges, and looks at every step."""
+    folder, shots = Path(desk.parameters["brighton"]), Path(desk.parameters["screenshots"])
+    desk.set_up(folder, 7.6, 2.2, mosaic="mosaic_feather0p4m")
+    session = desk.session
+    desk.dock.place.trigger()
+    desk.wait(lambda: session.windows() and not session.is_busy, 30, "windows placed")
+    desk.report["placed"] = len(session.windows())
+    desk.dock.place.trigger()
+    desk.wait_for_work()
+    assert len(session.windows()) == desk.report["placed"], "placing twice doubles nothing"
+    desk.dock.inspect.trigger()
+    desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
+    desk.wait_for_work()
+    judge_by_keys(desk, shots)
+    annotate(desk, shots)
+    judge_blind(desk, shots)
+    look_at_the_table(desk, shots)
+    keep_in_project(desk, shots)
+
+
+def judge_by_keys(desk: Desk, shots: Path) -> None:
+    """One key a window, from wherever the focus is; the map follows at 2x."""
+    session, keys = desk.session, 0
+    desk.dock.judging.model.change(order="worst")
+    press(desk, desk.canvas, Qt.Key.Key_N)
+    everywhere = [
+        desk.dock.windows.table, desk.canvas, desk.dock.judge, iface.layerTreeView(), iface.mainWindow(),
+        *desk.dock.panels.values(),
+    ]  # fmt: skip
+    seen, wrong = [], []
+    with Gaps() as gaps:
+        for number in range(JUDGED):
+            key, word = WORDS[number % 7 % 3]
+            fid = session.selected()[0]
+            window = session.row(fid).window_id
+            press(desk, everywhere[number % len(everywhere)], key)
+            keys += 1
+            row = next(row for row in session.windows() if row.window_id == window)
+            seen.append(row.kept_1)
+            if row.observer != word or not in_the_middle(desk):
+                wrong.append((window, number % len(everywhere), row.observer))
+            if number == 12:
+                desk.rest_mouse()
+                desk.wait_for_map()
+                desk.screenshot(shots / "judging.png")
+    desk.report["wrong"] = wrong
+    desk.report["keys_per_window"] = keys / JUDGED
+    desk.report["worst_first"] = seen == sorted(seen, key=lambda kept: (kept is None, kept))
+    desk.report["judge_gap_ms"], desk.report["judge_work_ms"] = 1000 * gaps.longest_s, 1000 * gaps.longest_work_s
+    desk.report["progress"] = desk.dock.judge._progress.text()
+    before = session.selected()
+    press(desk, desk.canvas, Qt.Key.Key_Backspace)
+    desk.report["taken back"] = desk.dock.judge._progress.text()
+    press(desk, desk.canvas, Qt.Key.Key_V)
+    assert session.selected() == before
+    line = desk.dock.windows._search
+    line.setFocus()
+    QTest.keyClicks(line, "vin1")
+    assert line.text() == "vin1", "a text field keeps its letters"
+    assert session.selected() == before
+    line.clear()
+    desk.pause(0.7)
+
+
+def annotate(desk: Desk, shots: Path) -> None:
+    """How sure, and why: one digit, and R with a few words."""
+    session = desk.session
+    number = session.row(session.selected()[0]).window_id
+    press(desk, desk.canvas, Qt.Key.Key_7)
+    press(desk, desk.canvas, Qt.Key.Key_R)
+    edit = QApplication.focusWidget()
+    QTest.keyClicks(edit, "faint band by the kerb")
+    desk.screenshot(shots / "judging_remark.png")
+    QTest.keyClick(edit, Qt.Key.Key_Return)
+    desk.pause(0.2)
+    (row,) = (row for row in session.windows() if row.window_id == number)
+    assert (row.confidence, row.remark) == (70, "faint band by the kerb"), row
+    press(desk, QApplication.focusWidget() or desk.canvas, Qt.Key.Key_V)
+    assert [row.observer for row in session.windows() if row.window_id == number] == ["visible"]
+
+
+def judge_blind(desk: Desk, shots: Path) -> None:
+    """A second operator, who is told nothing."""
+    session, model = desk.session, desk.dock.judging.model
+    model.change(operator=2, is_blind=True)
+    press(desk, desk.canvas, Qt.Key.Key_N)
+    for number in range(20):
+        press(desk, desk.canvas, WORDS[number % 5 % 2][0])
+    desk.rest_mouse()
+    desk.wait_for_map()
+    desk.screenshot(shots / "judging_blind.png")
+    desk.report["second"] = sum(bool(row.observer_2) for row in session.windows())
+    desk.report["blind_columns"] = [column.title() for column in desk.dock.windows.table.visible_columns()]
+    model.change(operator=1, is_blind=False)
+    for row in session.windows():  # the first one judges the same, but for a few
+        if row.observer_2:
+            other = "invisible" if row.window_id % 6 == 0 else row.observer_2
+            session.judge([row.fid], other)
+    desk.pause(0.3)
+    from seam_inspector.plugin.seams.desk.judging.agreement_box import agreement_of, agreement_sentences
+
+    desk.report["agreement"] = agreement_sentences(agreement_of(session.windows()))
+    desk.dock.windows.set_filter("", "operators_differ")
+    desk.pause(0.7)
+    desk.report["disagreements"] = len(desk.dock.windows.ordered_fids())
+    desk.screenshot(shots / "judging_differ.png")
+    desk.dock.windows.set_filter("", "")
+
+
+def look_at_the_table(desk: Desk, shots: Path) -> None:
+    """Numbers in the filter, columns, rows for a spreadsheet."""
+    windows = desk.dock.windows
+    windows.set_filter("kept < 0.7 and cause = 'feathering'", "")
+    desk.pause(0.7)
+    desk.report["filtered"] = len(windows.ordered_fids())
+    desk.screenshot(shots / "judging_filter.png")
+    windows._search.setText("kept < 0.7 and sharp > 1")
+    desk.pause(0.7)
+    desk.report["wrong_filter"] = windows._problem.text()
+    desk.screenshot(shots / "judging_wrong_filter.png")
+    windows.set_filter("", "")
+    windows.table.selectRow(0)
+    windows.copy()
+    desk.report["copied"] = QApplication.clipboard().text()
+    windows.save_csv(desk.folder / "windows.csv")
+    desk.report["csv_lines"] = len((desk.folder / "windows.csv").read_text(encoding="utf-8-sig").splitlines())
+
+
+def keep_in_project(desk: Desk, shots: Path) -> None:
+    """Order, filter and place are there when the project is opened again."""
+    desk.dock.judging.model.change(order="worst")
+    desk.dock.windows.set_filter("kept < 0.9", "")
+    desk.pause(0.7)
+    fids = desk.dock.windows.ordered_fids()
+    desk.session.select([fids[3]])
+    desk.pause(0.3)
+    before = [desk.session.row(fid).window_id for fid in desk.dock.windows.ordered_fids()]
+    place = desk.session.row(fids[3]).window_id
+    desk.save_and_reopen()
+    desk.pause(1)
+    windows = desk.dock.windows
+    assert [desk.session.row(fid).window_id for fid in windows.ordered_fids()] == before
+    desk.report["reopened"] = [desk.session.row(fid).window_id for fid in desk.session.selected()] == [place]
+    desk.rest_mouse()
+    desk.screenshot(shots / "judging_reopened.png")
+
+
+def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:
+    """A key where a widget has the focus."""
+    desk.window.activateWindow()
+    widget.setFocus()
+    desk.wait(lambda: QApplication.focusWidget() is not None, 5, "focus in the main window")
+    QTest.keyClick(QApplication.focusWidget(), key)
+    desk.pause(0.05)
+
+
+def in_the_middle(desk: Desk) -> bool:
+    """Whether the map shows the selected window in its middle, one image pixel on 2 x 2 of the screen's."""
+    extent, row = desk.canvas.extent(), desk.session.row(desk.session.selected()[0])
+    middle = QgsRectangle(*row.extent).center()
+    pixel = desk.session.mosaic_grid().pixel_width / 2
+    return bool(extent.center().distance(middle) < 4 * pixel and abs(desk.canvas.mapUnitsPerPixel() / pixel - 1) < 0.01)

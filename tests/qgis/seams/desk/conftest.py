@@ -1,0 +1,50 @@
+"""What the tests of table and judging share."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from qgis.core import QgsSettings
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QApplication, QWidget
+from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
+
+from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession
+
+
+@pytest.fixture
+def own_settings(qgis_app: QApplication) -> Iterator[None]:
+    """No choice of columns from elsewhere, and none left behind."""
+    QgsSettings().remove("SeamInspector/window_columns")
+    yield
+    QgsSettings().remove("SeamInspector/window_columns")
+
+
+@pytest.fixture
+def session() -> WindowsSession:
+    return WindowsSession(ROWS)
+
+
+@pytest.fixture
+def show(qgis_app: QApplication) -> Iterator[Show]:
+    """Shows a widget until the test is over."""
+    shown: list[QWidget] = []
+
+    def show_widget(widget: QWidget) -> QWidget:
+        shown.append(widget)
+        widget.show()
+        QTest.qWait(1)
+        return widget
+
+    yield show_widget
+    for widget in shown:
+        widget.close()
+        widget.deleteLater()
+
+
+@pytest.fixture
+def panel(session: WindowsSession, show: Show) -> WindowsPanel:
+    panel = WindowsPanel(session)
+    panel.resize(600, 300)
+    show(panel)
+    return panel

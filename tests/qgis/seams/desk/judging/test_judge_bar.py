@@ -1,0 +1,179 @@
+"""The judge bar: what it says, its buttons, how much is judged, confidence and remark, and how narrow it gets."""
+from __future__ import annotations
+
+import pytest
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QApplication
+from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging.judging import Judging
+from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
+from seam_inspector.plugin.toolkit.translation import percent
+
+from tests.qgis.seams.desk.judging.conftest import Asked
+from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to
+
+DESCENDING = Qt.SortOrder.DescendingOrder
+
+
+@pytest.mark.parametrize(
+    ("fids", "sentence"),
+    [
+        ([], "Select a window to judge it."),
+        ([1], "Reduced. Beside the seam 10.0 % of the finest detail is lost (5.0 to 15 %)."),
+        (
+            [2],
+            "Significant loss. Beside the seam 44 % of the finest detail is lost (39 to 49 %). Images are feathered.",
+        ),
+        ([3], "Not inspected yet."),
+        ([4], "No source covers <window> in west_12.tif."),
+        (
+            [10],
+            "Preserved. Along the seam as much of the finest detail is left as around it (102 %, 97 to 107 %).",
+        ),
+        ([12], "Significant loss. Detail at level 1 is 45 % of the source's. Changed since: inspect it again."),
+        ([1, 2, 12], "3 windows selected: 2 significant, 1 reduced, 1 changed since."),
+    ],
+)
+def test_sentence(bar: JudgeBar, session: WindowsSession, fids: list[int], sentence: str) -> None:
+    session.select(fids)
+    assert bar.sentence() == sentence
+
+
+@pytest.mark.parametrize(
+    ("ratio", "text"), [(0.38, "38"), (0.9996, "99.9"), (1.0, "100"), (1.004, "100.4"), (0.052, "5.2"), (2.5, "250"),
+     (0.0, "0"), (0.0006, "0.1"), (0.0003, "0.03"), (0.00001, "0.001"), (1e-9, "0.001")]
+)
+def test_percent_never_hides_on_which_side_of_one_a_ratio_is(qgis_app: QApplication, ratio: float, text: str) -> None:
+    assert percent(ratio) == text
+
+
+
+def test_buttons_show_and_write_the_judgement_and_go_on(bar: JudgeBar, session: WindowsSession) -> None:
+    session.select([2])
+    assert (bar._visible.isChecked(), bar._invisible.isChecked()) == (True, False)
+    bar._invisible.click()
+    assert session.row(2).observer == "invisible"  # type: ignore[union-attr]
+    assert session.selected() == [12]
+    bar._unsure.click()
+    assert session.row(12).observer == "unsure"  # type: ignore[union-attr]
+    session.select([2])
+    assert (bar._visible.isChecked(), bar._invisible.isChecked()) == (False, True)
+    bar._invisible.click()  # again: takes it back, and stays
+    assert session.row(2).observer == ""  # type: ignore[union-attr]
+    assert session.selected() == [2]
+    session.select([])
+    assert not any(button.isEnabled() for button in (bar._visible, bar._invisible, bar._unsure))
+
+
+def test_a_judgement_that_was_not_written_is_not_shown(
+    bar: JudgeBar, session: WindowsSession, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session.select([1])
+    monkeypatch.setattr(session, "judge", lambda fids, word, operator: None)  # the layer is read-only
+    bar._visible.click()
+    assert not bar._visible.isChecked()
+    assert session.selected() == [1]
+
+
+def test_how_much_is_judged_is_always_said(bar: JudgeBar, session: WindowsSession, judging: Judging) -> None:
+    assert bar._progress.text() == "2 of 6 judged, 2 to go"
+    session.select([1])
+    judging.judge("unsure")
+    assert bar._progress.text() == "2 of 6 judged, 1 to go"
+    assert "Not sure: 1." in bar._progress.toolTip()
+    judging.judge("visible")
+    assert bar._progress.text() == "3 of 6 judged, 0 to go"
+    judging.change(operator=2)
+    assert bar._progress.text() == "0 of 6 judged, 4 to go"
+
+
+def test_steps_and_position(bar: JudgeBar, panel: WindowsPanel, session: WindowsSession) -> None:
+    session.select([2])
+    assert bar._position.text() == "2 of 6"
+    bar._forth.click()
+    assert session.selected() == [3]
+    bar._back.click()
+    bar._back.click()
+    assert session.selected() == [1]
+    assert not bar._back.isEnabled()
+    panel.table.sortByColumn(0, DESCENDING)
+    assert bar._position.text() == "6 of 6"
+    assert not bar._forth.isEnabled()
+    filter_to(panel, choice="preserved")
+    assert bar._position.text() == "- of 1"
+
+
+def test_confidence_and_remark_are_written_where_the_operator_is(
+    bar: JudgeBar, session: WindowsSession, judging: Judging
+) -> None:
+    session.select([1])
+    bar.keys()[Qt.Key.Key_7]()
+    assert session.row(1).confidence == 70  # type: ignore[union-attr]
+    bar.keys()[Qt.Key.Key_0]()
+    assert bar.notes.confidence.value() == session.row(1).confidence == 100  # type: ignore[union-attr]
+    bar.notes.confidence.setValue(85)
+    judging.change(operator=2)
+    assert bar.notes.confidence.text() == "- %"
+    bar.keys()[Qt.Key.Key_1]()
+    row = session.row(1)
+    assert row is not None
+    assert (row.confidence, row.confidence_2) == (85, 10)
+
+
+def test_a_remark_takes_one_key_and_enter(bar: JudgeBar, session: WindowsSession) -> None:
+    session.select([1])
+    bar.activateWindow()
+    QTest.qWaitForWindowActive(bar)
+    assert bar.notes.isHidden()
+    assert bar.keys()[Qt.Key.Key_R]()
+    QTest.keyClicks(bar.notes._edit, "by the kerb")
+    QTest.keyClick(bar.notes._edit, Qt.Key.Key_Return)
+    assert session.row(1).remark == "by the kerb"  # type: ignore[union-attr]
+    assert not bar.notes._edit.hasFocus()
+    session.select([2])
+    assert bar.notes.isHidden()
+    session.select([1])
+    assert bar.notes._edit.text() == "by the kerb"
+    bar.keys()[Qt.Key.Key_R]()
+    QTest.keyClicks(bar.notes._edit, "no")
+    QTest.keyClick(bar.notes._edit, Qt.Key.Key_Escape)
+    assert session.row(1).remark == "by the kerb"  # type: ignore[union-attr]
+    assert bar.notes._edit.text() == "by the kerb"
+
+
+def test_several_windows_are_not_judged_at_once_unasked(
+    bar: JudgeBar, session: WindowsSession, asked: Asked
+) -> None:
+    session.select([1, 2, 12])
+    asked.answer = False
+    bar._visible.click()
+    assert asked.questions == ["Judge 3 windows as visible?"]
+    assert session.row(1).observer == ""  # type: ignore[union-attr]
+    assert not bar._visible.isChecked()
+    asked.answer = True
+    bar._unsure.click()
+    assert [session.row(fid).observer for fid in (1, 2, 12)] == ["unsure"] * 3  # type: ignore[union-attr]
+    assert session.selected() == [1, 2, 12]
+
+
+def test_blind_tells_nothing_of_what_was_found(bar: JudgeBar, session: WindowsSession, judging: Judging) -> None:
+    session.select([2])
+    judging.change(is_blind=True)
+    assert bar.sentence() == "Window 2. What was found is hidden."
+    assert bar._chip.isHidden()
+    assert "significant" not in bar._sentence.toolTip().lower()
+    assert "blind" in bar.operators.text()
+
+
+@pytest.mark.parametrize("width", [412, 1400])
+def test_the_bar_is_as_narrow_as_the_dock(bar: JudgeBar, session: WindowsSession, width: int) -> None:
+    font = bar.font()
+    font.setPixelSize(12)
+    bar.setFont(font)
+    session.select([4])
+    bar.resize(width, 100)
+    QTest.qWait(1)
+    assert bar.minimumSizeHint().width() <= 412
+    beside = bar._sentence.geometry().bottom() >= bar._visible.geometry().top()
+    assert beside == (width == 1400)

@@ -1,0 +1,119 @@
+"""The keys that judge: wherever the focus is, but not where somebody types or edits the map."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import (
+    QAction,
+    QApplication,
+    QDialog,
+    QLineEdit,
+    QMainWindow,
+    QPushButton,
+    QSpinBox,
+    QTextEdit,
+    QTreeWidget,
+    QVBoxLayout,
+    QWidget,
+)
+from seam_inspector.plugin.seams.desk.judging.judge_keys import JudgeKeys
+
+from tests.qgis.seams.desk.windows_session import Show
+
+
+class _Desk:
+    """A main window with a desk and all that may have the focus, and a record of the keys that were taken."""
+
+    def __init__(self) -> None:
+        self.window = QMainWindow()
+        body = QWidget()
+        layout = QVBoxLayout(body)
+        self.line, self.text, self.number = QLineEdit(), QTextEdit(), QSpinBox()
+        self.button, self.tree = QPushButton("next"), QTreeWidget()
+        for widget in (self.line, self.text, self.number, self.button, self.tree):
+            layout.addWidget(widget)
+        self.window.setCentralWidget(body)
+        self.shortcut = QAction("of QGIS", self.window)
+        self.shortcut.setShortcut(QKeySequence(Qt.Key.Key_V))
+        self.shortcut.triggered.connect(lambda: self.taken.append("QGIS"))
+        self.window.addAction(self.shortcut)
+        self.taken: list[str] = []
+        self.editing = False
+        self.has_windows = True
+        self.keys = JudgeKeys(body, self.window, lambda: self.editing)
+        self.keys.set_keys({Qt.Key.Key_V: self._judge, Qt.Key.Key_N: self._next}, frozenset((Qt.Key.Key_N,)))
+        self.keys.listen(True)
+
+    def _judge(self) -> bool:
+        if self.has_windows:
+            self.taken.append("V")
+        return self.has_windows
+
+    def _next(self) -> bool:
+        self.taken.append("N")
+        return True
+
+    def press(self, widget: QWidget, key: Qt.Key = Qt.Key.Key_V) -> list[str]:
+        """What takes a key where a widget has the focus."""
+        widget.setFocus()
+        assert QApplication.focusWidget() is widget
+        self.taken.clear()
+        QTest.keyClick(widget, key)
+        return list(self.taken)
+
+
+@pytest.fixture
+def desk(show: Show) -> Iterator[_Desk]:
+    made = _Desk()
+    show(made.window)
+    made.window.activateWindow()
+    QTest.qWaitForWindowActive(made.window)
+    yield made
+    made.keys.close()
+
+
+def test_keys_work_wherever_the_focus_is_and_no_shortcut_is_ambiguous(desk: _Desk) -> None:
+    for widget in (desk.button, desk.tree):
+        assert desk.press(widget) == ["V"]
+        assert desk.press(widget, Qt.Key.Key_N) == ["N"]
+
+
+def test_text_fields_keep_their_letters(desk: _Desk) -> None:
+    for widget in (desk.line, desk.text, desk.number):
+        assert "V" not in desk.press(widget)
+    assert (desk.line.text(), desk.text.toPlainText()) == ("v", "v")
+
+
+def test_a_tool_that_edits_the_map_keeps_its_keys(desk: _Desk) -> None:
+    desk.editing = True
+    assert "V" not in desk.press(desk.tree)
+
+
+def test_another_window_keeps_its_keys(desk: _Desk, show: Show) -> None:
+    dialog = QDialog()
+    button = QPushButton("close", dialog)
+    show(dialog)
+    dialog.activateWindow()
+    QTest.qWaitForWindowActive(dialog)
+    assert desk.press(button) == []
+
+
+def test_with_nothing_to_judge_the_key_is_somebody_else_s(desk: _Desk) -> None:
+    desk.has_windows = False
+    assert "V" not in desk.press(desk.tree)
+
+
+def test_other_keys_are_left_alone(desk: _Desk) -> None:
+    desk.tree.setFocus()
+    QTest.keyClick(desk.tree, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClick(desk.tree, Qt.Key.Key_X)
+    assert desk.taken == []
+
+
+def test_out_of_sight_it_takes_nothing(desk: _Desk) -> None:
+    desk.keys.listen(False)
+    assert "V" not in desk.press(desk.tree)

@@ -1,0 +1,270 @@
+"""Judging: what a verdict writes and where it leads, orders, what the project keeps, two operators."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from qgis.core import QgsProject
+from qgis.PyQt.QtCore import Qt
+from seam_inspector.plugin.seams.desk.judging.agreement_box import agreement_of, agreement_sentences
+from seam_inspector.plugin.seams.desk.judging.judging import Judging
+from seam_inspector.plugin.seams.desk.judging.judging_settings import JudgingSettings, load_judging, save_judging
+from seam_inspector.plugin.seams.desk.judging.window_orders import ORDERS, order_named
+from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
+
+from tests.qgis.seams.desk.judging.conftest import Asked
+from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to, window
+
+VERDICT = 1
+
+
+def five() -> list:
+    """Five windows to be judged."""
+    return [window(fid, "reduced", (0.9, 1, 1), kept=(kept,)) for fid, kept in enumerate((0.9, 0.6, 0.8, 0.5, 0.7), 1)]
+
+
+# One key a window
+
+
+def test_a_verdict_goes_on_to_the_next_window_to_judge(judging: Judging, session: WindowsSession) -> None:
+    stepped: list[int] = []
+    judging.stepped.connect(stepped.append)
+    session.select([1])
+    for word in ("visible", "invisible"):
+        assert judging.judge(word)
+    assert stepped == [12]  # 2 and 10 are judged, 3 and 4 not compared
+    assert [row.observer for row in session.rows] == ["visible", "visible", "", "", "invisible", "invisible"]
+
+
+def test_there_is_nothing_to_judge_without_a_selection(judging: Judging, session: WindowsSession) -> None:
+    assert not judging.judge("visible")
+    assert not judging.take_back()
+    assert not judging.note(confidence=50)
+    assert session.calls == []
+
+
+def test_where_all_are_judged_a_verdict_goes_on_to_the_one_below(judging: Judging, session: WindowsSession) -> None:
+    """So that a review of judged windows takes one key a window, too."""
+    session.put([replace(row, observer="visible") for row in five()])
+    session.select([2])
+    judging.judge("invisible")
+    assert session.selected() == [3]
+    session.select([5])
+    judging.judge("invisible")
+    assert session.selected() == [5]
+
+
+def test_it_goes_on_where_a_judged_window_left_the_filter(
+    judging: Judging, panel: WindowsPanel, session: WindowsSession
+) -> None:
+    session.put(five())
+    filter_to(panel, choice="not judged")
+    session.select([3])
+    judging.judge("visible")
+    assert panel.ordered_fids() == [1, 2, 4, 5]
+    assert session.selected() == [4]
+
+
+def test_it_goes_on_although_writing_gave_other_feature_ids(judging: Judging, session: WindowsSession) -> None:
+    session.put([replace(row, fid=-row.fid) for row in five()])
+
+    def judge_and_save(fids: list[int], word: str, operator: object) -> None:
+        session.chosen = [2]
+        session.put([replace(row, fid=row.window_id, observer=word * (row.window_id == 2)) for row in session.rows])
+
+    session.judge = judge_and_save  # type: ignore[assignment, method-assign]
+    session.select([-2])
+    judging.judge("visible")
+    assert session.selected() == [3]
+
+
+def test_next_and_back_judge_nothing(judging: Judging, session: WindowsSession) -> None:
+    session.put(five())
+    session.select([2])
+    judging.judge("unsure")
+    judging.go_on()
+    assert session.selected() == [4]
+    judging.step(-1)
+    judging.step(-1)
+    assert session.selected() == [2]
+    judging.go_on()
+    assert session.selected() == [3]
+    assert sum(bool(row.observer) for row in session.rows) == 1
+
+
+def test_the_last_verdict_is_taken_back_from_the_next_window(judging: Judging, session: WindowsSession) -> None:
+    session.put(five())
+    session.select([1])
+    judging.judge("visible")
+    judging.judge("visible")
+    assert session.selected() == [3]
+    assert judging.take_back()
+    assert session.selected() == [2]
+    assert [row.observer for row in session.rows][:3] == ["visible", "", ""]
+    assert judging.take_back()
+    assert session.selected() == [1]
+    assert not any(row.observer for row in session.rows)
+    assert not judging.take_back()
+
+
+def test_a_judged_window_is_taken_back_where_it_is(judging: Judging, session: WindowsSession) -> None:
+    session.select([10])
+    judging.take_back()
+    assert session.row(10).observer == ""  # type: ignore[union-attr]
+    assert session.selected() == [10]
+
+
+def test_many_at_once_only_when_the_operator_says_so(judging: Judging, session: WindowsSession, asked: Asked) -> None:
+    session.select([1, 2, 12])
+    asked.answer = False
+    judging.judge("visible")
+    judging.note(remark="all of them")
+    session.select([2, 10])
+    judging.take_back()
+    assert asked.questions == [
+        "Judge 3 windows as visible?", "Write this into 3 windows?", "Take back what was said of 2 windows?"
+    ]
+    assert not {"judge", "note"}.intersection(call[0] for call in session.calls)
+
+
+# Orders
+
+
+def placed(fid: int, seam: int, station: float, kept: float, observer: str = "", observer_2: str = "") -> object:
+    verdict = "significant" if kept < 0.5 else "reduced"
+    row = window(fid, verdict, (0.9, 1, 1), observer, kept=(kept,))
+    return replace(row, seam_id=seam, station=station, observer_2=observer_2)
+
+
+PLACED = [
+    placed(1, 2, 5.0, 0.9, "visible", "visible"), placed(2, 1, 30.0, 0.4, "visible", "invisible"),
+    placed(3, 2, 1.0, 0.6, "invisible", "unsure"), placed(4, 1, 4.0, 0.3, "invisible"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "fids"),
+    [("seam", [4, 2, 3, 1]), ("worst", [4, 2, 3, 1]), ("tool", [4, 2, 1, 3]), ("operators", [2, 3, 1, 4])],
+)
+def test_orders(panel: WindowsPanel, session: WindowsSession, name: str, fids: list[int]) -> None:
+    """Windows that do not disagree come after those that do, by their number."""
+    session.put(PLACED)  # type: ignore[arg-type]
+    panel.show_order(order_named(name))
+    assert panel.ordered_fids() == fids
+    session.change(1, kept=(0.1,), seam_id=None)
+    expected = {"seam": [4, 2, 3, 1], "worst": [1, 4, 2, 3], "tool": [4, 2, 1, 3], "operators": [2, 3, 1, 4]}
+    assert panel.ordered_fids() == expected[name]
+
+
+def test_without_seams_along_the_seam_is_by_number(panel: WindowsPanel, session: WindowsSession) -> None:
+    session.put(five()[::-1])
+    panel.show_order(order_named("seam"))
+    assert panel.ordered_fids() == [1, 2, 3, 4, 5]
+
+
+def test_the_worst_are_judged_first(judging: Judging, panel: WindowsPanel, session: WindowsSession) -> None:
+    session.put(five())
+    judging.change(order="worst")
+    panel.show_order(judging.order)
+    judging.go_on()
+    seen = []
+    for _ in range(5):
+        seen += session.selected()
+        judging.judge("visible")
+    assert seen == [4, 2, 5, 3, 1]
+
+
+def test_a_click_on_a_heading_is_an_order_of_its_own(panel: WindowsPanel, session: WindowsSession) -> None:
+    chosen: list[str] = []
+    panel.orderChosen.connect(chosen.append)
+    panel.show_order(order_named("worst"))
+    header = panel.table.horizontalHeader()
+    header.sectionClicked.emit(VERDICT)
+    panel.table.sortByColumn(VERDICT, Qt.SortOrder.AscendingOrder)
+    assert chosen == ["table"]
+    assert panel.ordered_fids()[:2] == [2, 12]
+
+
+@pytest.mark.parametrize(
+    ("choice", "fids"), [("tool differs", [1, 2, 4]), ("operators differ", [2, 3]), ("not sure", [])]
+)
+def test_disagreements_as_a_filter(
+    panel: WindowsPanel, session: WindowsSession, choice: str, fids: list[int]
+) -> None:
+    session.put(PLACED)  # type: ignore[arg-type]
+    assert filter_to(panel, choice=choice) == fids
+
+
+# Two operators
+
+
+def test_the_second_operators_verdicts_stand_beside_the_first_s(judging: Judging, session: WindowsSession) -> None:
+    judging.change(operator=2)
+    session.select([2])
+    assert judging.judge("unsure")
+    assert (session.row(2).observer, session.row(2).observer_2) == ("visible", "unsure")  # type: ignore[union-attr]
+    assert session.selected() == [10]  # judged by the first one only
+    judging.note(confidence=30, remark="haze")
+    row = session.row(10)
+    assert row is not None
+    assert (row.confidence, row.confidence_2, row.remark_2) == (None, 30, "haze")
+
+
+def test_how_well_both_agree_is_told() -> None:
+    rows = [window(fid, "reduced", observer="visible" if fid % 2 else "invisible") for fid in range(1, 21)]
+    rows = [replace(row, observer_2=row.observer if row.window_id > 4 else "visible") for row in rows]
+    said = agreement_sentences(agreement_of(rows))
+    assert said[0] == "Both judged 20 windows and said the same of 18 (90 %)."
+    assert said[1] == "Only the first saw a loss: 0. Only the second: 2."
+    assert said[2].startswith("Cohen's kappa: 0.80 (0.54 to 1.00 by 95 %), substantial agreement.")
+    assert agreement_sentences(agreement_of([window(1)])) == [
+        "No window was judged by both operators yet; who is not sure did not judge."
+    ]
+
+
+# Blind
+
+
+def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: WindowsSession) -> None:
+    session.change(2, observer_2="visible", confidence=60)
+    panel.set_blind(frozenset(("window_id", "observer", "confidence", "remark")))
+    assert [column.title() for column in panel.table.visible_columns()] == ["id", "observer", "sure"]
+    index = panel.table.model().index(1, 0)
+    assert index.data(Qt.ItemDataRole.ToolTipRole) is None
+    assert not panel._verdicts.model().item(1).isEnabled()
+    panel.set_blind(None)
+    assert "verdict" in [column.title() for column in panel.table.visible_columns()]
+
+
+def test_no_order_tells_while_blind(judging: Judging) -> None:
+    for order in ORDERS:
+        judging.change(order=order.name, is_blind=True)
+        assert not judging.order.tells_verdict
+        judging.change(is_blind=False)
+        assert judging.order == order
+
+
+# The project
+
+
+def test_the_project_keeps_how_windows_are_judged_and_where_one_was(
+    judging: Judging, session: WindowsSession, project: QgsProject, tmp_path: object
+) -> None:
+    judging.change(order="worst", operator=2, search="kept < 0.7", shown="not_judged")
+    session.select([12])
+    path = f"{tmp_path}/judged.qgs"
+    assert project.write(path)
+    session.select([])
+    project.clear()
+    assert judging.settings == JudgingSettings()
+    assert project.read(path)
+    assert judging.settings == JudgingSettings(2, False, "worst", "kept < 0.7", "not_judged", 12)
+    assert session.selected() == [12]
+
+
+@pytest.mark.parametrize("text", ["", "nothing", "[]", '{"operator": "two", "order": 7, "is_blind": 1}'])
+def test_what_cant_be_understood_is_left_out(project: QgsProject, text: str) -> None:
+    project.writeEntry("SeamInspector", "judging", text)
+    assert load_judging(project) == JudgingSettings()
+    save_judging(project, JudgingSettings(order="worst"))
+    assert load_judging(project).order == "worst"
