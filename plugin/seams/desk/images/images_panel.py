@@ -16,7 +16,6 @@ from .images_bar import ImagesBar
 from .loss_image import LossImage
 from .picture_flow import GAP, PictureFlow
 from .picture_strip import PictureStrip
-from .picture_title import kind_of
 from .picture_view import PictureView
 from .viewport import Viewport
 
@@ -30,7 +29,6 @@ class ImagesPanel(QWidget):
         self._fid: int | None = None
         self._pictures: Sequence[ClipPicture] | None = None
         self._chosen = ""  # name of the picture that the large one flips to, as it was clicked
-        self._other: ClipPicture | None = None  # that picture, or another one where it is not there
         self._why_not = ""  # there is no composite
         self._loss: LossImage | None = None
         self.viewport = Viewport(self)
@@ -175,7 +173,7 @@ class ImagesPanel(QWidget):
 
     def _show_one(self, pictures: Sequence[ClipPicture]) -> None:
         """The mosaic large, the others small; the one chosen before stays chosen where it is."""
-        self.strip.show_pictures(pictures[1:], "")
+        self.strip.show_pictures(sorted(pictures[1:], key=lambda one: -one.covered), "")
         self.strip.setVisible(len(pictures) > 1)
         self._compare(pictures)
         self._pages.setCurrentWidget(self._one)
@@ -194,7 +192,6 @@ class ImagesPanel(QWidget):
             other = other or max(pictures[1:], key=lambda one: one.covered, default=None)
             self.strip.mark(other.raster if other is not None else "")
         self.large.set_pictures(pictures[0], other)
-        self._other = other
         self._show_status(pictures)
 
     def _choose(self, name: str) -> None:
@@ -238,17 +235,8 @@ class ImagesPanel(QWidget):
         elif self._why_not and not self.bar.side_by_side.isChecked():
             text = "{window} · " + self._why_not
         else:
-            text = tr("{window} · Space: {name}")
-        self.bar.status.setText(
-            text.format(window=tr("Window {number}").format(number=row.window_id), name=self._flipped_to())
-        )
-
-    def _flipped_to(self) -> str:
-        """What Space shows."""
-        other = self._other
-        if self.bar.side_by_side.isChecked() or other is None:
-            return tr("mosaic")
-        return kind_of(other) if other.is_composite else other.raster
+            text = "{window}"
+        self.bar.status.setText(text.format(window=tr("Window {number}").format(number=row.window_id)))
 
     def _show_zoom(self) -> None:
         self.bar.show_zoom(self._is_showing())

@@ -33,5 +33,6 @@ class LossImage:
         painter.scale(1 / ratio, 1 / ratio)
         painter.setClipRect(QRectF(x, y, window.width * scale, window.height * scale) & QRectF(0, 0, *viewport.screen))
         painter.setOpacity(_OPACITY)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # as on the map
         painter.drawImage(QRectF(x, y, cell * self._image.width(), cell * self._image.height()), self._image)
         painter.restore()

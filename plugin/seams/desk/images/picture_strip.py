@@ -59,13 +59,14 @@ class PictureStrip(QScrollArea):
             self._row.removeWidget(button)
             button.deleteLater()
         labels = distinct([picture.raster for picture in pictures])
-        self.buttons = [
-            self._button(picture.raster, label, picture.raster, QIcon(self._thumbnail(picture)))
-            for picture, label in zip(pictures, labels)
-        ]
+        self.buttons = []
         if pictures:
             name = tr("the hard-cut composite: each pixel from the source that the mosaic follows")
             self.buttons.append(self._button(COMPOSITE, tr("composite"), name, QIcon(icon_path("composite"))))
+        self.buttons += [
+            self._button(picture.raster, label, picture.raster, QIcon(self._thumbnail(picture)))
+            for picture, label in zip(pictures, labels)
+        ]
         for place, button in enumerate(self.buttons):
             self._group.addButton(button)
             self._row.insertWidget(place, button)

@@ -16,10 +16,19 @@ def kind_of(picture: ClipPicture) -> str:
     return tr("mosaic") if picture.is_mosaic else tr("source")
 
 
+def short_name(picture: ClipPicture) -> str:
+    """The raster's name, or what it is where there is only one of the kind."""
+    return kind_of(picture) if picture.is_mosaic or picture.is_composite else picture.raster
+
+
 def paint_title(
-    painter: QPainter, strip: QRect, palette: QPalette, picture: ClipPicture, name: str, is_flipped: bool
+    painter: QPainter, strip: QRect, palette: QPalette, picture: ClipPicture, name: str, hint: str,
+    is_flipped: bool,
 ) -> None:
-    """A badge that says mosaic, source or composite, and the name; a flipped view's strip is highlighted all over."""
+    """A badge that says mosaic, source or composite, the name, and a hint where there is room for it.
+
+    A flipped view's strip is highlighted all over.
+    """
     metrics = painter.fontMetrics()
     text, faint = palette.color(QPalette.ColorRole.WindowText), palette.color(QPalette.ColorRole.WindowText)
     faint.setAlphaF(0.2)
@@ -42,5 +51,7 @@ def paint_title(
     painter.setPen(text)
     room = QRectF(strip)
     room.setLeft(badge.right() + metrics.height() / 3)
+    if hint and metrics.horizontalAdvance(f"{name}  {hint}") < room.width():
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, hint)
     elided = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, int(room.width()))
     painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, elided)

@@ -22,7 +22,7 @@ from ....toolkit.translation import tr
 from ...clip_pictures import ClipPicture
 from .loss_image import LossImage
 from .picture_images import PictureImages
-from .picture_title import paint_title
+from .picture_title import paint_title, short_name
 from .viewport import Viewport
 
 _WHEEL_STEP = 120  # eighths of a degree: one notch
@@ -95,6 +95,13 @@ class PictureView(QWidget):
         images = self._shown()
         return images.picture if images is not None else None
 
+    @property
+    def hint(self) -> str:
+        """What Space shows here; empty while it does, or where there is nothing else."""
+        if self._other is None or self._is_flipped_now():
+            return ""
+        return tr("Space: {name}").format(name=short_name(self._other.picture))
+
     def _is_flipped_now(self) -> bool:
         return self._is_flipped and self._other is not None
 
@@ -147,7 +154,7 @@ class PictureView(QWidget):
         if self._is_reading:
             painter.setOpacity(_READING_OPACITY)
         strip = QRect(0, 0, self.width(), self._title_height())
-        paint_title(painter, strip, palette, images.picture, self._title(), self._is_flipped_now())
+        paint_title(painter, strip, palette, images.picture, self._title(), self.hint, self._is_flipped_now())
         painter.setClipRect(rect)
         self._paint_picture(painter, images)
         if self._loss is not None and not self._is_reading:
@@ -300,8 +307,8 @@ class PictureView(QWidget):
             if event.pos().y() < self._title_height() and self.shown is not None:
                 text = tr("Drag to move, turn the wheel to zoom.")
                 if self._other is not None:
-                    name = tr("the mosaic") if self._other.picture.is_mosaic else self._other.picture.raster
-                    text = tr("{text} Hold Space to see {name} here.").format(text=text, name=name)
+                    hold = tr("Hold Space to see {name} here.").format(name=short_name(self._other.picture))
+                    text = f"{text} {hold}"
                 QToolTip.showText(event.globalPos(), f"{self._title()}\n{text}", self)
             else:
                 QToolTip.hideText()
