@@ -46,7 +46,7 @@ def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanatio
     found = result.explanation if result is not None else None
     if result is None or found is None or found.cause.value != row.cause:
         return None
-    return found if all(map(_is_same, row.ratios, result.judgement.ratios.detail)) else None
+    return found if all(map(is_same, row.ratios, result.judgement.ratios.detail)) else None
 
 
 def cause_numbers(found: Explanation) -> list[str]:
@@ -180,5 +180,6 @@ def _what_happened(row: WindowRecord, found: Explanation | None) -> list[str]:
     return [tr("{cause}; besides: {others}.").format(cause=text, others=others) if others else f"{text}."]
 
 
-def _is_same(one: float | None, other: float | None) -> bool:
+def is_same(one: float | None, other: float | None) -> bool:
+    """Whether two numbers are one, of which a layer may keep fewer digits."""
     return one == other or (one is not None and other is not None and math.isclose(one, other, rel_tol=_SAME))

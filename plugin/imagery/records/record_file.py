@@ -21,9 +21,11 @@ class RecordFile:
     file open, or it is something else.
     """
 
-    def __init__(self, path: Path, magic: bytes) -> None:
-        """``magic`` is what such files begin with: their kind and version."""
-        self.path, self._magic = path, magic
+    def __init__(self, path: Path, magic: bytes, replaced: bytes | None = None) -> None:
+        """``magic`` is what such files begin with, their kind and version; one that begins with ``replaced`` is of
+        another version whose payloads are given up.
+        """
+        self.path, self._magic, self._replaced = path, magic, replaced
         handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0), 0o666)
         self._file: BinaryIO = os.fdopen(handle, "r+b", buffering=0)
         try:
@@ -39,7 +41,8 @@ class RecordFile:
         size = os.fstat(self._file.fileno()).st_size
         start = read_all(self._file, len(self._magic))
         if start != self._magic:
-            if not self._magic.startswith(start.rstrip(b"\0")):
+            is_replaced = self._replaced is not None and start.startswith(self._replaced)
+            if not is_replaced and not self._magic.startswith(start.rstrip(b"\0")):
                 raise SettingsError(messages.RECORDS_FOREIGN())
             self._file.truncate(0)
             self._file.seek(0)

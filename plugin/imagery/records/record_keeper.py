@@ -18,10 +18,15 @@ _LEAST_SIZE = 2**20  # bytes: a file this small is left as it is
 class RecordKeeper:
     """Does in turn what it is asked. The file is opened, and made, by the first thing that needs it."""
 
-    def __init__(self, path: Path, magic: bytes, failed: Callable[[object], None]) -> None:
-        """``failed`` is told from the thread why something can't be kept: a text or a Message."""
+    def __init__(
+        self, path: Path, magic: bytes, failed: Callable[[object], None], replaced: bytes | None = None
+    ) -> None:
+        """``failed`` is told from the thread why something can't be kept: a text or a Message. A file that begins with
+        ``replaced``, as those of other versions do, is begun anew.
+        """
         self.path = path
         self._magic = magic
+        self._replaced = replaced
         self._failed = failed
         self._file: RecordFile | None = None
         self._synced = time.monotonic()
@@ -74,7 +79,7 @@ class RecordKeeper:
 
     def _opened(self) -> RecordFile:
         if self._file is None:
-            self._file = RecordFile(self.path, self._magic)
+            self._file = RecordFile(self.path, self._magic, self._replaced)
         return self._file
 
     def _save(self, key: str, payload: bytes) -> None:

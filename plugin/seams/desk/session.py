@@ -84,7 +84,9 @@ class Session(QObject):
         self._live = LiveWindows(self._block, self)
         self._live.changed.connect(self.liveChanged)
         self._live.failed.connect(self._tell)
-        self._results = WindowResults(self._block, self._watch, self._background, self, self._live.measure)
+        self._results = WindowResults(
+            self._block, self._watch, self._background, self._keeping, self, self._live.measure
+        )
         self._results.curvesArrived.connect(self._live.stay_open)
         self._results.curvesArrived.connect(self.curvesArrived)
         self._results.arrived.connect(self.resultArrived)

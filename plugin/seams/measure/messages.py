@@ -75,6 +75,11 @@ WINDOWS_RESTORED = Message(
 WINDOWS_NOT_KEPT = Message(
     "What is judged is safe only once you save the layer: it can't be kept in {path} meanwhile ({error}).", WARNING
 )
+RESULTS_NOT_KEPT = Message(
+    "Curves and pictures of the windows can't be kept in {path} ({error}); without them windows are measured again "
+    "after the project was closed.",
+    WARNING,
+)
 WINDOWS_WITHOUT_FILE = Message(
     "The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a "
     "GeoPackage to keep them.",

@@ -11,10 +11,13 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery.errors import SeamInspectorError
 from ....toolkit import layers
 from ...measure import messages
+from ...measure.window.window_result import WindowResult
+from ...measure.window_records import WindowRecord
 from ..windows.window_watch import WindowWatch
+from .kept_results import KeptResults
 from .restoring import restore
 from .unsaved_windows import UnsavedWindows, owner_of
-from .window_files import UNSAVED, path_beside
+from .window_files import RESULTS, UNSAVED, path_beside
 
 
 class Keeping(QObject):
@@ -27,15 +30,18 @@ class Keeping(QObject):
         super().__init__(parent)
         self._watch = watch
         self._unsaved: dict[str, UnsavedWindows] = {}  # by the layer's id
-        self._complained: set[str] = set()  # layers of which was said that they can't be kept
+        self._results: dict[str, KeptResults] = {}  # likewise
+        self._complained: set[str] = set()  # layers and files of which was said that they can't be kept
 
     def follow(self, layer: QgsVectorLayer, levels: int) -> None:
         """Keep what is changed in a layer from now on; what was left of it comes back into it."""
         if layer.id() in self._unsaved:
             return
-        path = path_beside(layer, UNSAVED)
-        if path is None:
+        path, results_path = path_beside(layer, UNSAVED), path_beside(layer, RESULTS)
+        if path is None or results_path is None:
             return
+        self._results[layer.id()] = results = KeptResults(results_path, self)
+        results.failed.connect(partial(self._results_failed, str(results_path)))
         unsaved = UnsavedWindows(layer, path, self._stale, self)
         unsaved.failed.connect(partial(self._failed, layer.id(), str(path)))
         self._unsaved[layer.id()] = unsaved
@@ -52,10 +58,24 @@ class Keeping(QObject):
         else:
             unsaved.drop()
 
+    def keep_result(self, result: WindowResult) -> None:
+        """Of a window of the layer that is looked at."""
+        if (results := self._kept_results()) is not None:
+            results.keep(result)
+
+    def result(self, row: WindowRecord) -> WindowResult | None:
+        """What was kept of a window of the layer that is looked at."""
+        results = self._kept_results()
+        return results.result(row) if results is not None else None
+
+    def _kept_results(self) -> KeptResults | None:
+        layer = self._watch.layer
+        return self._results.get(layer.id()) if layer is not None else None
+
     def note_judged(self, layer: QgsVectorLayer) -> None:
         """Something was judged that is worth being kept."""
         if layer.id() not in self._unsaved:
-            self._complain(layer, messages.WINDOWS_WITHOUT_FILE(name=layer.name()))
+            self._complain(layer.id(), messages.WINDOWS_WITHOUT_FILE(name=layer.name()))
 
     def left_in(self, project: QgsProject) -> Path | None:
         """The file of windows that were never saved with a project which ended without saving, and lack in it."""
@@ -73,18 +93,25 @@ class Keeping(QObject):
         for layer_id in ids:
             if (unsaved := self._unsaved.pop(layer_id, None)) is not None:
                 unsaved.close()
+            if (results := self._results.pop(layer_id, None)) is not None:
+                results.close()
 
     def close(self) -> None:
         """What is not saved in layers that are still there stays open in them, and QGIS itself asks about it."""
         for unsaved in self._unsaved.values():
             unsaved.drop()
             unsaved.close()
+        for results in self._results.values():
+            results.close()
         self._unsaved.clear()
+        self._results.clear()
 
     def flush(self) -> None:
         """Wait until all is on the disk."""
         for unsaved in self._unsaved.values():
             unsaved.flush()
+        for results in self._results.values():
+            results.flush()
 
     def _stale(self, layer: QgsVectorLayer) -> Collection[int]:
         if layer is not self._watch.layer:
@@ -92,12 +119,13 @@ class Keeping(QObject):
         return {row.window_id for row in self._watch.rows() if row.stale}
 
     def _failed(self, layer_id: str, path: str, error: object) -> None:
-        layer = self._unsaved[layer_id].layer if layer_id in self._unsaved else None
-        if layer is not None:
-            self._complain(layer, messages.WINDOWS_NOT_KEPT(path=path, error=error))
+        self._complain(layer_id, messages.WINDOWS_NOT_KEPT(path=path, error=error))
 
-    def _complain(self, layer: QgsVectorLayer, message: object) -> None:
+    def _results_failed(self, path: str, error: object) -> None:
+        self._complain(path, messages.RESULTS_NOT_KEPT(path=path, error=error))
+
+    def _complain(self, what: str, message: object) -> None:
         """Once."""
-        if layer.id() not in self._complained:
-            self._complained.add(layer.id())
+        if what not in self._complained:
+            self._complained.add(what)
             self.told.emit(message)

@@ -16,6 +16,7 @@ from ...measure.window.measured_window import MeasureWindow, measure_window
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
+from ..keeping.keeping import Keeping
 from .window_watch import Version, WindowWatch
 
 _WRITE_MS = 1000  # results of a long run are written together: all that show windows follow each time
@@ -38,6 +39,7 @@ class WindowResults(QObject):
         block: BlockCache,
         watch: WindowWatch,
         background: BackgroundTasks,
+        keeping: Keeping,
         parent: QObject,
         measure: MeasureWindow = measure_window,
     ) -> None:
@@ -47,6 +49,7 @@ class WindowResults(QObject):
         self._block = block
         self._watch = watch
         self._background = background
+        self._keeping = keeping
         self._results: dict[int, WindowResult] = {}
         self._clips: dict[int, WindowClips] = {}  # of windows whose results are still to come
         self._versions: dict[int, Version] = {}  # of the results
@@ -57,12 +60,18 @@ class WindowResults(QObject):
         watch.windowsChanged.connect(self._bring_back)
 
     def result(self, window_id: int) -> WindowResult | None:
-        """What was measured in this session."""
+        """What was measured, now or before the project was opened; None while it is being measured anew."""
+        if window_id not in self._results and window_id not in self._waiting:
+            fid = self._watch.fid(window_id)
+            row = self._watch.row(fid) if fid is not None else None
+            found = self._keeping.result(row) if row is not None else None
+            if found is not None:
+                self._results[window_id] = found
         return self._results.get(window_id)
 
     def clips(self, window_id: int) -> WindowCurves | None:
         """The curves of its clips, which are there before the rest of the result."""
-        return self._results.get(window_id) or self._clips.get(window_id)
+        return self._clips.get(window_id) or self.result(window_id)
 
     def is_pending(self, window_id: int) -> bool:
         """Whether a window is being inspected, or its result not written yet."""
@@ -136,6 +145,7 @@ class WindowResults(QObject):
         self._clips.pop(number, None)
         self._results[number], self._versions[number] = result, asked[number]
         self._unwritten[number] = result, asked[number]
+        self._keeping.keep_result(result)
         if self._waiting.get(number) == asked[number]:
             del self._waiting[number]
         if not self._writer.isActive():
@@ -148,8 +158,10 @@ class WindowResults(QObject):
         for row in self._watch.take_bereft():
             number = row.window_id
             version = self._versions.get(number)
-            if version is not None and version.extent == row.extent and not self.is_pending(number):
-                self._unwritten[number] = self._results[number], version
+            result = self._results.get(number)
+            is_pending = self.is_pending(number)
+            if result is not None and version is not None and version.extent == row.extent and not is_pending:
+                self._unwritten[number] = result, version
         if self._unwritten and not self._writer.isActive():
             self._writer.start()
 

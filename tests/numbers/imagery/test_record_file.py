@@ -1,0 +1,103 @@
+"""Files of records: what was saved is there, whatever ends the process or spoils the file."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.records.record_file import RecordFile
+from seam_inspector.plugin.imagery.records.record_keeper import RecordKeeper
+
+MAGIC = b"Tests, 2\n"
+
+
+def filled(path: Path) -> RecordFile:
+    file = RecordFile(path, MAGIC)
+    for key, payload in (("a", b"first"), ("b", b"second"), ("a", b"third"), ("c", b"fourth")):
+        file.save(key, payload)
+    return file
+
+
+def test_the_last_payload_of_a_key_counts_and_an_empty_one_is_none(tmp_path: Path) -> None:
+    file = filled(tmp_path / "records")
+    file.save("b", b"")
+    file.close()
+    file = RecordFile(tmp_path / "records", MAGIC)
+    assert dict(file.items()) == {"a": b"third", "c": b"fourth"}
+    assert file.load("b") is None
+    assert not file.is_damaged
+
+
+def test_a_file_that_is_cut_anywhere_keeps_what_is_whole_and_takes_more(tmp_path: Path) -> None:
+    path = tmp_path / "records"
+    file = filled(path)
+    file.close()
+    whole = path.read_bytes()
+    for length in range(len(whole)):
+        path.write_bytes(whole[:length])
+        file = RecordFile(path, MAGIC)
+        held = dict(file.items())
+        assert held.items() <= {("a", b"first"), ("b", b"second"), ("a", b"third"), ("c", b"fourth")}
+        file.save("d", b"more")
+        file.close()
+        file = RecordFile(path, MAGIC)
+        assert dict(file.items()) == {**held, "d": b"more"}
+        file.close()
+
+
+def test_a_damaged_payload_is_as_if_it_were_not_there(tmp_path: Path) -> None:
+    path = tmp_path / "records"
+    filled(path).close()
+    path.write_bytes(path.read_bytes().replace(b"second", b"sXcond"))
+    assert dict(RecordFile(path, MAGIC).items()) == {"a": b"third", "c": b"fourth"}
+
+
+def test_one_process_at_a_time_and_no_other_kind_of_file(tmp_path: Path) -> None:
+    path, other = tmp_path / "records", tmp_path / "other"
+    file = filled(path)
+    with pytest.raises(SettingsError):
+        RecordFile(path, MAGIC)
+    file.close()
+    other.write_bytes(b"somebody else's")
+    with pytest.raises(SettingsError):
+        RecordFile(other, MAGIC)
+    with pytest.raises(SettingsError):
+        RecordFile(path, b"Tests, 3\n")
+    assert other.read_bytes() == b"somebody else's"
+    assert RecordFile(path, b"Tests, 3\n", replaced=b"Tests, ").keys == []
+
+
+def test_a_keeper_does_in_turn_what_it_is_asked_and_says_why_it_can_not(tmp_path: Path) -> None:
+    told: list[object] = []
+    keeper = RecordKeeper(tmp_path / "records", MAGIC, told.append)
+    assert keeper.all() == {}
+    assert not keeper.path.exists()
+    for turn in range(100):
+        keeper.save(str(turn % 10), lambda turn=turn: b"%d" % turn)
+    assert keeper.load("7") == b"97"
+    keeper.close()
+    keeper = RecordKeeper(tmp_path / "records", MAGIC, told.append)
+    assert len(keeper.all()) == 10
+    keeper.remove()
+    keeper.flush()
+    assert not keeper.path.exists()
+    keeper.close()
+    assert told == []
+    (tmp_path / "folder").mkdir()
+    keeper = RecordKeeper(tmp_path / "folder", MAGIC, told.append)
+    keeper.save("a", lambda: b"b")
+    keeper.close()
+    assert len(told) == 1
+
+
+def test_a_file_of_what_counts_no_more_is_written_anew(tmp_path: Path) -> None:
+    keeper = RecordKeeper(tmp_path / "records", MAGIC, print)
+    for turn in range(10):
+        keeper.save("a", lambda turn=turn: bytes([turn]) * 2**18)
+    keeper.save("b", lambda: b"small")
+    keeper.flush()
+    before = keeper.path.stat().st_size
+    keeper.compact()
+    assert keeper.all() == {"a": bytes([9]) * 2**18, "b": b"small"}
+    assert keeper.path.stat().st_size < before / 5
+    keeper.close()
