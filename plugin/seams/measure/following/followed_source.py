@@ -15,7 +15,7 @@ from typing import Callable
 
 import numpy as np
 
-from .boxes import box_means
+from .boxes import box_means, enlarged
 
 MIN_WINNER_LEAD = 0.1  # of the correlation over the next source's: below it a wider neighbourhood decides
 MIN_LEFT_FACTOR = 2.0  # or that the next leaves this many times as much unexplained: images of one scene are alike
@@ -247,5 +247,7 @@ def _together(products: np.ndarray) -> np.ndarray:
 
 
 def _to_pixels(cells: np.ndarray, rows: int, columns: int) -> np.ndarray:
-    pixels = cells.repeat(CELL_PX, axis=1).repeat(CELL_PX, axis=0)  # whole rows last: a third of the time
+    pixels = enlarged(cells, CELL_PX)
+    if pixels.shape == (rows, columns):
+        return pixels
     return np.pad(pixels, ((0, rows - pixels.shape[0]), (0, columns - pixels.shape[1])), mode="edge")

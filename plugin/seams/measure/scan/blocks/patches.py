@@ -173,13 +173,11 @@ def _share(valid: np.ndarray | None, shape: tuple[int, int]) -> np.ndarray:
 
 def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """Sums of a x b over the four quarters of every patch, (4, rows, columns)."""
-    parts = [
-        one.reshape(shape[0], PATCH_PX, shape[1], PATCH_PX)[:, _INNER, :, _INNER].reshape(
-            shape[0], 2, CELL_PX, shape[1], 2, CELL_PX
-        )
-        for one in (a, b)
-    ]
-    return np.einsum("apibqj,apibqj->pqab", *parts).reshape(4, *shape)
+    rows, columns = shape
+    # Whole rows first: a fifth of the time.
+    inner = (one.reshape(rows, PATCH_PX, -1)[:, _INNER].reshape(rows, 2, CELL_PX, -1) for one in (a, b))
+    down = np.einsum("apij,apij->apj", *inner).reshape(rows, 2, columns, PATCH_PX)[..., _INNER]
+    return np.asarray(down.reshape(rows, 2, columns, 2, CELL_PX).sum(axis=4).transpose(1, 3, 0, 2).reshape(4, *shape))
 
 
 def _followed(
