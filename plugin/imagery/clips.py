@@ -11,6 +11,7 @@ from . import limits, messages
 from .errors import NotCoveredError
 from .gdal_calls import gdal_call
 from .grids import Extent, Grid, PixelWindow
+from .message import Exceeding
 from .open_raster import OpenRaster, PixelBlock, placed
 from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
@@ -153,7 +154,7 @@ def _read_valid(
         return bands, 0.0, None
     share = np.count_nonzero(invalid) / pixels
     if share > most:
-        raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=share, most=most))
+        raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=Exceeding(share, most), most=most))
     valid = ~invalid
     # Of a large window samples tell the mean as well.
     some = np.s_[::8, ::8] if pixels > MANY_PIXELS and valid[::8, ::8].any() else np.s_[:, :]

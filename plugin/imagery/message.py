@@ -51,6 +51,30 @@ class Message:
         return fill(translate(self.template), **values)
 
 
+class Exceeding(float):
+    """A value over its limit, for a message: with as many more decimals as it takes to see that."""
+
+    def __new__(cls, value: float, limit: float) -> Exceeding:
+        made = super().__new__(cls, value)
+        made._limit = limit
+        return made
+
+    _limit: float
+
+    def __format__(self, spec: str) -> str:
+        head, point, kind = spec.rpartition(".")
+        if not point or not kind[:-1].isdigit() or kind[-1] not in "f%":
+            return format(float(self), spec)
+        for decimals in range(int(kind[:-1]), int(kind[:-1]) + _MORE_DECIMALS):
+            text = format(float(self), f"{head}.{decimals}{kind[-1]}")
+            if float(text.rstrip("%")) > self._limit * (100 if kind[-1] == "%" else 1):
+                break
+        return text
+
+
+_MORE_DECIMALS = 5
+
+
 @cache
 def placeholders(template: str) -> frozenset[str]:
     """The names in a template."""

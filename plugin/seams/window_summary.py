@@ -21,8 +21,8 @@ _THIN = 0.6  # a strip takes less than this part of its own loss from the window
 _UNEXPLAINED = 0.005  # of the pixels
 _TOLD_BEFORE = ("", "none", "missing source")  # causes that have no sentence of their own beside the seam's
 _NOT_COMPARABLE = "not_comparable"
-_LOSSES = ("significant", "reduced")
-_SEVERITY = (*_LOSSES, "preserved")
+LOSSES = ("significant", "reduced")
+_SEVERITY = (*LOSSES, "preserved")
 _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
@@ -79,10 +79,10 @@ def cause_numbers(found: Explanation) -> list[str]:
 def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
     """The verdict, what it was taken by, and the causes."""
     if row.reference == SEAM:
-        said = [*_along_the_seam(row), *_what_happened(row, found), *_by_the_paper(row)]
+        said = [*_along_the_seam(row), *_what_happened(row, found), *by_the_paper(row)]
         return " ".join([verdict_sentence(row.verdict), *said])
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
-    because = cause_clause(row.cause, found, row.verdict in _LOSSES)
+    because = cause_clause(row.cause, found, row.verdict in LOSSES)
     if ratio is None:
         return f"{verdict} {because[:1].upper()}{because[1:]}." if because else verdict
     values = {"percent": percent(ratio)}
@@ -132,7 +132,7 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
     return said
 
 
-def _by_the_paper(row: WindowRecord) -> list[str]:
+def by_the_paper(row: WindowRecord) -> list[str]:
     """What the paper's rule says where that is something else, and why as far as the figures tell.
 
     The ratio to the least detailed source is the one to the hard cut times what the hard cut has of that source's.
@@ -153,7 +153,7 @@ def _by_the_paper(row: WindowRecord) -> list[str]:
     if milder > 0 and kept is not None and composite and row.band_width and 1 - composite < _THIN * (1 - kept):
         text = tr("the strip is thin in the window, all of which has {percent} % of a hard cut's")
         reasons.append(text.format(percent=percent(composite)))
-    if not reasons and (row.paper_verdict in _LOSSES) == (row.verdict in _LOSSES):
+    if not reasons and (row.paper_verdict in LOSSES) == (row.verdict in LOSSES):
         return []  # the same, or two limits and no more
     text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source")
     said = text.format(verdict=verdict_word(row.paper_verdict), percent=percent(ratio))

@@ -14,7 +14,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.drawn_windows import extent_on_image
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
+from ...imagery.message import Exceeding, Message
 from ...imagery.open_raster import OpenRaster, describe
 from ...imagery.rasters import RasterRef
 from . import messages
@@ -106,7 +106,8 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
         if isinstance(clip, Message):
             results[part] = ClipNoise(request.window_id, part, request.paired, {}, clip)
         elif (share := float(clip[1].mean())) > most:
-            why = imagery_messages.TOO_MANY_INVALID(name=part.member.image.ref.name, share=share, most=most)
+            name = part.member.image.ref.name
+            why = imagery_messages.TOO_MANY_INVALID(name=name, share=Exceeding(share, most), most=most)
             results[part] = ClipNoise(request.window_id, part, request.paired, {}, why)
         else:
             usable.append((part, clip))
@@ -118,7 +119,7 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
     for (part, (bands, _)), mask in zip(usable, masks):
         name, share = part.member.image.ref.name, float(mask.mean())
         if share > most:
-            why = messages.MASKED_TOO_MUCH(share=share, most=most)
+            why = messages.MASKED_TOO_MUCH(share=Exceeding(share, most), most=most)
             results[part] = ClipNoise(request.window_id, part, paired, {}, why)
         else:
             names = part.member.image.band_names

@@ -14,7 +14,7 @@ from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, WindowRecord, contrast_of
 from ..verdict_words import observer_word, verdict_word
-from ..window_summary import window_sentence
+from ..window_summary import LOSSES, by_the_paper, window_sentence
 from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
 from .curve_pictures import CurveDrawer, curve_legend
 from .variance_table import anchor, paper_words, two_digits
@@ -111,9 +111,11 @@ class WindowSections:
         yield window_sentence(record)
         facts = []
         if record.cause and record.cause != "none":
-            facts += [tr("Main cause: {cause}.").format(cause=cause_word(record.cause)), cause_sentence(record.cause)]
+            words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")
+            facts += [words.format(cause=cause_word(record.cause)), cause_sentence(record.cause)]
         facts += [tr("Observer: {word}.").format(word=observer_word(record.observer) or tr("not judged"))]
-        if paper := paper_words(record):
+        paper = paper_words(record)
+        if paper and not by_the_paper(record):
             facts.append(f"{paper[:1].upper()}{paper[1:]}.")
         contrast = record.contrast
         if contrast is None:

@@ -27,6 +27,7 @@ from ..clip_pictures import bytes_picture
 from ..judged_value import judged_value, judged_words
 from ..measure import messages
 from ..measure.inspection import Block
+from ..measure.observers import INVISIBLE, UNSURE, VISIBLE
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from ..verdict_words import VERDICTS, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections
@@ -171,16 +172,17 @@ def _parts(request: ReportRequest, records: Iterable[WindowRecord]) -> Iterator[
     """The mosaic and each cause that took part, window by window."""
     for one in records:
         for cause in (one.causes or one.cause).split("; "):
-            if cause:
+            if cause and cause != "none":
                 yield _mosaic_of(request, one), cause
 
 
 def _counts(records: Sequence[WindowRecord], verdicts: Sequence[str]) -> list[object]:
     """Windows, those of each verdict and of each of the observer's words, their median kept_1 and ratio."""
     counts = Counter(one.verdict for one in records)
-    words = Counter(one.observer for one in records)
+    seen = Counter(one.observer for one in records)
+    words = (seen[word] for word in (VISIBLE, INVISIBLE, UNSURE))
     medians = [_median(one.kept_1 for one in records), _median(one.ratio for one in records)]
-    return [len(records), *(counts[verdict] for verdict in verdicts), words["visible"], words["invisible"], *medians]
+    return [len(records), *(counts[verdict] for verdict in verdicts), *words, *medians]
 
 
 def _median(values: Iterable[float | None]) -> str:

@@ -9,6 +9,7 @@ from ..cause_words import causes_words
 from ..judged_value import judged_words
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
 from ..verdict_words import observer_word, verdict_colour, verdict_word
+from ..window_summary import LOSSES
 
 _ROLES = ("mosaic", "source", COMPOSITE)
 
@@ -77,8 +78,10 @@ def _found(record: WindowRecord) -> Iterator[str]:
     if paper := paper_words(record):
         yield paper
     known = []
-    if causes := causes_words(record.causes or record.cause):
-        known.append(tr("cause: {cause}").format(cause=causes))
+    causes = record.causes or record.cause
+    if causes and (causes != "none" or record.verdict in LOSSES):
+        words = tr("cause: {cause}") if record.verdict in LOSSES else tr("found: {cause}")
+        known.append(words.format(cause=causes_words(causes)))
     if record.observer:
         known.append(tr("observer: {word}").format(word=observer_word(record.observer)))
     if known:

@@ -173,7 +173,7 @@ def test_what_later_tables_hold_is_told(inspected: Run, tmp_path: Path) -> None:
     assert ["against the hard-cut composite", "0.38", ""] in page.rows
     assert ["expected of a 50:50 feather", "0.55", ""] in page.rows
     assert ["hard-cut composite", "0.040", "0.090", "0.870"] in [row[-4:] for row in page.rows]
-    assert [row[0] for row in page.rows if len(row) == 10] == ["made", "mosaic.tif", "other.tif"]  # by mosaic
+    assert [row[0] for row in page.rows if len(row) == 11] == ["made", "mosaic.tif", "other.tif"]  # by mosaic
     assert len(page.pictures("svg+xml")) == 2
     assert [row for row in page.rows if "colour shift" in row] == [["other.tif", "colour shift", "1", "1", "1"]]
 
@@ -195,7 +195,8 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
     assert "In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %)" in page.words
     assert "Images are feathered; besides: compressed." in page.words
     assert "17 % of the pixels are from none of the given sources" in page.words
-    assert "By the paper's rule: preserved, ratio 1: 1.35." in page.words
+    assert "By the paper's rule it is preserved, with 135 % of the detail" in page.words
+    assert "By the paper's rule: preserved" not in page.words  # said once is enough
     assert ["kept along the seam (level 1: 0.51 to 0.62)", "0.56", "0.81", ""] in page.rows
     (found,) = (row for row in page.rows if row[0] == "1" and len(row) > 4)
     for words in (
@@ -326,3 +327,30 @@ def test_of_more_windows_the_worst_are_shown(qgis_app: Any, tmp_path: Path, monk
     page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
     assert page.anchors == [f"window-{number}" for number in range(1, 6)]
     assert str(notice) in page.words
+
+
+def test_what_a_window_is_found_to_have_matches_its_verdict(tmp_path: Path) -> None:
+    """A cause is one of a loss; where nothing was lost it is what was found, and nothing found is not listed."""
+    lost = WindowRecord(
+        1, (0, 0, 50, 50), "significant", ratios=(0.4,), cause="blur", causes="blur", reference="sources"
+    )
+    kept = WindowRecord(
+        2, (50, 0, 100, 50), "preserved", ratios=(1.2,), cause="feathering", causes="feathering", reference="sources",
+        observer="visible",
+    )  # fmt: skip
+    sound = WindowRecord(
+        3, (0, 50, 50, 100), "preserved", ratios=(1.1,), cause="none", causes="none", observer="unsure"
+    )
+    write_report(tmp_path / "report.html", ReportRequest((lost, kept, sound)))
+    page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
+    assert page.words.count("Main cause:") == 1
+    assert "Main cause: blur." in page.words
+    assert "Found: feathering." in page.words
+    found = {row[0]: row[1] for row in page.rows if row[0] in ("1", "2", "3") and len(row) == 4}
+    assert "cause: blur" in found["1"]
+    assert "found: feathering; observer: visible" in found["2"]
+    assert "none" not in found["3"]
+    assert "observer: not sure" in found["3"]
+    assert not [row for row in page.rows if "none" in row]
+    counts = next(row for row in page.rows if row[:2] == ["", "3"])
+    assert counts[-5:-2] == ["1", "0", "1"]  # visible, invisible, not sure
