@@ -5,6 +5,7 @@ from functools import partial
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
+from ....toolkit.background_task import End, Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from ... import jobs
@@ -109,12 +110,14 @@ class WindowPictures(QObject):
             oldest = next(iter(sizes))
             del sizes[oldest], self._kept[oldest]
 
-    def _ended(self, key: object, _outcome: object) -> None:
+    def _ended(self, key: object, outcome: Outcome) -> None:
         """Nobody waits in vain for pictures that could not be read."""
         is_awaited = key is not None and key == self._wanted and key not in self._kept
         if is_awaited and not self._background.is_under_way(key):
             look = self._look()
             self._take(key, look, WindowPictureSet((), self._ranges.get(look, {})))
+        elif isinstance(key, tuple) and key[0] == COMPOSITE and outcome.end is End.FAILED:
+            self._take_composite(key, WindowPictureSet())
 
     def _key(self, row: WindowRecord) -> tuple[object, ...]:
         """What pictures are of: another place of the same window, or other inputs, make other pictures."""
