@@ -30,7 +30,7 @@ class LossOverlay(QObject):
         self._session = session
         self._overlay = PictureOverlay(canvas)
         self._legend = LossLegend(canvas)
-        self._images: dict[int, tuple[LossPicture, QImage]] = {}
+        self._images: dict[int, tuple[LossPicture, QImage | None]] = {}
         self._timer = single_shot(self, self._refresh, _TOGETHER_MS)
         self._signals = (session.resultArrived, session.windowsChanged, session.inputsChanged)
         for signal in self._signals:
@@ -62,7 +62,7 @@ class LossOverlay(QObject):
             self._overlay.hide()
             self._legend.hide()
             return
-        found: dict[int, tuple[LossPicture, QImage]] = {}
+        found: dict[int, tuple[LossPicture, QImage | None]] = {}
         placed = []
         for row in self._session.windows():
             result = None if row.stale else self._session.result(row.fid)
@@ -70,12 +70,19 @@ class LossOverlay(QObject):
                 continue
             known = self._images.get(row.window_id)
             if known is None or known[0] is not result.loss:
-                known = result.loss, rgba_image(loss_rgba(result.loss.kept))
+                known = result.loss, _image(result.loss)
             found[row.window_id] = known
-            placed.append(placed_picture(result, known[1], grid, result.loss.cell_px))
+            if known[1] is not None:
+                placed.append(placed_picture(result, known[1], grid, result.loss.cell_px))
         self._images = found
         self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
-        self._legend.show_legend(bool(placed))
+        self._legend.show_legend(bool(found))
+
+
+def _image(loss: LossPicture) -> QImage | None:
+    """None where all is even, as in most windows of a sound mosaic: what is not painted costs no time."""
+    rgba = loss_rgba(loss.kept)
+    return rgba_image(rgba) if rgba[..., 3].any() else None
 
 
 def placed_picture(result: WindowResult, image: QImage, grid: Grid, cell_px: int) -> PlacedPicture:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ...measure.profile.seam_profile import ProfileBin, SeamProfile
 
 _LOWEST_TOP, _HIGHEST_TOP = 1.2, 2.0  # of the axis of shares, between which the values choose
+_HIGHEST_END = 1.45  # of an interval that is shown whole
 _FARTHEST_PX = 400.0  # where the last bin, which has no end, is drawn to
 _ROOMY_LINES = 13  # of the font: a lower chart has no title below its axis
 _TICK_STEPS = (1.0, 2.0, 5.0)
@@ -78,7 +79,7 @@ def summary_words(shown: ShownProfile) -> list[str]:
     }  # fmt: skip
     words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
     if profile.band_width_px:
-        words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), in a band of {width} m less than 90 %"))
+        words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
     return [text.format(**values) for text in words]
 
 
@@ -95,7 +96,8 @@ class ProfilePainter:
         self._is_roomy = room.height() > _ROOMY_LINES * line
         self.axes = room.adjusted(left, 0.6 * line, -0.9 * line, -(2.5 if self._is_roomy else 1.5) * line)
         highest = max((one.kept for level in shown.levels for one in shown.bins(level)), default=1.0)
-        self._top = min(max(1.08 * highest, _LOWEST_TOP), _HIGHEST_TOP)
+        ends = max((min(one.high, _HIGHEST_END) for one in shown.bins(shown.main_level)), default=1.0)
+        self._top = min(max(1.08 * highest, 1.03 * ends, _LOWEST_TOP), _HIGHEST_TOP)
 
     def x_of(self, distance_m: float) -> float:
         """Of a distance from the seam."""

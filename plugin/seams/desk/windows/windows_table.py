@@ -251,7 +251,7 @@ class WindowsTable(QTableView):
             natural = width(*map(observer_word, ("visible", "invisible", "unsure")))
             least, airy = natural, natural + em
         else:
-            natural = width({"window_id": "000", "sources": "00", "kept": "99.9 %"}.get(column.name, "0.00"))
+            natural = width({"window_id": "000", "sources": "00", "kept": "100.9 %"}.get(column.name, "0.00"))
             least, airy = natural, natural + em
         return max(least, title), max(natural, title), max(airy, title) + em
 

@@ -1,0 +1,112 @@
+"""Where detail was lost: one key, a turned map, another project system, chart and map side by side.
+
+Parameters: ``brighton`` (folder), ``mosaic``, ``screenshots`` (folder).
+"""
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry, QgsPointXY
+from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtTest import QTest
+
+from demo.desk import Desk
+
+SIDE_M = 15
+BESIDE_M = 3.0  # from the seam, where the feather has ended
+
+
+def play(desk: Desk) -> None:
+    """What is measured is in the report."""
+    folder, mosaic = Path(desk.parameters["brighton"]), desk.parameters["mosaic"]
+    shots, canvas = Path(desk.parameters["screenshots"]), desk.canvas
+    desk.set_up(folder, SIDE_M, SIDE_M, mosaic=mosaic)
+    session, dock = desk.session, desk.dock
+    dock.place.trigger()
+    desk.wait(lambda: session.windows() and not session.is_busy, 30, "windows placed")
+    dock.inspect.trigger()
+    desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
+    desk.wait_for_work()
+    fid = session.windows()[3].fid
+    dock.zoom_to(fid)
+    desk.wait_for_map()
+    desk.rest_mouse()
+    press_l(desk)
+    desk.report["shown_by_key"] = session.loss_view.is_shown
+    for name, crs, rotation in (
+        ("north up", "EPSG:32615", 0), ("turned", "EPSG:32615", 30), ("in degrees", "EPSG:4326", 0),
+    ):  # fmt: skip
+        desk.project.setCrs(QgsCoordinateReferenceSystem(crs))
+        canvas.setRotation(rotation)
+        dock.zoom_to(fid)
+        desk.wait_for_map()
+        desk.screenshot(shots / f"lost_detail_{mosaic}_{name.replace(' ', '_')}.png")
+        desk.report[name] = coloured(desk, fid)
+    tab = dock.panels["curves"]
+    curve, profile = tab.curves._chart, tab.profile.chart
+    desk.report["curve_px"], desk.report["profile_px"] = (
+        [one.width(), one.height()] for one in (curve, profile)
+    )  # fmt: skip
+    body = dock.widget()
+    bottom = dock.judge.mapTo(body, dock.judge.rect().bottomLeft()).y()
+    desk.report["judge_bar_in_sight"] = bottom <= body.height()
+    placed = profile.painter_for(profile.shown)
+    QTest.mouseMove(profile, QPoint(round(placed.x_of(0.6)), profile.height() // 2))
+    desk.pause(0.3)
+    desk.report["pointed"] = profile.pointed_bin is not None
+    desk.screenshot(shots / f"lost_detail_{mosaic}_pointed.png")
+    press_l(desk)
+    desk.report["hidden_by_key"] = not session.loss_view.is_shown
+
+
+def press_l(desk: Desk) -> None:
+    """While the map has the focus."""
+    desk.window.activateWindow()
+    desk.canvas.setFocus()
+    desk.wait(lambda: desk.canvas.hasFocus(), 5, "focus on the map")
+    QTest.keyClick(desk.canvas, Qt.Key.Key_L)
+    desk.pause(0.3)
+
+
+def coloured(desk: Desk, fid: int) -> tuple[float, float]:
+    """Shares of the places along the window's seams and beside them that the switch colours on the screen."""
+    session, canvas = desk.session, desk.canvas
+    transform = QgsCoordinateTransform(
+        session.mosaic_layer().crs(), canvas.mapSettings().destinationCrs(), desk.project
+    )  # fmt: skip
+    layer = next(one for one in desk.project.mapLayers().values() if one.name() == "seamlines")
+    seams = QgsGeometry.unaryUnion([one.geometry() for one in layer.getFeatures()])
+    on_seam, beside = places(desk, fid, seams)
+    shown = canvas.grab().toImage()
+    session.loss_view.show(False)
+    desk.pause(0.3)
+    plain = canvas.grab().toImage()
+    session.loss_view.show(True)
+    desk.pause(0.3)
+    shares = []
+    for points in (on_seam, beside):
+        differ = seen = 0
+        for point in points:
+            pixel = canvas.getCoordinateTransform().transform(transform.transform(point))
+            x, y = round(pixel.x()), round(pixel.y())
+            if 0 <= x < 0.6 * canvas.width() and 0 <= y < canvas.height():  # the legend is on the right
+                seen += 1
+                differ += shown.pixel(x, y) != plain.pixel(x, y)
+        assert seen > 10
+        shares.append(differ / seen)
+    return shares[0], shares[1]
+
+
+def places(desk: Desk, fid: int, seams: QgsGeometry) -> tuple[list[QgsPointXY], list[QgsPointXY]]:
+    """In the window, on its seams and far from all of them."""
+    xmin, ymin, xmax, ymax = desk.session.row(fid).extent
+    on_seam, beside = [], []
+    for row in range(1, 80):
+        for column in range(1, 80):
+            point = QgsPointXY(xmin + column / 80 * (xmax - xmin), ymin + row / 80 * (ymax - ymin))
+            away = seams.distance(QgsGeometry.fromPointXY(point))
+            if away < 0.15:
+                on_seam.append(point)
+            elif away > BESIDE_M:
+                beside.append(point)
+    return on_seam, beside
