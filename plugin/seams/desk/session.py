@@ -295,6 +295,10 @@ class Session(QObject):
         row = self.row(fid)
         return self._results.result(row.window_id) if row is not None else None
 
+    def results(self) -> list[WindowResult]:
+        """Of all windows that were inspected in this session."""
+        return self._results.results()
+
     def clips(self, fid: int) -> WindowCurves | None:
         """The curves of a window, which ``curvesArrived`` tells before the rest; its result once that is there."""
         row = self.row(fid)

@@ -69,6 +69,8 @@ class Explanation:
     """Share of pixels for which no source wins clearly."""
     mixed_share: float
     """Share of pixels in which two sources are mixed."""
+    shares: tuple[float, ...]
+    """Share of the pixels that follow each source, in their order."""
     apart: float | None
     """How far the two sources that the mosaic follows most lie from each other, px; None where there are none."""
     loss: LossPicture | None = field(default=None, compare=False, repr=False)
@@ -139,6 +141,7 @@ def explain(
         expected=expected_ratios(feathers([one.plane for one in images if one.valid is None], wavelet, levels), levels),
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
+        shares=following.shares,
         apart=_apart(images, following),
         loss=None if unclear else loss_picture(details[0], expected.labels, cells),
     )

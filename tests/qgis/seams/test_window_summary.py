@@ -67,7 +67,7 @@ def result(
         causes=(Cause(cause),), evidence=evidence, profile=PROFILE, has_seam=True, explained=0.83,
         contrast=0.43, sharpness=sharpness, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
         similarity={"luminance": 1.0}, changes=({"luminance": change},) * 2, expected=(0.41, 0.6, 0.9),
-        unclear_share=0.02, mixed_share=0.1, apart=apart,
+        unclear_share=0.02, mixed_share=0.1, shares=(1.0,), apart=apart,
     )  # fmt: skip
     return WindowResult(
         1, None, Judgement(Verdict.SIGNIFICANT, ratios), Verdict.REDUCED, explanation=found,

@@ -17,6 +17,7 @@ from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import filled, sentence, tr
+from ...measure.inputs.source_use import source_doubts
 from ...measure.window_placing import fitting_side_m, window_side_px
 from ...tables.source_index import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
@@ -44,6 +45,7 @@ class InputsPanel(QWidget):
         self._may_fold = True  # until it was folded once, or the operator did it
         self._was_set = self._had_mosaic = False
         self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
+        self._doubted: tuple[str, ...] = ()  # sources that the doubts are about
         self.suggesting = Suggesting(session, self)
         self.suggesting.sources.changed.connect(self.refresh)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
@@ -52,6 +54,7 @@ class InputsPanel(QWidget):
         self._lay_out()
         self._connections: list[tuple[Any, Callable[..., None]]] = [
             (session.inputsChanged, self.refresh),
+            (session.progressChanged, self._say_doubts),
             (QgsProject.instance().layersAdded, self._take_layers),
             (QgsProject.instance().layersRemoved, self._layers_removed),
             (QApplication.instance().focusChanged, self._focus_moved),
@@ -85,6 +88,8 @@ class InputsPanel(QWidget):
             self.more.show_inputs(inputs)
         finally:
             self._is_following = False
+        if inputs.sources != self._doubted:  # they were said of others
+            self.doubts.setVisible(False)
         self._fit_side()
         self._show_side()
         self.box.set_summary(*self._summary())
@@ -121,6 +126,15 @@ class InputsPanel(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._suggester.start()
+
+    def _say_doubts(self, _done: int, asked: int) -> None:
+        """When all windows are inspected: what they say of the sources."""
+        if asked:
+            return
+        found = source_doubts(self._session.results(), self.suggesting.sources.followed())
+        self._doubted = self._session.inputs.sources
+        self.doubts.setText(" ".join(map(sentence, found)))
+        self.doubts.setVisible(bool(self.doubts.text()))
 
     # Folding
 
@@ -238,6 +252,9 @@ class InputsPanel(QWidget):
         self.side = metres_box(imagery_limits.STANDARD_SIDE_M, 10, self.box)
         self.side.setToolTip(tr("Metres that a clicked or placed window spans at least"))
         self.side_px = QLabel(self.box)
+        self.doubts = QLabel(self)
+        self.doubts.setWordWrap(True)
+        self.doubts.setVisible(False)
         self.more = MoreBox(self.box)
         self.box.foldedByHand.connect(self._folded_by_hand)
         self.mosaic.chosen.connect(self.suggesting.choose_mosaic)
@@ -265,6 +282,7 @@ class InputsPanel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.box)
+        layout.addWidget(self.doubts)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._arrange()
         before_more = (self.index, self.seamlines, self.windows, self.side, self.more)

@@ -77,6 +77,12 @@ class SourceSuggestions(QObject):
         found = ((name, self.standing(name)) for name in self._by_header)
         return tuple(name for name, standing in found if standing is not None and standing.is_suggested)
 
+    def followed(self) -> set[str]:
+        """File names of those that the mosaic is like somewhere."""
+        project = QgsProject.instance()
+        refs = (_ref(project.mapLayer(name)) for name, one in self._by_pixels.items() if one.is_followed)
+        return {ref.name for ref in refs if ref is not None}
+
     def close(self) -> None:
         """Look no more."""
         self._looker.stop()

@@ -69,6 +69,10 @@ class WindowResults(QObject):
                 self._results[window_id] = found
         return self._results.get(window_id)
 
+    def results(self) -> list[WindowResult]:
+        """All of them."""
+        return list(self._results.values())
+
     def clips(self, window_id: int) -> WindowCurves | None:
         """The curves of its clips, which are there before the rest of the result."""
         return self._clips.get(window_id) or self.result(window_id)

@@ -141,7 +141,9 @@ class _Look:
             if not one.is_whole and len(patches) >= ENOUGH and _is_mixed(patches):
                 break
         reason = self._against(one, patches)
-        return SUGGESTED if reason is None else left_out(reason)
+        if reason is not None:
+            return left_out(reason)
+        return replace(SUGGESTED, is_followed=any(patch.like >= MEDIAN_LIKE for patch in patches))
 
     def _against(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
         """What speaks against a candidate."""

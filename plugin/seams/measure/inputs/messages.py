@@ -1,33 +1,41 @@
-"""Why a raster of the project is not suggested as a source of the mosaic."""
+"""Why a raster of the project is not suggested as a source of the mosaic, and what is odd about one that is."""
 from __future__ import annotations
 
-from ....imagery.message import INFO, Message
+from ....imagery.message import INFO, WARNING, Message
 
 # by its header
-IS_THE_MOSAIC = Message("It is the mosaic itself.", INFO)
-APART_FROM_MOSAIC = Message("It does not overlap the mosaic.", INFO)
-OTHER_BANDS = Message("It has {bands} bands and the mosaic {mosaic}: an elevation model, a mask or a map.", INFO)
-LARGER_PIXELS = Message("Its pixels are {factor:.1f} times as large as the mosaic's: an overview or a map.", INFO)
-SMALLER_PIXELS = Message("The mosaic's pixels are {factor:.1f} times as large as its own: another flight.", INFO)
-OTHER_SYSTEM = Message(
-    "It is in another reference system than the mosaic, and there are rasters in the mosaic's own: a reprojected copy.",
-    INFO,
-)
-OTHER_TYPE = Message(
-    "Its pixels are {own} and the mosaic's {mosaic}, as those of other rasters here are: a converted copy.", INFO
-)
+IS_THE_MOSAIC = Message("The mosaic itself.", INFO)
+APART_FROM_MOSAIC = Message("Does not overlap the mosaic.", INFO)
+OTHER_BANDS = Message("Other bands, {bands} and not {mosaic}: heights, a mask or a map.", INFO)
+LARGER_PIXELS = Message("Pixels {factor:.1f} times as large as the mosaic's: an overview or a map.", INFO)
+SMALLER_PIXELS = Message("Pixels {factor:.1f} times smaller than the mosaic's: another flight.", INFO)
+OTHER_SYSTEM = Message("In another reference system than the mosaic and others here: a reprojected copy.", INFO)
+OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a converted copy.", INFO)
 # by its pixels
-BEING_LOOKED_AT = Message("It covers the whole mosaic, as a copy of it would: its pixels are being looked at ...", INFO)
-MOSAIC_AGAIN = Message("It is the mosaic again: every place looked at is like it. It would hide every loss.", INFO)
+BEING_LOOKED_AT = Message("Covers the whole mosaic: being compared with it ...", INFO)
+MOSAIC_AGAIN = Message("The mosaic again: alike wherever they were compared. It would hide every loss.", INFO)
 MOSAIC_PART_AGAIN = Message(
-    "It is a part of the mosaic again: every place looked at is like it, though other sources lie there.", INFO
+    "A part of the mosaic again: alike wherever they were compared, though other sources lie there.", INFO
 )
-MADE_OF_MOSAIC = Message("It is a VRT made of the mosaic. It would hide every loss.", INFO)
-ANOTHER_MOSAIC = Message("It is another mosaic: one part of it is {first}, another is {second}.", INFO)
-SAME_IMAGE = Message("It is the same image as {name}.", INFO)
-NOT_FOLLOWED = Message("It covers the whole mosaic, and the mosaic is like it nowhere.", INFO)
-OTHER_CONTENT = Message("It shows something else than the mosaic: a map, or another time.", INFO)
+MADE_OF_MOSAIC = Message("A VRT of the mosaic. It would hide every loss.", INFO)
+ANOTHER_MOSAIC = Message("Another mosaic: partly {first}, partly {second}.", INFO)
+SAME_IMAGE = Message("The same image as {name}.", INFO)
+NOT_FOLLOWED = Message("Covers the whole mosaic and is like it nowhere.", INFO)
+OTHER_CONTENT = Message("Shows something else than the mosaic: a map, or another time.", INFO)
 MAY_BE_MOSAIC = Message(
-    "It covers the whole mosaic, as another mosaic would; tick it if it is one of the orthoimages.", INFO
+    "Covers the whole mosaic, as another mosaic would; check it if it is one of the orthoimages.", INFO
 )
-PIXELS_NOT_READ = Message("Its pixels could not be compared with the mosaic's: {why}", INFO)
+PIXELS_NOT_READ = Message("Could not be compared with the mosaic: {why}", INFO)
+# after windows were inspected
+SOURCE_NOT_FOLLOWED = Message(
+    "The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?",
+    WARNING,
+)
+SOURCES_NOT_FOLLOWED = Message(
+    "The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its "
+    "orthoimages?", WARNING
+)
+SOURCES_RESAMPLED = Message(
+    "In windows with sources on the mosaic's own pixels {count} others took no part, such as {name}: their pixels have "
+    "another size or direction, or they are in another reference system, so they would have to be resampled.", WARNING
+)

@@ -13,6 +13,7 @@ from .mosaic_copies import SAME_PLACE, covered_share
 MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have
 MOST_SMALLER = 4.0  # the mosaic's pixel size over a source's
 COLOURS = 3
+RIVAL_AREA = 0.8  # of the likely mosaic's: another one as large may be the mosaic as well
 MOST_MOSAICS = 5  # the largest rasters, one of which may be the mosaic
 
 
@@ -53,6 +54,8 @@ class Suitability:
 
     standing: Standing
     reason: Message | None = None
+    is_followed: bool = False
+    """Whether the mosaic is like it somewhere."""
 
     @property
     def is_suggested(self) -> bool:
@@ -97,10 +100,15 @@ def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
 
 
 def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:
-    """The key of the raster that others are suitable sources of, if there is just one; all in one system."""
+    """The key of the raster that others are suitable sources of, if none of its size is; all in one system.
+
+    Sources that overlap much look like sources of each other, but none of them is nearly as large as the mosaic.
+    """
     largest = sorted(rasters, key=_area, reverse=True)[:MOST_MOSAICS]
-    found = [one.key for one in largest if _has_sources(one, rasters)]
-    return found[0] if len(found) == 1 else None
+    found = [one for one in largest if _has_sources(one, rasters)]
+    if not found or (len(found) > 1 and _area(found[1]) > RIVAL_AREA * _area(found[0])):
+        return None
+    return found[0].key
 
 
 def _has_sources(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> bool:

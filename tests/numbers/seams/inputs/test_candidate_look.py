@@ -75,6 +75,9 @@ def test_one_mosaic_with_sources_is_likely_and_two_are_not() -> None:
     assert likely_mosaic([*sources, MOSAIC, replace(MOSAIC, key="dem", bands=1, pixel_size=1.0)]) == "mosaic"
     assert likely_mosaic([*sources, MOSAIC, replace(MOSAIC, key="other")]) is None
     assert likely_mosaic(sources) is None
+    close = [replace(SOURCE, key=str(step), extent=(step, step, 60 + step, 60 + step)) for step in (0, 5, 10, 40)]
+    assert likely_mosaic([*close, MOSAIC]) == "mosaic"
+    assert likely_mosaic(close) is None
 
 
 # by pixels

@@ -8,6 +8,7 @@ from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.map.window_coverage import Coverage
 from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL
@@ -18,6 +19,7 @@ class FakeSession(QObject):
 
     inputsChanged = pyqtSignal()
     coverageChanged = pyqtSignal()
+    progressChanged = pyqtSignal(int, int)
 
     def __init__(self, inputs: Inputs, columns: int = 4096, rows: int = 2048) -> None:
         super().__init__()
@@ -50,6 +52,9 @@ class FakeSession(QObject):
 
     def problem(self) -> Message | None:
         return None if self.mosaic_grid() is not None else seams_messages.NO_MOSAIC()
+
+    def results(self) -> list[WindowResult]:
+        return []
 
     def coverage(self, window: PixelWindow) -> Coverage:
         return Coverage(self.source_count, self.unread, self.missing)

@@ -114,8 +114,8 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
     assert desk.listed() == {"east": True, "west": True, **dict.fromkeys(others, False)}
     assert list(desk.listed())[:2] == ["east", "west"]  # what is left out comes last
     for name, words in {
-        "apart": "not overlap", "height": "1 bands", "half": "2.0 times as large", "deep": "16 bit",
-        "turned": "another reference system", "copy": "being looked at", "again": "the mosaic itself",
+        "apart": "not overlap", "height": "1 and not 3", "half": "2.0 times as large", "deep": "16 bit",
+        "turned": "another reference system", "copy": "being compared", "again": "mosaic itself",
     }.items():
         assert words in desk.reason(name)
     desk.check("height", True)  # the operator may know better
