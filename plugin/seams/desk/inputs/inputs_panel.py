@@ -55,6 +55,7 @@ class InputsPanel(QWidget):
         self._connections: list[tuple[Any, Callable[..., None]]] = [
             (session.inputsChanged, self.refresh),
             (session.progressChanged, self._say_doubts),
+            (QgsProject.instance().cleared, self.suggesting.forget_choices),
             (QgsProject.instance().layersAdded, self._take_layers),
             (QgsProject.instance().layersRemoved, self._layers_removed),
             (QApplication.instance().focusChanged, self._focus_moved),
@@ -143,7 +144,6 @@ class InputsPanel(QWidget):
         inputs = self._session.inputs
         is_new = self._had_mosaic and not inputs.mosaic  # another project
         if is_new:
-            self.suggesting.forget_choices()
             self._fitted = None
         is_set = not self._missing()
         if is_new or (self._was_set and not is_set):
@@ -223,13 +223,16 @@ class InputsPanel(QWidget):
                 tip = tr("The smallest power of two of the mosaic's pixels that spans at least the given metres")
             except SettingsError as error:
                 text, tip = tr("too short"), sentence(error.message)
-        if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
-            asked, fits = self._fitted
-            text += tr("; {asked:.1f} m is too small") if asked < fits else tr("; {asked:.1f} m is too large")
-            text = filled(text, asked=asked)
-            tip += "\n" + tr("Windows of the side that was given do not fit this mosaic, so it was changed.")
         self.side_px.setText(text)
         self.side_px.setToolTip(tip)
+        note = ""
+        if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
+            asked, fits = self._fitted
+            note = tr("{asked:.1f} m is too small for this mosaic") if asked < fits else tr(
+                "{asked:.1f} m is too large for this mosaic")
+            note = filled(note, asked=asked)
+        self.side_note.setText(note)
+        self.side_note.setVisible(bool(note))
 
     def _table_fields(self) -> None:
         self.box = SummaryBox(self)
@@ -252,6 +255,8 @@ class InputsPanel(QWidget):
         self.side = metres_box(imagery_limits.STANDARD_SIDE_M, 10, self.box)
         self.side.setToolTip(tr("Metres that a clicked or placed window spans at least"))
         self.side_px = QLabel(self.box)
+        self.side_note = QLabel(self.box)
+        self.side_note.setToolTip(tr("Windows of the side that was given do not fit this mosaic, so it was changed"))
         self.doubts = QLabel(self)
         self.doubts.setWordWrap(True)
         self.doubts.setVisible(False)
@@ -277,8 +282,9 @@ class InputsPanel(QWidget):
         add_field(self._grid, 3, tr("Seam&lines"), self.seamlines)
         add_field(self._grid, 4, tr("&Windows"), self.windows)
         add_field(self._grid, 5, tr("Window si&de"), self.side, self.side_px)
-        self._grid.addWidget(self.more, 6, 0, 1, 3)
-        self._grid.setRowStretch(7, 1)
+        self._grid.addWidget(self.side_note, 6, 1, 1, 2)
+        self._grid.addWidget(self.more, 7, 0, 1, 3)
+        self._grid.setRowStretch(8, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.box)
@@ -295,7 +301,7 @@ class InputsPanel(QWidget):
         is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
         if is_wide != self._is_wide:
             self._is_wide = is_wide
-            self._grid.addWidget(self.sources, *((0, 3, 8, 1) if is_wide else (1, 0, 1, 3)))
+            self._grid.addWidget(self.sources, *((0, 3, 9, 1) if is_wide else (1, 0, 1, 3)))
             self._grid.setColumnStretch(3, 4 if is_wide else 0)
             aside = self.sources.minimumSizeHint().width() + self._grid.horizontalSpacing()
             self.box.spared_width = aside if is_wide else 0  # so that the panel can get narrow again

@@ -10,7 +10,7 @@ from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
 from ....imagery.errors import SeamInspectorError
 from ....imagery.grids import extents_meet
 from ....toolkit.layers import box_extent, transformed_extent
-from ...measure.inputs.raster_facts import likely_mosaic
+from ...measure.inputs.raster_facts import RasterFacts, likely_mosaic
 from ...measure.scan.lines.seam_fields import seam_fields
 from ...tables.source_index import LOCATION_FIELD
 from .project_inputs import Inputs
@@ -27,9 +27,13 @@ def with_likely_mosaic(inputs: Inputs) -> Inputs:
     by_system: defaultdict[str, list[QgsRasterLayer]] = defaultdict(list)
     for layer in file_rasters():
         by_system[layer.crs().authid() or layer.crs().toWkt()].append(layer)
-    likely = (likely_mosaic(facts_of(rasters, rasters[0])) for rasters in by_system.values() if len(rasters) > 2)
+    likely = (likely_mosaic(_facts_in_one_system(rasters)) for rasters in by_system.values() if len(rasters) > 2)
     found = {name for name in likely if name is not None}
     return replace(inputs, mosaic=found.pop()) if len(found) == 1 else inputs
+
+
+def _facts_in_one_system(rasters: list[QgsRasterLayer]) -> list[RasterFacts]:
+    return [replace(one, is_mosaic=False) for one in facts_of(rasters, rasters[0])]
 
 
 def with_likely_vectors(inputs: Inputs) -> Inputs:

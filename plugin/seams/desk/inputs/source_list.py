@@ -117,7 +117,8 @@ class SourceList(QWidget):
                 item.setForeground(self.palette().text() if is_plain and not item.font().italic() else faint)
         finally:
             self._is_following = False
-        self.suggested.setEnabled(any(not entry.is_missing and not entry.reason for entry in entries))
+        is_fit = any(not entry.is_missing and not entry.reason for entry in entries)
+        self.suggested.setEnabled(bool(mosaic_id) and is_fit)
         self.none.setEnabled(bool(sources))
 
     def checked(self) -> Sources:

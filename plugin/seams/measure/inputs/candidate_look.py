@@ -189,10 +189,12 @@ class _Look:
         return False
 
     def _others(self, patch: _Patch, one: _Placed) -> list[Source]:
-        """Candidates at a place; those that cover the mosaic explain each other only."""
+        """Candidates at a place; those that cover the mosaic explain each other, and only where there are no others."""
         extent = self._mosaic.grid.window_extent(patch.window)
-        among = [*self._parts, *self._wholes] if one.is_whole else self._parts
-        return [source for source in sources_in(among, extent) if source is not one.source]
+        parts = [source for source in sources_in(self._parts, extent) if source is not one.source]
+        if parts or not one.is_whole:
+            return parts
+        return [source for source in sources_in(self._wholes, extent) if source is not one.source]
 
     def _explainers(self, patch: _Patch, one: _Placed) -> list[str]:
         """Names of the other candidates that this one is like at a place."""

@@ -258,17 +258,17 @@ def test_following_the_session_changes_nothing(desk: Desk) -> None:
 
 
 @pytest.mark.parametrize(
-    ("side", "levels", "becomes", "shown"),
+    ("side", "levels", "becomes", "shown", "note"),
     [
-        (100.0, 3, 100.0, "1024 px, 102.4 m"),
-        (10.0, 3, 10.0, "128 px, 12.8 m"),
-        (3.0, 3, 6.4, "64 px, 6.4 m; 3.0 m is too small"),
-        (10.0, 8, 25.6, "256 px, 25.6 m; 10.0 m is too small"),
-        (300.0, 3, 51.2, "512 px, 51.2 m; 300.0 m is too large"),
+        (100.0, 3, 100.0, "1024 px, 102.4 m", ""),
+        (10.0, 3, 10.0, "128 px, 12.8 m", ""),
+        (3.0, 3, 6.4, "64 px, 6.4 m", "3.0 m is too small for this mosaic"),
+        (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m is too small for this mosaic"),
+        (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m is too large for this mosaic"),
     ],
 )
 def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
-    desk: Desk, side: float, levels: int, becomes: float, shown: str
+    desk: Desk, side: float, levels: int, becomes: float, shown: str, note: str
 ) -> None:
     assert desk.panel.side_px.text() == ""
     desk.set_all()
@@ -276,6 +276,7 @@ def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
     assert desk.session.inputs.side_m == pytest.approx(becomes)
     assert desk.panel.side.value() == pytest.approx(becomes)
     assert desk.panel.side_px.text() == shown
+    assert desk.panel.side_note.text() == note
 
 
 def test_stays_open_and_says_what_is_missing_until_all_is_set(desk: Desk) -> None:

@@ -9,7 +9,7 @@ from threading import Event
 
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject
+from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer
 from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
@@ -18,11 +18,12 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.desk.inputs import block_files
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
+from seam_inspector.plugin.seams.desk.session import Session
 
 from tests.numbers.synthetic import write_raster
 from tests.patience import PATIENCE_S
 from tests.qgis.runs import assert_sentence
-from tests.qgis.scenes import SHARP, Scene, at, layer, line, whole, windows
+from tests.qgis.scenes import ORIGIN, PIXEL, SHARP, Scene, at, layer, line, whole, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 # Inputs
@@ -260,3 +261,37 @@ def test_the_nearest_place_that_can_be_judged(desk: Desk, scene: Scene, tmp_path
     assert session.nearest_judgeable(window, on_seam=False) == PixelWindow(192, 100, 128, 128)
     wait_until(lambda: session.nearest_judgeable(window, on_seam=True) is not None, "for the seams")
     assert session.nearest_judgeable(window, on_seam=True) == PixelWindow(192, 100, 128, 128)
+
+
+def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(
+    project: QgsProject, scene: Scene, tmp_path: Path
+) -> None:
+    session = Session()
+    panel = InputsPanel(session)
+    panel.show()
+    east = ORIGIN[0] + 192 * PIXEL, ORIGIN[1]
+    paths = {
+        "mosaic": str(scene.mosaic),
+        "west": write_raster(tmp_path / "west.tif", whole(scene.west)[..., :320]),
+        "east": write_raster(tmp_path / "east.tif", whole(scene.east)[..., 192:], origin=east),
+    }
+    rasters = {name: QgsRasterLayer(path, name) for name, path in paths.items()}
+    contours, seams = (layer("LineString", [line((256, 0), (256, 256))]) for _ in range(2))
+    contours.setName("contours")
+    seams.setName("seamlines")
+    project.addMapLayers([*rasters.values(), contours, seams])
+    wait_until(lambda: session.inputs.mosaic, "for the suggestion")
+    assert session.inputs.mosaic == rasters["mosaic"].id()
+    assert set(session.inputs.sources) == {rasters["west"].id(), rasters["east"].id()}
+    assert session.inputs.seamlines == seams.id()
+    panel.seamlines.setCurrentIndex(0)
+    panel.seamlines.activated.emit(0)
+    panel.mosaic.setCurrentIndex(0)
+    panel.mosaic.activated.emit(0)
+    project.addMapLayer(QgsRasterLayer(paths["west"], "more"))
+    settle(0.6)
+    assert (session.inputs.mosaic, session.inputs.seamlines) == ("", "")
+    panel.close()
+    session.close()
+    panel.deleteLater()
+    wait_for_tasks()
