@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsRectangle
+from qgis.core import QgsApplication, QgsRectangle
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QWidget
@@ -165,6 +165,7 @@ def keep_in_project(desk: Desk, shots: Path) -> None:
     desk.report["reopened"] = [desk.session.row(fid).window_id for fid in desk.session.selected()] == [place]
     desk.rest_mouse()
     desk.screenshot(shots / "judging_reopened.png")
+    desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")
 
 
 def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:

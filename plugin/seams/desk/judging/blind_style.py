@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from qgis.core import (
     QgsFillSymbol,
-    QgsMapLayerStyle,
     QgsPalLayerSettings,
     QgsRuleBasedRenderer,
     QgsTextBufferSettings,
@@ -17,7 +16,8 @@ from ....toolkit.translation import tr
 from ...measure.observers import Operator
 
 _NAME = "seam_inspector_blind"  # of the layer's style; its user's own one is kept beside it
-_PLAIN = {"style": "no", "outline_color": "255,255,255", "outline_width": "0.6"}
+_BEFORE = "seam_inspector/style"  # custom property of the layer: the style that is to come back
+_LINE = {"style": "no", "outline_color": "255,255,255", "outline_width": "0.6"}
 _CASING = {"style": "no", "outline_color": "0,0,0,150", "outline_width": "1.0"}
 _DONE = {"style": "no", "outline_color": "255,255,255,150", "outline_width": "0.2"}
 
@@ -26,8 +26,9 @@ def hide_verdicts(layer: QgsVectorLayer, operator: Operator) -> None:
     """Show a window layer without what was found in it, and without what the other operator said."""
     styles = layer.styleManager()
     if styles.currentStyle() != _NAME:
+        layer.setCustomProperty(_BEFORE, styles.currentStyle())
         styles.removeStyle(_NAME)
-        styles.addStyle(_NAME, QgsMapLayerStyle())
+        styles.addStyleFromLayer(_NAME)
         styles.setCurrentStyle(_NAME)
     layer.setRenderer(_renderer(operator))
     layer.setLabeling(_labels())
@@ -43,26 +44,27 @@ def show_verdicts(layer: QgsVectorLayer) -> None:
     if _NAME not in styles.styles():
         return
     if styles.currentStyle() == _NAME:
-        styles.setCurrentStyle(next(name for name in styles.styles() if name != _NAME))
+        others = [name for name in styles.styles() if name != _NAME]
+        before = layer.customProperty(_BEFORE, "")
+        styles.setCurrentStyle(before if before in others else others[0])
     styles.removeStyle(_NAME)
     layer.triggerRepaint()
 
 
 def _renderer(operator: Operator) -> QgsRuleBasedRenderer:
-    open_one = QgsFillSymbol.createSimple(_CASING)
-    open_one.appendSymbolLayer(QgsFillSymbol.createSimple(_PLAIN).symbolLayer(0).clone())
-    renderer = QgsRuleBasedRenderer(QgsFillSymbol.createSimple(_PLAIN))
-    root = renderer.rootRule()
+    root = QgsRuleBasedRenderer.Rule(None)
     done = QgsRuleBasedRenderer.Rule(QgsFillSymbol.createSimple(_DONE))
     done.setFilterExpression(f"coalesce(attribute('{operator.observer}'), '') <> ''")
     done.setLabel(tr("judged"))
-    rest = QgsRuleBasedRenderer.Rule(open_one)
+    root.appendChild(done)
+    line = QgsFillSymbol.createSimple(_LINE)  # named, as its layer goes with it
+    symbol = QgsFillSymbol.createSimple(_CASING)
+    symbol.appendSymbolLayer(line.symbolLayer(0).clone())
+    rest = QgsRuleBasedRenderer.Rule(symbol)
     rest.setIsElse(True)
     rest.setLabel(tr("to be judged"))
-    root.removeChildAt(0)
-    root.appendChild(done)
     root.appendChild(rest)
-    return renderer
+    return QgsRuleBasedRenderer(root)
 
 
 def _labels() -> QgsVectorLayerSimpleLabeling:

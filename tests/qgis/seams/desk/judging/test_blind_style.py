@@ -1,0 +1,61 @@
+"""The map while somebody judges blind: no verdict in colours, labels or tips, and all of it back afterwards."""
+from __future__ import annotations
+
+import pytest
+from qgis.core import QgsProject, QgsRenderContext, QgsVectorLayer
+from seam_inspector.plugin.seams.desk.judging.blind_style import hide_verdicts, show_verdicts
+from seam_inspector.plugin.seams.measure.observers import FIRST, SECOND
+from seam_inspector.plugin.toolkit.resources import style_path
+
+from tests.qgis.scenes import BLURRED, SHARP, windows
+
+
+@pytest.fixture
+def judged(project: QgsProject) -> QgsVectorLayer:
+    """Two windows in the plugin's own style, one of them judged."""
+    layer = windows(
+        SHARP, BLURRED, window_id=("integer", [1, 2]), verdict=("string", ["preserved", "significant"]),
+        observer=("string", ["", "visible"]),
+    )  # fmt: skip
+    layer.loadNamedStyle(style_path("windows"))
+    project.addMapLayer(layer)
+    return layer
+
+
+def looks(layer: QgsVectorLayer) -> list[tuple[object, ...]]:
+    """Colours and widths of the outlines, window by window."""
+    context, renderer = QgsRenderContext(), layer.renderer().clone()
+    renderer.startRender(context, layer.fields())
+    found = []
+    for feature in layer.getFeatures():
+        context.expressionContext().setFeature(feature)
+        symbols = renderer.symbolsForFeature(feature, context)
+        found.append(tuple((one.color().name(), one.symbolLayer(0).strokeWidth()) for one in symbols))
+    renderer.stopRender(context)
+    return found
+
+
+def test_nothing_on_the_map_tells_what_was_found(judged: QgsVectorLayer) -> None:
+    before = judged.renderer().dump(), judged.mapTipTemplate()
+    hide_verdicts(judged, SECOND)
+    first, second = looks(judged)
+    assert first == second  # the first operator's word is hidden, too
+    assert "verdict" not in judged.renderer().dump()
+    assert judged.mapTipTemplate() == ""
+    assert judged.labeling().settings().fieldName == "window_id"
+    hide_verdicts(judged, FIRST)
+    first, second = looks(judged)
+    assert first != second  # his own, which he knows
+    show_verdicts(judged)
+    assert (judged.renderer().dump(), judged.mapTipTemplate()) == before
+    assert judged.styleManager().styles() == ["default"]
+
+
+def test_the_users_own_style_comes_back(judged: QgsVectorLayer) -> None:
+    judged.setOpacity(0.5)
+    judged.styleManager().addStyleFromLayer("mine")
+    judged.styleManager().setCurrentStyle("mine")
+    hide_verdicts(judged, FIRST)
+    show_verdicts(judged)
+    assert judged.styleManager().currentStyle() == "mine"
+    assert judged.opacity() == 0.5
