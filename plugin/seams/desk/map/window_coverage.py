@@ -64,21 +64,26 @@ class WindowCoverage(QObject):
         self._known: dict[RasterRef, ValidCells | None] = {}
         self._block: Block | None = None
         self._turn = 0
+        self._is_started = False
 
-    def follow(self, block: Block | None, anew: bool = False) -> None:
-        """These are mosaic and sources now; ``anew``: there may be something else in their files."""
+    def follow(self, block: Block | None) -> None:
+        """These are mosaic and sources now; after None there may be something else in their files."""
         before, self._block = self._block, block
-        if before == block and not anew:
+        if before == block:
             return
-        if anew or before is None or block is None or before.mosaic != block.mosaic:
+        if before is None or block is None or before.mosaic != block.mosaic:
             self._known = {}
         self._turn += 1
         self._queue.clear()  # which ends the task that reads from it
-        self._queue = deque()
-        if block is None:
+        self._is_started = False
+
+    def _start(self, block: Block) -> None:
+        """Only when somebody asks: who places no window need not wait for a large mosaic to be read."""
+        if self._is_started:
             return
+        self._is_started = True
         wanted = (Source(block.mosaic.ref, block.mosaic.extent), *block.sources)
-        self._queue.extend(one for one in wanted if one.ref not in self._known)
+        self._queue = deque(one for one in wanted if one.ref not in self._known)
         if self._queue:
             job = _reading_job(block.mosaic, self._queue)
             self._background.start(tr("Look where the sources have pixels"), job, partial(self._take, self._turn))
@@ -87,6 +92,7 @@ class WindowCoverage(QObject):
         """What is known of a window; what is not is read next."""
         if self._block is None:
             return Coverage(0)
+        self._start(self._block)
         mosaic, cells = self._block.mosaic, CellGrid.of(self._block.mosaic.grid).cells(window)
         sources = unread = 0
         for source in self._block.sources_over(window):

@@ -15,6 +15,7 @@ from ....imagery.reference_systems import same_coordinates, transform_points
 
 MOST_CELLS = 4096  # along a side of the mosaic
 FEWEST_PX = 4  # side of a cell: as many samples as placing windows takes
+MOST_READ = 500_000  # cells at once, of each four pixels are read
 SEARCHED_SIDES = 6  # of a window, as far as another place is looked for
 MOST_SEARCHED = 800  # cells along a side of what is searched: some 10 ms
 
@@ -100,16 +101,32 @@ def valid_cells(source: OpenRaster, extent: Extent, mosaic: Raster) -> ValidCell
         at_column = (east * down - north * skew_x) / determinant
         at_row = (north * right - east * skew_y) / determinant
     inside = (at_column >= 0) & (at_column < raster.columns) & (at_row >= 0) & (at_row < raster.rows)
+    mosaic_pixels = mosaic.ground_sample_distance / raster.ground_sample_distance
     if is_whole(source) or not inside.any():
         return ValidCells(columns.start, rows.start, inside)
-    pixel = cell_grid.step * mosaic.ground_sample_distance / raster.ground_sample_distance
-    thinned = source.thinned(raster.whole, max(1, int(pixel / 2))).valid
-    down_by, across_by = thinned.shape[0] / raster.rows, thinned.shape[1] / raster.columns
+    found, at_once = np.zeros_like(inside), max(1, MOST_READ // len(x))
+    for first in range(0, len(y), at_once):
+        some = slice(first, first + at_once)
+        found[some] = _picked(source, at_column[some], at_row[some], inside[some], cell_grid.step * mosaic_pixels)
+    return ValidCells(columns.start, rows.start, found)
+
+
+def _picked(
+    source: OpenRaster, at_column: np.ndarray, at_row: np.ndarray, inside: np.ndarray, step: float
+) -> np.ndarray:
+    """Whether there are pixels at columns and rows of a raster, some ``step`` of its pixels apart."""
+    if not inside.any():
+        return inside
+    left, right = int(at_column[inside].min()), int(at_column[inside].max()) + 1
+    top, bottom = int(at_row[inside].min()), int(at_row[inside].max()) + 1
+    part = PixelWindow(left, top, right - left, bottom - top)
+    thinned = source.thinned(part, max(1, int(step / 2))).valid
+    across, down = thinned.shape[1] / part.width, thinned.shape[0] / part.height
     picked = thinned[
-        np.clip((at_row * down_by).astype(np.int64), 0, thinned.shape[0] - 1),
-        np.clip((at_column * across_by).astype(np.int64), 0, thinned.shape[1] - 1),
+        np.clip(((at_row - top) * down).astype(np.int64), 0, thinned.shape[0] - 1),
+        np.clip(((at_column - left) * across).astype(np.int64), 0, thinned.shape[1] - 1),
     ]
-    return ValidCells(columns.start, rows.start, inside & picked)
+    return inside & picked
 
 
 def is_whole(source: OpenRaster) -> bool:
