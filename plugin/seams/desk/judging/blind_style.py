@@ -5,6 +5,7 @@ from qgis.core import (
     QgsFillSymbol,
     QgsPalLayerSettings,
     QgsRuleBasedRenderer,
+    QgsSimpleLineSymbolLayer,
     QgsTextBufferSettings,
     QgsTextFormat,
     QgsVectorLayer,
@@ -17,9 +18,8 @@ from ...measure.observers import Operator
 
 _NAME = "seam_inspector_blind"  # of the layer's style; its user's own one is kept beside it
 _BEFORE = "seam_inspector/style"  # custom property of the layer: the style that is to come back
-_LINE = {"style": "no", "outline_color": "255,255,255", "outline_width": "0.6"}
-_CASING = {"style": "no", "outline_color": "0,0,0,150", "outline_width": "1.0"}
-_DONE = {"style": "no", "outline_color": "255,255,255,150", "outline_width": "0.2"}
+_CASING, _LINE = ("0,0,0,150", 1.0), ("255,255,255", 0.6)  # colour and width, mm
+_DONE = ("255,255,255,150", 0.2)
 
 
 def hide_verdicts(layer: QgsVectorLayer, operator: Operator) -> None:
@@ -53,18 +53,24 @@ def show_verdicts(layer: QgsVectorLayer) -> None:
 
 def _renderer(operator: Operator) -> QgsRuleBasedRenderer:
     root = QgsRuleBasedRenderer.Rule(None)
-    done = QgsRuleBasedRenderer.Rule(QgsFillSymbol.createSimple(_DONE))
+    done = QgsRuleBasedRenderer.Rule(_outline(_DONE))
     done.setFilterExpression(f"coalesce(attribute('{operator.observer}'), '') <> ''")
     done.setLabel(tr("judged"))
     root.appendChild(done)
-    line = QgsFillSymbol.createSimple(_LINE)  # named, as its layer goes with it
-    symbol = QgsFillSymbol.createSimple(_CASING)
-    symbol.appendSymbolLayer(line.symbolLayer(0).clone())
-    rest = QgsRuleBasedRenderer.Rule(symbol)
+    rest = QgsRuleBasedRenderer.Rule(_outline(_CASING, _LINE))
     rest.setIsElse(True)
     rest.setLabel(tr("to be judged"))
     root.appendChild(rest)
     return QgsRuleBasedRenderer(root)
+
+
+def _outline(*lines: tuple[str, float]) -> QgsFillSymbol:
+    """Of lines alone: QGIS fills even an empty polygon with the selection's colour, and hides what is to be judged."""
+    symbol = QgsFillSymbol.createSimple({})
+    for colour, mm in lines:
+        symbol.appendSymbolLayer(QgsSimpleLineSymbolLayer.create({"line_color": colour, "line_width": str(mm)}))
+    symbol.deleteSymbolLayer(0)
+    return symbol
 
 
 def _labels() -> QgsVectorLayerSimpleLabeling:

@@ -20,8 +20,7 @@ from .judging import Judging
 if TYPE_CHECKING:
     from ..session import Session
 
-_ALWAYS = ("window_id", "seam_id", "station")
-"""Columns that tell nothing."""
+_NUMBER = "window_id"  # the one column that tells nothing
 
 
 class JudgingDesk(QObject):
@@ -75,7 +74,7 @@ class JudgingDesk(QObject):
         """The operator, the order or what is hidden changed."""
         model, settings = self.model, self.model.settings
         self._windows.operator = model.operator
-        own = frozenset((*_ALWAYS, *model.operator)) if model.is_blind else None
+        own = frozenset((_NUMBER, *model.operator)) if model.is_blind else None
         self._windows.set_blind(own)
         self._windows.set_filter(settings.search, settings.shown)
         self._windows.show_order(model.order)

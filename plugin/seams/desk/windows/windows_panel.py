@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
+_BOX_LETTERS = 10  # of the boxes beside the search
 _TYPED_MS = 500  # without a letter: what is searched for stands
 _DIFFERENCES = ("tool_differs", "operators_differ")
 _SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
@@ -317,10 +318,13 @@ class WindowsPanel(QWidget):
         self._telling_orders = [place for place, order in enumerate(ORDERS) if order.tells_verdict]
         self._orders.setCurrentIndex(self._orders.findData(TABLE.name))
         self._orders.setToolTip(tr("In which order windows are shown and judged."))
-        self._orders.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        for box in (self._verdicts, self._orders):  # the longest of their words would leave little room for the search
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            box.setMinimumContentsLength(_BOX_LETTERS)
+            box.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+            box.view().setMinimumWidth(box.view().sizeHintForColumn(0) + 2 * self.fontMetrics().height())
         self._verdicts.setMaxVisibleItems(self._verdicts.count())
         self._verdicts.setToolTip(tr("Which windows are shown."))
-        self._verdicts.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._count.setToolTip(tr("How many windows are shown."))
 
     def _lay_out(self) -> None:

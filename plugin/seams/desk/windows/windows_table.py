@@ -29,6 +29,7 @@ from .windows_model import WindowsModel
 Widths = tuple[int, int, int]
 """Of a column, px: with words cut short, with all of them, with air."""
 _LEAST, _NATURAL, _AIRY = range(3)
+_GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio")
 
 
 class WindowsTable(QTableView):
@@ -174,8 +175,9 @@ class WindowsTable(QTableView):
         hidden = {reason, cause, *off}
         if room < needed(brief, _NATURAL, hidden):
             hidden |= coarser
-        if room < needed(brief, _NATURAL, hidden):
-            hidden.add(next(place for place, one in enumerate(columns) if one.name == "sources"))
+        for name in _GIVING_WAY:
+            if room < needed(brief, _NATURAL, hidden):  # so that a verdict's word is never cut
+                hidden |= {place for place, one in enumerate(columns) if one.name == name}
         short = room < needed(long, _NATURAL, hidden)
         return hidden, short, brief if short else long
 

@@ -432,7 +432,11 @@ def test_what_operators_say_has_columns_once_it_is_used(panel: WindowsPanel, ses
     assert filter_to(panel, "confidence > 50") == [2]
 
 
-def test_verdicts_are_not_cut_at_the_usual_width(panel: WindowsPanel) -> None:
+@pytest.mark.parametrize("said", [{}, {"observer_2": "unsure", "confidence": 70, "remark": "by the kerb"}])
+def test_verdicts_are_not_cut_at_the_usual_width(
+    panel: WindowsPanel, session: WindowsSession, said: dict[str, object]
+) -> None:
+    session.change(2, **said)
     font = panel.font()
     font.setPixelSize(12)
     panel.setFont(font)

@@ -30,7 +30,7 @@ def looks(layer: QgsVectorLayer) -> list[tuple[object, ...]]:
     for feature in layer.getFeatures():
         context.expressionContext().setFeature(feature)
         symbols = renderer.symbolsForFeature(feature, context)
-        found.append(tuple((one.color().name(), one.symbolLayer(0).strokeWidth()) for one in symbols))
+        found.append(tuple((one.color().name(), one.symbolLayer(0).width()) for one in symbols))
     renderer.stopRender(context)
     return found
 
@@ -38,6 +38,9 @@ def looks(layer: QgsVectorLayer) -> list[tuple[object, ...]]:
 def test_nothing_on_the_map_tells_what_was_found(judged: QgsVectorLayer) -> None:
     before = judged.renderer().dump(), judged.mapTipTemplate()
     hide_verdicts(judged, SECOND)
+    renderer = judged.renderer().clone()
+    symbol = renderer.rootRule().children()[1].symbol()
+    assert all(one.layerType() == "SimpleLine" for one in symbol.symbolLayers())  # a fill would hide the selected one
     first, second = looks(judged)
     assert first == second  # the first operator's word is hidden, too
     assert "verdict" not in judged.renderer().dump()
