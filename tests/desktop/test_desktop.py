@@ -63,6 +63,8 @@ def test_dangers(small_block: Path, tmp_path: Path) -> None:
         ("light", {}),
         ("dark", {"theme": "Night Mapping"}),
         ("scaled", {"scale": 2, "screen": "3200x2000"}),
+        ("small", {"screen": "1366x768"}),
+        ("polish", {"screen": "1366x768", "locale": "pl"}),
     ],
 )
 def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: Path, screenshots: Path) -> None:
@@ -77,6 +79,8 @@ def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: 
         for defect in ("cut", "headings_cut", "no_tooltip", "steps_up", "no_focus_mark"):
             assert run.report[f"{place}_{defect}"] == [], f"{defect}, {place}"
         assert run.report[f"{place}_table_overflow"] == 0, place
+        assert run.report[f"{place}_chart"] >= 150, place
+        assert run.report[f"{place}_judge_whole"], place
         contrasts = run.report[f"{place}_contrasts"]
         what = {words.split()[0] for words in contrasts}
         own = {"images": {"title", "badge"}, "noise": set()}.get(place.partition("_")[2], {"legend"})

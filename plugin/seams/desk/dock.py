@@ -26,6 +26,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ...toolkit.desk.fitting_tool_bar import FittingToolBar
 from ...toolkit.desk.greyed import allow
+from ...toolkit.desk.scroll_body import ScrollBody
 from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.timers import single_shot
 from ...toolkit.desk.tool_dock import ToolDock
@@ -196,7 +197,7 @@ class InspectionDock(ToolDock):
         toolbar.widgetForAction(self.scan).addAction(self.worst)
         self._tab_widget = tabs = QTabWidget()
         for tab in self._tabs:
-            tabs.setTabToolTip(tabs.addTab(self.panels[tab.name], tr(tab.title)), tr(tab.tooltip))
+            tabs.setTabToolTip(tabs.addTab(ScrollBody(self.panels[tab.name]), tr(tab.title)), tr(tab.tooltip))
         tabs.setDocumentMode(True)
         lost = QToolButton()  # in sight whatever tab is: it is for the map and the images alike
         lost.setDefaultAction(self.lost.action)

@@ -22,7 +22,12 @@ class DockBody(QWidget):
         self._head.addWidget(toolbar)
         self._head.setAlignment(toolbar, Qt.AlignmentFlag.AlignTop)
         self._splitter = QSplitter(Qt.Orientation.Vertical)
-        for widget, share in ((windows, 2), (tabs, 3)):
+        side = QWidget()
+        self._side = QVBoxLayout(side)
+        self._side.setContentsMargins(0, 0, 0, 0)
+        self._side.setSpacing(3)
+        self._side.addWidget(windows, 1)
+        for widget, share in ((side, 2), (tabs, 3)):
             self._splitter.addWidget(widget)
             self._splitter.setStretchFactor(self._splitter.count() - 1, share)
         self._splitter.setChildrenCollapsible(False)
@@ -33,15 +38,15 @@ class DockBody(QWidget):
         layout.addLayout(self._head)
         layout.addWidget(self._splitter, 1)
         self.scroll = ScrollBody(upper)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(4, 2, 4, 4)
-        layout.setSpacing(3)
-        layout.addWidget(self.scroll, 1)
-        layout.addWidget(judge)
-        layout.addWidget(progress)
+        self._judge, self._whole = judge, QVBoxLayout(self)
+        self._whole.setContentsMargins(4, 2, 4, 4)
+        self._whole.setSpacing(3)
+        self._whole.addWidget(self.scroll, 1)
+        self._whole.addWidget(judge)
+        self._whole.addWidget(progress)
 
     def arrange(self, is_wide: bool) -> None:
-        """A wide dock is mostly a low one: it has the toolbar beside the inputs, and the tabs beside the windows."""
+        """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation == self._splitter.orientation():
             return
@@ -49,3 +54,7 @@ class DockBody(QWidget):
         self._splitter.setSizes(_SHARES)
         direction = QBoxLayout.Direction
         self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
+        if is_wide:
+            self._side.addWidget(self._judge)
+        else:
+            self._whole.insertWidget(1, self._judge)

@@ -59,6 +59,9 @@ def look(desk: Desk, side: str) -> None:
     """What is wrong, and how well words can be read, goes into the report."""
     wait_for_chart(desk)
     dock = desk.dock
+    chart, judge = dock.panels["curves"].curves._chart, dock.judge
+    desk.report[f"{side}_chart"] = chart.height()
+    desk.report[f"{side}_judge_whole"] = judge.visibleRegion().boundingRect() == judge.rect()
     desk.report[f"{side}_cut"] = cut_off(dock)
     desk.report[f"{side}_table_overflow"] = dock.windows.table.horizontalScrollBar().maximum()
     desk.report[f"{side}_headings_cut"] = eyes.cut_headings(dock.windows.table)
