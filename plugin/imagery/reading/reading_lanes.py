@@ -48,7 +48,7 @@ class ReadingLanes:
         with self._lock:
             self._lane_of.clear()
         for lane in self._lanes:
-            lane.pool.close()
+            lane.let_go()
 
     def close(self) -> None:
         """Read nothing more."""
@@ -62,10 +62,23 @@ class _Lane:
 
     def __init__(self, number: int) -> None:
         self.pool = RasterPool(KEPT_PER_LANE)
+        self._turn = 0  # counts how often all was let go
         self._thread = ThreadPoolExecutor(1, f"seam-inspector-lane-{number}")
 
     def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
-        return self._thread.submit(read_one, self.pool.open, ref, work)
+        return self._thread.submit(self._read, self._turn, ref, work)
+
+    def let_go(self) -> None:
+        """Keep nothing open that was asked for until now."""
+        self._turn += 1
+        self.pool.close()
+
+    def _read(self, turn: int, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Found | RasterError:
+        try:
+            return read_one(self.pool.open, ref, work)
+        finally:
+            if turn != self._turn:
+                self.pool.close()
 
     def close(self) -> None:
         self._thread.shutdown(wait=False, cancel_futures=True)

@@ -24,6 +24,7 @@ CLICK_SIDE_M, CLICKS = 100, 8  # 1024 px
 LIVE_SIDE_M, LIVE_SECONDS = 50, 4  # 512 px
 MANY = 200
 _FRAME_S = 0.016
+_MARGIN_M = 8.0  # within the footprint of an image of the block there may be none of its pixels so near the edge
 
 
 def play(desk: Desk) -> None:
@@ -203,7 +204,7 @@ def bare_read(request: Any) -> float:
 
 
 def two_source_points(desk: Desk) -> Iterator[Point]:
-    """Where a standard window has just two sources, scattered over the block."""
+    """Where a standard window has just two sources, both of them wholly, scattered over the block."""
     from seam_inspector.plugin.seams.desk.map.window_tool import clicked_window
 
     session, grid = desk.session, desk.session.mosaic_grid()
@@ -213,7 +214,9 @@ def two_source_points(desk: Desk) -> Iterator[Point]:
         for column in range(1, 40):
             x = extent.xMinimum() + column / 40 * extent.width()
             y = extent.yMinimum() + row / 40 * extent.height()
-            if session.source_count_over(clicked_window(grid, (x, y), session.inputs)) == 2:
+            window = clicked_window(grid, (x, y), session.inputs)
+            around, over = QgsRectangle(*grid.window_extent(window)).buffered(_MARGIN_M), session.block().sources_over
+            if len(over(window)) == 2 and all(QgsRectangle(*one.extent).contains(around) for one in over(window)):
                 found.append((x, y))
     assert len(found) >= 3 * CLICKS
     return iter(found[:: max(1, len(found) // 40)] * 5)
@@ -269,7 +272,7 @@ def left() -> tuple[Any, Any]:
 
 def charts_drawn(desk: Desk) -> int:
     """How many pictures of curves were drawn so far."""
-    chart = desk.dock.panels["curves"]._chart
+    chart = desk.dock.panels["curves"].curves._chart
     return 0 if chart is None else chart.painter.curves_drawn
 
 

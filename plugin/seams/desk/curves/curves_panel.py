@@ -10,6 +10,7 @@ from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSp
 from ....toolkit.band_titles import BAND_ORDER, band_title
 from ....toolkit.charts.chart_loader import chart_missing
 from ....toolkit.desk.chart_panel import ChartPanel
+from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve, significance_limit
 from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     Key = tuple[bool, str]
 
 _TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
+_PATIENCE_MS = 400  # that a chart of another window stays as it is while the next one is measured
 _WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the chart
 _MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
 
@@ -47,6 +49,7 @@ class CurvesPanel(ChartPanel):
         """What the chart is asked to draw."""
         self._legend_width = 0
         self._border_moved = False
+        self._dimmer = single_shot(self, self._dim, _PATIENCE_MS)
         self._build()
         session.selectionChanged.connect(self._refresh_now)
         session.inputsChanged.connect(self._refresh_now)
@@ -134,7 +137,10 @@ class CurvesPanel(ChartPanel):
         live = self._session.live
         results, missing = selected_windows(self._session) if live is None else ([live.clips], "")
         if not results:
-            self._show_text(missing)
+            if self._shows_chart and any(map(self._session.is_pending, self._session.selected())):
+                self._wait_for_curves(missing)
+            else:
+                self._show_text(missing)
             return
         if self._chart is None and self._loader.is_alive():
             self._refresh_soon()
@@ -153,6 +159,22 @@ class CurvesPanel(ChartPanel):
         else:
             self._idle_text = live_title(live)
             self._draw(results, self._curves(results, next(iter(live.clips.clips[0].curves))))
+
+    @property
+    def _shows_chart(self) -> bool:
+        return bool(self._pages.currentWidget() is self._splitter)
+
+    def _wait_for_curves(self, words: str) -> None:
+        """The chart before stays meanwhile, faint when it takes long."""
+        self._idle_text, self.shown = words, ()
+        self._export.offer([], None, "", "")
+        if not self._dimmer.isActive():
+            self._dimmer.start()
+        self._show_point()
+
+    def _dim(self) -> None:
+        if self._chart is not None and not self.shown:
+            self._chart.setEnabled(False)
 
     def _fill_bands(self, names: list[str]) -> None:
         if names != [self._bands.itemData(row) for row in range(self._bands.count())]:
@@ -179,8 +201,10 @@ class CurvesPanel(ChartPanel):
         style = chart_style(self._legend)  # one sheet with it
         has_limit = significance_limit(curves, chart.max_ratio) is not None
         self._legend.show_curves(curves, hidden, style, has_limit)
+        self._pages.setCurrentWidget(self._splitter)  # first, or its parts find their sizes after they are drawn
         self._fit_legend()
-        self._pages.setCurrentWidget(self._splitter)
+        self._dimmer.stop()
+        self._chart.setEnabled(True)
         self._chart.show_chart(chart, style)
         self.shown = results
         complete = [result for result in results if isinstance(result, WindowResult)]

@@ -69,8 +69,9 @@ def read_live(request: WindowRequest, read_each: ReadEach) -> LivePixels | None:
     whole = [curve for _, _, curve in judged if curve is not None]
     paper = judge(mosaic[2], whole, request.settings.max_ratio)
     images = tuple(_image(clip, plane, band) for clip, plane, _ in (mosaic, *judged))
+    first = WindowClips(request.window_id, request.window, clips, paper, bool(judged))
     against = tuple(MeasuredClip(clip, {}, {}) for clip, _, _ in judged)
-    return LivePixels(request, band, images, against, WindowClips(request.window_id, request.window, clips, paper))
+    return LivePixels(request, band, images, against, first)
 
 
 def live_profile(pixels: LivePixels) -> SeamProfile | None:

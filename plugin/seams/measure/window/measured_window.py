@@ -45,7 +45,7 @@ class MeasuredWindow:
         settings = self.request.settings
         named = ((self.mosaic, "mosaic"), *((source, "source") for source in self.sources if source.curves))
         clips = tuple(_clip_result(one, role, settings) for one, role in named)
-        return WindowClips(self.request.window_id, self.request.window, clips, self.paper)
+        return WindowClips(self.request.window_id, self.request.window, clips, self.paper, self.is_explicable)
 
     @property
     def band(self) -> str:

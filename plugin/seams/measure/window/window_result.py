@@ -64,11 +64,8 @@ class WindowClips:
     """The mosaic first, then the sources that take part with the whole window."""
     paper: Judgement
     """By the paper's rule."""
-
-    @property
-    def is_compared(self) -> bool:
-        """Whether there is a source to compare with so far."""
-        return len(self.clips) > 1
+    is_compared: bool
+    """Whether there is a source to compare with, wholly or in part."""
 
     @property
     def with_composite(self) -> tuple[ClipResult, ...]:

@@ -67,12 +67,12 @@ def test_files_are_let_go_with_their_layers_and_the_project(desk: Desk) -> None:
     wait_until(lambda: session.live is not None)
     assert open_count(desk) == 3
     desk.project.removeMapLayer(desk.sources[0].id())
-    assert open_count(desk) == 0
+    wait_until(lambda: open_count(desk) == 0)
     session.hover(ACROSS, is_live=True)
     wait_until(lambda: session.live is not None and session.live.window == ACROSS)
     assert open_count(desk) == 2
     desk.project.clear()
-    assert open_count(desk) == 0
+    wait_until(lambda: open_count(desk) == 0)
     assert session.live is None
 
 
