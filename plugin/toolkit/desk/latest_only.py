@@ -1,6 +1,7 @@
 """Work for a picture that follows the mouse: what was asked for last is done, what was overtaken is not."""
 from __future__ import annotations
 
+import time
 from concurrent.futures import ThreadPoolExecutor
 from threading import Lock
 from typing import Any, Callable
@@ -11,6 +12,7 @@ from ...imagery.message import Message
 from .. import messages
 from ..interface_first import interface_first
 
+_LONGEST_REST_S = 0.5
 Work = Callable[[], Any]
 
 
@@ -23,8 +25,10 @@ class LatestOnly(QObject):
     """The Message of what failed in a way that nobody foresaw."""
     _ended = pyqtSignal(int, object)
 
-    def __init__(self, name: str, parent: QObject | None = None) -> None:
+    def __init__(self, name: str, parent: QObject | None = None, rest: float = 0.0) -> None:
+        """``rest``: how long the thread rests after each piece of work, as a multiple of the time that took."""
         super().__init__(parent)
+        self._rest = rest
         self._name = name
         self._thread = ThreadPoolExecutor(1, name)
         self._lock = Lock()
@@ -59,6 +63,7 @@ class LatestOnly(QObject):
                 if work is None:
                     self._is_at_work = False
                     return
+            begun = time.perf_counter()
             try:
                 with interface_first():
                     found = work()
@@ -67,6 +72,7 @@ class LatestOnly(QObject):
             with self._lock:  # after ``close`` this may be gone
                 if turn == self._turn and found is not None:
                     self._ended.emit(turn, found)
+            time.sleep(min(self._rest * (time.perf_counter() - begun), _LONGEST_REST_S))
 
     def _take(self, turn: int, found: object) -> None:
         if turn == self._turn:

@@ -103,9 +103,9 @@ def time_clicks(desk: Desk, block: Path) -> None:
         start = time.perf_counter()
         desk.wait(lambda count=before + 1: shown(desk, count), 20, "curve of a clicked window")
         times.append(time.perf_counter() - start)
+        desk.wait(lambda: not session.is_busy, 20, "idle after a click")
         result = session.result(session.selected()[0])
         sizes.add((result.window.width, result.window.height, result.source_count))
-        desk.wait(lambda: not session.is_busy, 20, "idle after a click")
         desk.pause(0.2)
     desk.dock.draw.trigger()
     desk.report["clicks"], desk.report["clicked"] = len(times), sorted(sizes)
@@ -134,4 +134,4 @@ def two_source_points(desk: Desk) -> list[tuple[float, float]]:
 def shown(desk: Desk, count: int) -> bool:
     """Whether the last of so many windows has its curve on the screen."""
     selected = desk.session.selected()
-    return len(selected) == 1 and len(desk.session.windows()) == count and desk.curves_of(selected[0])
+    return len(selected) == 1 and len(desk.session.windows()) == count and desk.first_curves_of(selected[0])

@@ -1,10 +1,11 @@
 """The tab with the curves of the selected windows."""
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSplitter, QToolButton, QWidget
 
 from ....toolkit.band_titles import BAND_ORDER, band_title
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     Key = tuple[bool, str]
 
 _TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
+_WARM_UP_MS = 500  # after the panel came into sight the chart is made, before the first curves are waited for
 _PATIENCE_MS = 400  # that a chart of another window stays as it is while the next one is measured
 _WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the chart
 _MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
@@ -49,6 +51,7 @@ class CurvesPanel(ChartPanel):
         """What the chart is asked to draw."""
         self._legend_width = 0
         self._border_moved = False
+        self._warmer = single_shot(self, self._warm_up, _WARM_UP_MS)
         self._dimmer = single_shot(self, self._dim, _PATIENCE_MS)
         self._build()
         session.selectionChanged.connect(self._refresh_now)
@@ -90,6 +93,18 @@ class CurvesPanel(ChartPanel):
         tools.addStretch()
         tools.addWidget(self._export)
         self._lay_out(tools, self._status)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._chart is None:
+            self._warmer.start()
+
+    def _warm_up(self) -> None:
+        if self._loader.is_alive():
+            self._warmer.start()
+        elif self._chart is None:
+            with suppress(ImportError):  # said when there is something to draw
+                self._build_chart()
 
     def _build_chart(self) -> None:
         """Put the chart in its place."""

@@ -44,7 +44,7 @@ class LiveWindows(QObject):
         self._hovered: PixelWindow | None = None
         self._curves = LatestOnly("seam-inspector-live-curves", self)
         self._curves.arrived.connect(self._take_pixels)
-        self._profiles = LatestOnly("seam-inspector-live-profile", self)
+        self._profiles = LatestOnly("seam-inspector-live-profile", self, rest=1.0)  # the curves go first
         self._profiles.arrived.connect(self._take_profile)
         self._ahead = LatestOnly("seam-inspector-ahead", self)
         for worker in (self._curves, self._profiles, self._ahead):

@@ -11,6 +11,7 @@ from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.loss_view import LossView
 from seam_inspector.plugin.seams.measure.inspection import WindowResult
+from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
@@ -62,11 +63,13 @@ class ProfileSession(QObject):
     inputsChanged = pyqtSignal()
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
+    liveChanged = pyqtSignal()
     resultArrived = pyqtSignal(int)
     messageRaised = pyqtSignal(str, int)
 
     def __init__(self) -> None:
         super().__init__()
+        self.live: LiveWindow | None = None
         self.inputs = Inputs()
         self.loss_view = LossView(self)
         self.grid = Grid(*ORIGIN, PIXEL, PIXEL, 512, 512)

@@ -11,12 +11,15 @@ from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.desk.profile.profile_chart import ProfileChart
 from seam_inspector.plugin.seams.desk.profile.profile_export import COLUMNS, table_text
 from seam_inspector.plugin.seams.desk.profile.profile_painter import level_colour
 from seam_inspector.plugin.seams.desk.profile.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
+from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.chart_look import chart_style
 
 from tests.qgis.scenes import PIXEL
@@ -157,6 +160,25 @@ def test_a_profile_that_comes_later_is_shown(panel: ProfilePanel, session: Profi
     settle()
     assert panel.words == ""
     assert panel.chart.shown.profile == PROFILE
+
+
+def test_while_a_window_is_moved_its_own_profile_is_shown(panel: ProfilePanel, session: ProfileSession) -> None:
+    selected = panel.chart.shown
+    moved = replace(PROFILE, band_width_px=2 * PROFILE.band_width_px)
+    clips = WindowClips(0, None, (), Judgement(Verdict.PRESERVED, Ratios((1.0,), None)), True)
+    for profile in (None, moved):
+        session.live = LiveWindow(PixelWindow(0, 0, 512, 512), clips, PIXEL, profile)
+        session.liveChanged.emit()
+        settle()
+        assert panel.chart.isEnabled() == (profile is not None)  # faint while it is still another window's
+    assert panel.chart.shown.profile == moved
+    assert panel._status.text().startswith("Live: ")
+    session.live = None
+    session.liveChanged.emit()
+    settle()
+    assert panel.chart.shown == selected
+    assert panel.chart.isEnabled()
+    assert not panel._status.text().startswith("Live: ")
 
 
 def test_the_table_and_the_picture_leave_it(
