@@ -31,6 +31,7 @@ class RecordKeeper:
         self._file: RecordFile | None = None
         self._synced = time.monotonic()
         self._worker = ThreadPoolExecutor(1, "keeper")
+        self._syncer = ThreadPoolExecutor(1, "syncer")  # apart, as it takes the longest and nobody waits for it
 
     def save(self, key: str, make: Callable[[], bytes]) -> None:
         """Keep the payload that ``make`` makes in the thread."""
@@ -62,6 +63,7 @@ class RecordKeeper:
         """Do what was asked, and let go of the file."""
         self._do(self._close)
         self._worker.shutdown()
+        self._syncer.shutdown()
 
     # In the thread
 
@@ -86,8 +88,8 @@ class RecordKeeper:
         file = self._opened()
         file.save(key, payload)
         if time.monotonic() - self._synced > _SYNC_SECONDS:
-            file.sync()
             self._synced = time.monotonic()
+            self._syncer.submit(_sync, file)
 
     def _is_there(self) -> bool:
         return self._file is not None or self.path.is_file()
@@ -115,7 +117,11 @@ class RecordKeeper:
 
     def _close(self) -> None:
         if self._file is not None:
-            with contextlib.suppress(OSError):
-                self._file.sync()
+            _sync(self._file)
             self._file.close()
             self._file = None
+
+
+def _sync(file: RecordFile) -> None:
+    with contextlib.suppress(OSError, ValueError):  # a disk that can't, or a file that is closed by now
+        file.sync()

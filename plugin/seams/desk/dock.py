@@ -38,6 +38,7 @@ from ..scan_job import ScanDone
 from .dock_body import DockBody
 from .inputs.inputs_panel import InputsPanel
 from .judging.judging_desk import JudgingDesk
+from .keeping.found_message import FoundMessage
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .report_writer import ReportWriter
@@ -91,6 +92,8 @@ class InspectionDock(ToolDock):
         self.visibilityChanged.connect(self.steps.set_in_sight)
         self._make_actions()
         self._lay_out()
+        self._found = FoundMessage(iface.messageBar(), self.session.open_windows, self)
+        self.session.windowsFound.connect(self._found.show)
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
         self.session.inputsChanged.connect(self._enable_actions)
@@ -111,6 +114,7 @@ class InspectionDock(ToolDock):
         self.swiping.close()
         self._worst_inspector.stop()
         self._findings.close()
+        self._found.close()
         self.scans.close()
         self.judging.close()
         self.lost.close()

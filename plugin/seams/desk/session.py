@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
@@ -18,7 +19,6 @@ from ...toolkit.layer_editing import edit_step
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from ..clip_pictures import ClipPicture
-from ..measure import messages
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import Block, WindowRequest
 from ..measure.live.live_window import LiveWindow
@@ -55,6 +55,8 @@ class Session(QObject):
     picturesArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
     messageRaised = pyqtSignal(str, int)
+    windowsFound = pyqtSignal(object)
+    """Path of windows of a project that was never saved, as QGIS ended before."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -335,19 +337,25 @@ class Session(QObject):
         self._searcher.start()
 
     def _find_left(self) -> None:
-        """Windows of this project that were never saved with it: a QGIS ended before."""
-        if self._watch.layer is None and (path := self._keeping.left_in(self._project)) is not None:
-            with self._raised():
-                self._take_layer(self._project.addMapLayer(window_layer.open_window_layer(path)).id())
+        """Windows of this project that were never saved with it, as QGIS ended before; or of one without a file."""
+        if self._watch.layer is not None or (path := self._keeping.left_in(self._project)) is None:
+            return
+        if self._project.fileName():
+            self.open_windows(path)
+        else:
+            self.windowsFound.emit(path)
+
+    def open_windows(self, path: Path) -> None:
+        """Take the windows of a file that the desk has made."""
+        with self._raised():
+            self._take_layer(self._project.addMapLayer(window_layer.open_window_layer(path)).id())
 
     def _save(self, *_: object) -> None:
         """Save the windows with the project, as its user expects."""
         self._results.write()
         self._watch.save_stale()
-        layer = self._watch.layer
-        if layer is not None and layer.isModified() and not layer.commitChanges(False):
-            error = next((text.rstrip(". ") for text in layer.commitErrors() if text.startswith("ERROR")), "")
-            self._tell(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error))
+        if (layer := self._watch.layer) is not None:
+            self._keeping.save(layer, self._project)
 
     def _layers_added(self, *_: object) -> None:
         """One that was removed may be back, under another id."""

@@ -67,6 +67,17 @@ WINDOWS_NOT_SAVED = Message(
     "The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that "
     "layer elsewhere."
 )
+WINDOWS_KEPT_MEANWHILE = Message(
+    "Until the project is saved its windows are in {path}; they move beside the project then.", INFO
+)
+WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
+WINDOWS_NOT_MOVED = Message(
+    "The windows stay in {old}, as they can't be moved to {folder} ({error}); export them from there.", WARNING
+)
+WINDOWS_FOUND = Message(
+    "QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.",
+    WARNING,
+)
 WINDOWS_RESTORED = Message(
     "QGIS ended before the windows in {name} were saved; what was changed last in {count} of them is back. Save the "
     "layer to keep it.",

@@ -48,7 +48,7 @@ _SHAPEFILE_LENGTHS = {"integer": (9, 0), "real": (20, 15), "text": (254, 0)}  # 
 
 def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Path) -> Path:
     """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder."""
-    path = _free_path(folder)
+    path = free_path(folder)
     options = QgsVectorFileWriter.SaveVectorOptions()
     options.driverName, options.layerName, options.fileEncoding = "GPKG", _LAYER_NAME, "UTF-8"
     writer = QgsVectorFileWriter.create(
@@ -219,6 +219,7 @@ def _change(layer: QgsVectorLayer, fid: int, values: Mapping[str, object]) -> No
             layer.changeAttributeValue(fid, index, value)
 
 
-def _free_path(folder: Path) -> Path:
+def free_path(folder: Path) -> Path:
+    """For a window layer's file: one that is not there yet."""
     names = chain(["windows.gpkg"], (f"windows_{number}.gpkg" for number in count(2)))
     return next(path for path in map(folder.joinpath, names) if not path.exists())

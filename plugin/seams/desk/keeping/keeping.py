@@ -8,13 +8,14 @@ from pathlib import Path
 from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.errors import SeamInspectorError
+from ....imagery.errors import SeamInspectorError, WindowLayerError
 from ....toolkit import layers
 from ...measure import messages
 from ...measure.window.window_result import WindowResult
 from ...measure.window_records import WindowRecord
 from ..windows.window_watch import WindowWatch
 from .kept_results import KeptResults
+from .moving import home_of, is_to_be_moved, move
 from .restoring import restore
 from .unsaved_windows import UnsavedWindows, owner_of
 from .window_files import RESULTS, UNSAVED, path_beside
@@ -78,15 +79,34 @@ class Keeping(QObject):
             self._complain(layer.id(), messages.WINDOWS_WITHOUT_FILE(name=layer.name()))
 
     def left_in(self, project: QgsProject) -> Path | None:
-        """The file of windows that were never saved with a project which ended without saving, and lack in it."""
-        if not project.homePath() or not project.fileName():
-            return None
+        """The file of windows that a project lacks, since QGIS ended before it was saved; it may have no file."""
         there = {layers.layer_path(one) for one in project.mapLayers().values() if isinstance(one, QgsVectorLayer)}
-        for path in sorted(Path(project.homePath()).glob(f"*.gpkg{UNSAVED}")):
+        for path in sorted(home_of(project).glob(f"*.gpkg{UNSAVED}")):
             windows = path.with_suffix("")
             if str(windows) not in there and windows.is_file() and owner_of(path) == project.fileName():
                 return windows
         return None
+
+    def save(self, layer: QgsVectorLayer, project: QgsProject) -> None:
+        """Save a layer with its project, beside it from the first time on; what is in the way is told."""
+        if layer.isModified() and not layer.commitChanges(False):
+            error = next((text.rstrip(". ") for text in layer.commitErrors() if text.startswith("ERROR")), "")
+            self.told.emit(messages.WINDOWS_NOT_SAVED(name=layer.name(), error=error))
+            return
+        if not is_to_be_moved(layer, project):
+            return
+        is_edited = layer.isEditable()
+        if is_edited:
+            layer.commitChanges()
+        self.leave([layer.id()])
+        with self._watch.unmoved():  # the windows are the same
+            try:
+                self.told.emit(messages.WINDOWS_MOVED(path=move(layer, Path(project.homePath()))))
+            except WindowLayerError as error:
+                self.told.emit(error.message)
+        self.follow(layer, 0)
+        if is_edited:
+            layer.startEditing()
 
     def leave(self, ids: Iterable[str]) -> None:
         """These layers go."""

@@ -147,6 +147,7 @@ class UnsavedWindows(QObject):
             if feature is not None and number is not None:
                 self._numbers[fid] = number
                 self._keep(_window(number, feature, number in stale))
+        self._keeper.flush()  # some ms at most, without which a crash would cost more than the last action
         if self._touched:
             self._writer.start()
 

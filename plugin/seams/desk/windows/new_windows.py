@@ -8,10 +8,9 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator, Sequence
 from functools import partial
-from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsApplication, QgsProject
+from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
@@ -28,6 +27,7 @@ from ...measure.inspection import Block
 from ...measure.window_placing import Placement
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
+from ..keeping.moving import home_of
 from .window_watch import WindowWatch
 
 _PLACING = "placing"
@@ -111,12 +111,14 @@ class NewWindows(QObject):
         """Make the window layer when there is none."""
         if self._watch.layer is not None:
             return
-        folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
+        folder = home_of(self._project)
         path = window_layer.write_window_file(layers.mosaic_crs(block.mosaic), self._block.inputs.levels, folder)
         yield
         made = window_layer.open_window_layer(path)
         yield
         self._project.addMapLayer(made)
+        if not self._project.homePath():
+            self.told.emit(messages.WINDOWS_KEPT_MEANWHILE(path=path))
         yield
         self.layerMade.emit(made.id())
         yield

@@ -1,8 +1,8 @@
 """The window layer as the desk sees it: its rows, kept up to date one by one, which are stale, and the selection."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from contextlib import suppress
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -44,6 +44,7 @@ class WindowWatch(QObject):
         self._layer: QgsVectorLayer | None = None
         self._notifier = single_shot(self, self._notify)
         self._told: set[int] | None = set()  # the selection
+        self._is_unmoved = False
         self._forget()
 
     def _forget(self) -> None:
@@ -81,6 +82,15 @@ class WindowWatch(QObject):
             signal.connect(slot)
         if had_windows or self._told is None or self._windows():
             self._notifier.start()
+
+    @contextmanager
+    def unmoved(self) -> Iterator[None]:
+        """The layer's data source becomes another one with the same windows: that is not told as ``replaced``."""
+        self._is_unmoved = True
+        try:
+            yield
+        finally:
+            self._is_unmoved = False
 
     def close(self) -> None:
         """Let go of the layer and tell nothing more."""
@@ -260,7 +270,7 @@ class WindowWatch(QObject):
             (layer.afterCommitChanges, self._was_saved),
             (layer.afterRollBack, self._was_rolled_back),
             (layer.dataChanged, self._all_changed),
-            (layer.dataSourceChanged, self.replaced),
+            (layer.dataSourceChanged, self._source_changed),
             (layer.selectionChanged, self._selection_changed),
         ]
 
@@ -307,6 +317,10 @@ class WindowWatch(QObject):
                 for version in versions
             }
         self._mark_all()
+
+    def _source_changed(self) -> None:
+        if not self._is_unmoved:
+            self.replaced.emit()
 
     def _selection_changed(self, *_: object) -> None:
         if not self._notifier.isActive():  # else the windows that changed are told first
