@@ -24,6 +24,7 @@ from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
+from ..measure.observers import JUDGING_FIELDS
 from ..measure.window_records import REFERENCES
 from ..verdict_words import verdict_word
 from .block_parameters import check_sources, given_block, given_sources
@@ -158,22 +159,22 @@ class InspectWindows(SeamInspectorAlgorithm):
         cells = self._cells(run)
         block = given_block(run, self._mosaic, self._given, cells)
         grid, crs = block.mosaic.grid, layers.mosaic_crs(block.mosaic)
-        drawn = WindowFeatures(windows, crs, run)
+        drawn = WindowFeatures(windows, crs, run, carried=tuple(JUDGING_FIELDS))
 
         verdicts: Counter[Verdict] = Counter()
         with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
-            fields = result_tables.window_fields(settings.levels)
+            fields = result_tables.output_fields(settings.levels, drawn.carried)
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
             curves, curves_id = run.optional_sink(CURVES, column_fields(result_tables.CURVE_COLUMNS))
             pair_fields = column_fields(result_tables.PAIR_COLUMNS, settings.levels)
             pairs, pairs_id = run.optional_sink(PAIRS, pair_fields)
             profiles, profiles_id = run.optional_sink(PROFILES, column_fields(result_tables.PROFILE_COLUMNS))
             for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, run.is_cancelled):
-                geometry, observer = drawn.taken(result.window_id)
+                geometry, said = drawn.taken(result.window_id)
                 if result.window is not None:
                     geometry = layers.rectangle(grid.window_extent(result.window))
-                run.write(output, [result_tables.window_feature(result, geometry, observer)])
+                run.write(output, [result_tables.window_feature(result, geometry, said)])
                 run.write(curves, result_tables.curve_features(result))
                 run.write(pairs, result_tables.pair_features(result))
                 run.write(profiles, result_tables.profile_features(result))

@@ -132,7 +132,7 @@ class PredictLoss(SeamInspectorAlgorithm):
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
             pairs, pairs_id = run.optional_sink(PAIRS, column_fields(FORECAST_PAIR_COLUMNS, levels))
             for forecast in in_order(requests, forecast_window, not_foretold, executor, ahead, run.is_cancelled):
-                geometry, _observer = drawn.taken(forecast.window_id)
+                geometry, _ = drawn.taken(forecast.window_id)
                 if forecast.extent is not None:
                     geometry = layers.rectangle(forecast.extent)
                 run.write(output, [feature(fields, column_values(FORECAST_COLUMNS, forecast, levels), geometry)])

@@ -4,7 +4,7 @@ The field names are contracts. A window's columns are also what its record is re
 """
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
@@ -12,10 +12,13 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 from ...imagery.message import Message
 from ...imagery.shifts import Shift
 from ...imagery.wavelets import DIRECTIONS, Curve
+from ...toolkit.attribute_values import whole_number
 from ...toolkit.table_fields import Column, column_features, column_fields, column_values, feature
 from ...toolkit.translation import sentence
+from ...toolkit.version_differences import field
 from ..measure.changes import Change
 from ..measure.loss_forecast import Forecast, ForecastPair
+from ..measure.observers import JUDGING_FIELDS
 from ..measure.profile.seam_profile import ProfileBin
 from ..measure.tone import Tone
 from ..measure.window.window_result import ClipResult, PairResult, WindowResult
@@ -160,11 +163,23 @@ def window_fields(levels: int) -> QgsFields:
     return column_fields(WINDOW_COLUMNS, levels)
 
 
-def window_feature(result: WindowResult, geometry: QgsGeometry | None, observer: str | None) -> QgsFeature:
-    """The row of OUTPUT for a result."""
+def output_fields(levels: int, said: Iterable[str]) -> QgsFields:
+    """Of OUTPUT: those of every window, and what operators said as far as the windows given have it."""
+    fields = window_fields(levels)
+    for name in said:
+        if fields.indexOf(name) < 0:
+            fields.append(field(name, JUDGING_FIELDS[name]))
+    return fields
+
+
+def window_feature(result: WindowResult, geometry: QgsGeometry | None, said: Mapping[str, str | None]) -> QgsFeature:
+    """The row of OUTPUT for a result; ``said``: what operators said, by the fields' names."""
     levels = len(result.judgement.ratios.detail)
-    row = feature(window_fields(levels), column_values(WINDOW_COLUMNS, result, levels), geometry)
-    row["observer"] = observer
+    fields = output_fields(levels, said)
+    values = column_values(WINDOW_COLUMNS, result, levels)
+    row = feature(fields, [*values, *[None] * (fields.count() - len(values))], geometry)
+    for name, value in said.items():
+        row[name] = whole_number(value) if JUDGING_FIELDS[name] == "integer" else value
     return row
 
 

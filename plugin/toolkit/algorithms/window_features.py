@@ -1,7 +1,7 @@
 """The features of a window layer, read one by one, each with a number of its own."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsGeometry, QgsProcessingFeatureSource
@@ -26,14 +26,23 @@ class WindowFeature(NumberedWindow):
 class WindowFeatures:
     """All of them; what a result needs of a window is kept until it is taken."""
 
-    def __init__(self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run) -> None:
+    def __init__(
+        self,
+        source: QgsProcessingFeatureSource,
+        crs: QgsCoordinateReferenceSystem,
+        run: Run,
+        carried: Sequence[str] = (),
+    ) -> None:
+        """``carried``: fields whose values go over into the results, as far as the layer has them."""
         self.count = source.featureCount()
         self.renumbered = 0
         """How many windows had no number of their own."""
         self._source = source
         self._transform = run.transform(source, crs)
         self._names = set(source.fields().names())
-        self._waiting: dict[int, tuple[QgsGeometry | None, str | None]] = {}
+        self.carried = tuple(name for name in carried if name in self._names)
+        """The fields that do."""
+        self._waiting: dict[int, tuple[QgsGeometry | None, dict[str, str | None]]] = {}
         self._numbers = self._given_numbers()
         self._last = max(self._numbers, default=0)
 
@@ -50,12 +59,11 @@ class WindowFeatures:
                 window = WindowFeature(number, extent)
             except WindowError as error:
                 window = WindowFeature(number, None, error.message)
-            observer = (text(feature["observer"]) or None) if "observer" in self._names else None
-            self._waiting[number] = geometry, observer
+            self._waiting[number] = geometry, {name: text(feature[name]) or None for name in self.carried}
             yield window
 
-    def taken(self, window_id: int) -> tuple[QgsGeometry | None, str | None]:
-        """The rectangle as drawn and the observer's word of a window whose result has come."""
+    def taken(self, window_id: int) -> tuple[QgsGeometry | None, dict[str, str | None]]:
+        """The rectangle as drawn and the carried values, as text, of a window whose result has come."""
         return self._waiting.pop(window_id)
 
     def _given_numbers(self) -> set[int]:

@@ -347,6 +347,19 @@ def test_the_observers_word_and_the_numbers_are_carried_over(scene: Scene) -> No
     assert not outcome.log.warnings
 
 
+def test_what_two_operators_said_is_carried_over(scene: Scene) -> None:
+    """Where the windows have it, and nothing more: all other windows have the usual fields."""
+    drawn = windows(
+        SHARP, BLURRED, observer_2=("string", ["unsure", None]), confidence=("integer", [70, None]),
+        remark=("string", [None, "haze"]),
+    )  # fmt: skip
+    outcome = inspect(scene, WINDOWS=drawn)
+    assert outcome.column("observer_2") == ["unsure", None]
+    assert outcome.column("confidence") == [70, None]
+    assert outcome.column("remark") == [None, "haze"]
+    assert "confidence_2" not in outcome.features()[0].fields().names()
+
+
 def test_windows_without_numbers_are_counted(scene: Scene) -> None:
     outcome = inspect(scene, SHARP, BLURRED, SHARP)
     assert outcome.column("window_id") == [1, 2, 3]
