@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -50,11 +51,16 @@ def layer_ref(layer: QgsRasterLayer) -> RasterRef:
     """
     if layer.providerType() not in ("gdal", ""):
         raise RasterError(messages.NOT_A_FILE(name=layer.name()))
-    parts = QgsProviderRegistry.instance().decodeUri("gdal", layer.source())
-    path = parts.get("vsiPrefix", "") + parts["path"] + parts.get("vsiSuffix", "")
+    return RasterRef(_raster_path(layer.source()), system_wkt(layer.crs()))
+
+
+@lru_cache(4096)
+def _raster_path(source: str) -> str:
+    """What GDAL opens; found once for each source, since projects of hundreds of rasters ask again and again."""
+    parts = QgsProviderRegistry.instance().decodeUri("gdal", source)
     if parts.get("layerName"):
-        path = layer.source()  # a subdataset has no path of its own
-    return RasterRef(path, system_wkt(layer.crs()))
+        return source  # a subdataset has no path of its own
+    return str(parts.get("vsiPrefix", "") + parts["path"] + parts.get("vsiSuffix", ""))
 
 
 def layer_path(layer: QgsVectorLayer) -> str:

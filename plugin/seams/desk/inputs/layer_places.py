@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from functools import lru_cache
 
 from qgis.core import QgsMapLayer, QgsProject, QgsProviderRegistry
 
@@ -72,11 +73,16 @@ def _ids(inputs: Inputs) -> set[str]:
 
 def _place(layer: QgsMapLayer) -> Place | None:
     """None for a layer in memory, which is gone when it is removed."""
-    if layer.providerType() == "memory":
-        return None
-    parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    provider = layer.providerType()
+    return None if provider == "memory" else _decoded(provider, layer.source())
+
+
+@lru_cache(4096)
+def _decoded(provider: str, source: str) -> Place:
+    """Found once for each source, since projects of hundreds of layers ask again and again."""
+    parts = QgsProviderRegistry.instance().decodeUri(provider, source)
     path = parts.get("path")
-    return (str(path), str(parts.get("layerName") or "")) if path else (layer.source(), "")
+    return (str(path), str(parts.get("layerName") or "")) if path else (source, "")
 
 
 def _same(one: Place, other: Place) -> bool:
