@@ -33,3 +33,16 @@ def test_hundred_windows_along_real_seams(
     assert report["stale"] == 0
     assert report.get("clicked", [[1024, 1024, 2]]) == [[1024, 1024, 2]]
     assert report["gap_ms"] <= 1000 * MOST_GAP_S
+
+
+def test_hundred_dense_windows_on_the_map(data_folder: Path, tmp_path: Path, screenshots: Path) -> None:
+    """Pictures to be looked at; nothing is said over the map after a run, for the desk says it."""
+    brighton = data_folder / "seams" / "brighton"
+    if not brighton.is_dir():
+        pytest.skip(f"no real data at {brighton}")
+    parameters = {"brighton": str(brighton), "screenshots": str(screenshots), "name": "dense"}
+    run = play(SCENARIOS / "dense.py", tmp_path, parameters, seconds=400)
+    say("dense windows", run.seconds, run.report)
+    check(run)
+    assert run.report["windows"] >= 100
+    assert run.report["said_over_the_map"] == 0

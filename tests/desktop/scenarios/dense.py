@@ -7,6 +7,9 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from qgis.gui import QgsMessageBarItem
+from qgis.utils import iface
+
 from demo.desk import Desk
 
 MOSAIC = "mosaic_feather0p4m"
@@ -15,16 +18,19 @@ OBSERVERS = ("visible", "invisible", "unsure")
 
 
 def play(desk: Desk) -> None:
-    """Pictures only."""
+    """Pictures, and what QGIS says over the map after a run."""
     shots, name = Path(desk.parameters["screenshots"]), desk.parameters["name"]
     desk.set_up(Path(desk.parameters["brighton"]), SIDE_M, SPACING_M, mosaic=MOSAIC)
     desk.session.set_inputs(replace(desk.session.inputs, reference="sources"))
     desk.dock.place.trigger()
     desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 30, "windows placed")
     desk.screenshot(shots / f"{name}_placed.png")
+    iface.messageBar().clearWidgets()
     desk.dock.inspect.trigger()
     desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 60, "all windows inspected")
     desk.wait_for_work()
+    desk.pause(1)
+    desk.report["said_over_the_map"] = len(iface.messageBar().findChildren(QgsMessageBarItem))
     desk.screenshot(shots / f"{name}_run.png")
     desk.rest_mouse()
     desk.session.select([])
