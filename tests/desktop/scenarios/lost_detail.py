@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry, QgsPointXY
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry, QgsPointXY, QgsRectangle
 from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 
@@ -75,8 +75,10 @@ def coloured(desk: Desk, fid: int) -> tuple[float, float]:
         session.mosaic_layer().crs(), canvas.mapSettings().destinationCrs(), desk.project
     )  # fmt: skip
     layer = next(one for one in desk.project.mapLayers().values() if one.name() == "seamlines")
-    seams = QgsGeometry.unaryUnion([one.geometry() for one in layer.getFeatures()])
-    on_seam, beside = places(desk, fid, seams)
+    box = QgsRectangle(*session.row(fid).extent)
+    near = QgsGeometry.fromRect(box.buffered(BESIDE_M))  # thousands of pieces of a pixel each are all there is of them
+    parts = [one.geometry().intersection(near) for one in layer.getFeatures(box.buffered(BESIDE_M))]
+    on_seam, beside = places(box, QgsGeometry.unaryUnion(parts).simplify(0.02))
     shown = canvas.grab().toImage()
     session.loss_view.show(False)
     desk.pause(0.3)
@@ -97,13 +99,12 @@ def coloured(desk: Desk, fid: int) -> tuple[float, float]:
     return shares[0], shares[1]
 
 
-def places(desk: Desk, fid: int, seams: QgsGeometry) -> tuple[list[QgsPointXY], list[QgsPointXY]]:
-    """In the window, on its seams and far from all of them."""
-    xmin, ymin, xmax, ymax = desk.session.row(fid).extent
+def places(box: QgsRectangle, seams: QgsGeometry) -> tuple[list[QgsPointXY], list[QgsPointXY]]:
+    """In the box, on its seams and far from all of them."""
     on_seam, beside = [], []
-    for row in range(1, 80):
-        for column in range(1, 80):
-            point = QgsPointXY(xmin + column / 80 * (xmax - xmin), ymin + row / 80 * (ymax - ymin))
+    for row in range(1, 60):
+        for column in range(1, 60):
+            point = QgsPointXY(box.xMinimum() + column / 60 * box.width(), box.yMinimum() + row / 60 * box.height())
             away = seams.distance(QgsGeometry.fromPointXY(point))
             if away < 0.15:
                 on_seam.append(point)

@@ -69,6 +69,7 @@ class ProfilePanel(QWidget):
         if live is not None:
             if live.profile is not None:
                 self.show_profile(live.profile, live.ground_sample_distance, self._session.inputs.min_kept)
+            self._follow(None)  # the map's distances are the selected window's
             return
         selected = self._session.selected()
         result = self._session.result(selected[0]) if len(selected) == 1 else None
@@ -80,10 +81,7 @@ class ProfilePanel(QWidget):
             self._text.setText(self._why_nothing(selected))
             self._pages.setCurrentWidget(self._text)
             self._say()
-        if result is not self._result:
-            self._result = result
-            self.followed.emit(result)
-        self._export.offer(result, self.chart.shown if result is not None else None)
+        self._follow(result)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -191,6 +189,13 @@ class ProfilePanel(QWidget):
         if result.explanation is not None and not result.explanation.has_seam:
             return tr("There is no seam in the window.")
         return tr("There is too little ground around the seam to compare with. Take a larger window.")
+
+    def _follow(self, result: WindowResult | None) -> None:
+        """What can be exported and pointed at on the map from now on."""
+        if result is not self._result:
+            self._result = result
+            self.followed.emit(result)
+        self._export.offer(result, self.chart.shown if result is not None else None)
 
     def _on_pointed(self, one: ProfileBin | None) -> None:
         self._say()

@@ -164,6 +164,8 @@ def test_a_profile_that_comes_later_is_shown(panel: ProfilePanel, session: Profi
 
 def test_while_a_window_is_moved_its_own_profile_is_shown(panel: ProfilePanel, session: ProfileSession) -> None:
     selected = panel.chart.shown
+    followed: list[object] = []
+    panel.followed.connect(followed.append)
     moved = replace(PROFILE, band_width_px=2 * PROFILE.band_width_px)
     clips = WindowClips(0, None, (), Judgement(Verdict.PRESERVED, Ratios((1.0,), None)), True)
     for profile in (None, moved):
@@ -179,6 +181,7 @@ def test_while_a_window_is_moved_its_own_profile_is_shown(panel: ProfilePanel, s
     assert panel.chart.shown == selected
     assert panel.chart.isEnabled()
     assert not panel._status.text().startswith("Live: ")
+    assert followed == [None, session.results[1]]  # meanwhile the map marks no other window's distances
 
 
 def test_the_table_and_the_picture_leave_it(
