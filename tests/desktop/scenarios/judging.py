@@ -4,6 +4,8 @@ Parameters: ``brighton``, ``screenshots`` (folders).
 """
 from __future__ import annotations
 
+import statistics
+import time
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsRectangle
@@ -49,13 +51,13 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
         desk.dock.windows.table, desk.canvas, desk.dock.judge, iface.layerTreeView(), iface.mainWindow(),
         *desk.dock.panels.values(),
     ]  # fmt: skip
-    seen, wrong = [], []
+    seen, wrong, key_times = [], [], []
     with Gaps() as gaps:
         for number in range(JUDGED):
             key, word = WORDS[number % 7 % 3]
             fid = session.selected()[0]
             window = session.row(fid).window_id
-            press(desk, everywhere[number % len(everywhere)], key)
+            key_times.append(press(desk, everywhere[number % len(everywhere)], key))
             keys += 1
             row = next(row for row in session.windows() if row.window_id == window)
             seen.append(row.kept_1)
@@ -66,6 +68,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
                 desk.wait_for_map()
                 desk.screenshot(shots / "judging.png")
     desk.report["wrong"] = wrong
+    desk.report["key_ms"] = [round(1000 * one) for one in (statistics.median(key_times), max(key_times))]
     desk.report["keys_per_window"] = keys / JUDGED
     desk.report["worst_first"] = seen == sorted(seen, key=lambda kept: (kept is None, kept))
     desk.report["judge_gap_ms"], desk.report["judge_work_ms"] = 1000 * gaps.longest_s, 1000 * gaps.longest_work_s
@@ -168,13 +171,16 @@ def keep_in_project(desk: Desk, shots: Path) -> None:
     desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")
 
 
-def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:
-    """A key where a widget has the focus."""
+def press(desk: Desk, widget: QWidget, key: Qt.Key) -> float:
+    """A key where a widget has the focus. Returns the seconds until it is taken."""
     desk.window.activateWindow()
     widget.setFocus()
     desk.wait(lambda: QApplication.focusWidget() is not None, 5, "focus in the main window")
+    start = time.perf_counter()
     QTest.keyClick(QApplication.focusWidget(), key)
+    taken = time.perf_counter() - start
     desk.pause(0.05)
+    return taken
 
 
 def in_the_middle(desk: Desk) -> bool:

@@ -43,7 +43,8 @@ if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
-_BOX_LETTERS = 10  # of the boxes beside the search
+_BOX_LETTERS = 8  # of the boxes beside the search
+_WIDE_LETTERS = 60  # the count of windows has room beside the search
 _TYPED_MS = 500  # without a letter: what is searched for stands
 _DIFFERENCES = ("tool_differs", "operators_differ")
 _SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
@@ -230,7 +231,8 @@ class WindowsPanel(QWidget):
     def _describe(self) -> None:
         """How many windows are left by the filter, and what an empty table says."""
         shown, count = self._shown.rowCount(), self._windows.rowCount()
-        self._count.setVisible(self._shown.is_on and count > 0)
+        has_room = self.width() > _WIDE_LETTERS * self.fontMetrics().averageCharWidth()  # the judge bar says it, too
+        self._count.setVisible(self._shown.is_on and count > 0 and has_room)
         self._count.setText(tr("{shown} of {count}").format(shown=shown, count=count))
         hint = tr("Draw a window on the map, or place windows along the seamlines.")
         if count:
