@@ -4,6 +4,7 @@ from __future__ import annotations
 from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QApplication, QWidget
 
+from .focus_filter import FocusFilter
 from .keyboard import is_keyboard_free
 
 _KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
@@ -13,7 +14,7 @@ class SpaceKey(QObject):
     """Which view Space is held over.
 
     Taking the focus instead would keep the arrow keys from the table of windows while the mouse rests on a view.
-    The application's events are looked at only while the mouse is over a view, a view has the focus by Tab, or
+    The keyboard is listened to only while the mouse is over a view, a view has the focus by Tab, or
     Space is still held.
     """
 
@@ -25,6 +26,7 @@ class SpaceKey(QObject):
         self._focused: QWidget | None = None
         self._is_held = False
         self._is_watching = False
+        self._keyboard = FocusFilter(self)
 
     @property
     def view(self) -> QWidget | None:
@@ -53,11 +55,16 @@ class SpaceKey(QObject):
         watching = self._is_held or self._hovered is not None or self._focused is not None
         if watching != self._is_watching:
             self._is_watching = watching
+            self._keyboard.listen(watching)
             if watching:
-                QApplication.instance().installEventFilter(self)
+                QApplication.instance().applicationStateChanged.connect(self._leave)
             else:
-                QApplication.instance().removeEventFilter(self)
+                QApplication.instance().applicationStateChanged.disconnect(self._leave)
         self.changed.emit()
+
+    def _leave(self, state: Qt.ApplicationState) -> None:
+        if state != Qt.ApplicationState.ApplicationActive:  # the key's release goes to somebody else
+            self._hold(False)
 
     def _hold(self, is_held: bool) -> None:
         if is_held != self._is_held:
@@ -66,8 +73,6 @@ class SpaceKey(QObject):
 
     def eventFilter(self, _receiver: QObject, event: QEvent) -> bool:
         kind = event.type()
-        if kind == QEvent.Type.ApplicationDeactivate:  # the key's release goes to somebody else
-            self._hold(False)
         if kind not in _KEYS or event.key() != Qt.Key.Key_Space:
             return False
         if not self._is_held:

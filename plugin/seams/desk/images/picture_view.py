@@ -112,6 +112,8 @@ class PictureView(QWidget):
         shown = self.shown
         if shown is None:
             return ""
+        if shown.is_composite:
+            return tr("hard cut of the sources")
         return tr("{name} (resampled)").format(name=shown.raster) if shown.resampled else shown.raster
 
     # Sizes

@@ -200,7 +200,7 @@ def test_a_held_key_is_forgotten_out_of_sight(panel: ImagesPanel, desk: QWidget)
 def test_a_held_key_is_forgotten_when_another_application_is_used(panel: ImagesPanel, desk: QWidget) -> None:
     hover(panel.views[1])
     press(desk)
-    QApplication.sendEvent(QApplication.instance(), QEvent(QEvent.Type.ApplicationDeactivate))
+    QApplication.instance().applicationStateChanged.emit(Qt.ApplicationState.ApplicationInactive)
     assert names(panel)[1] == "strip_1.tif"
 
 
