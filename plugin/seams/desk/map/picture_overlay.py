@@ -33,7 +33,8 @@ class PlacedPicture(NamedTuple):
 def rgba_image(rgba: np.ndarray) -> QImage:
     """(rows, columns, 4) uint8, alpha not multiplied in; as Qt draws it soonest."""
     rows, columns = rgba.shape[:2]
-    image = QImage(rgba.tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGBA8888)
+    pixels = rgba.tobytes()  # kept until the copy is made: Qt reads them where they are
+    image = QImage(pixels, columns, rows, 4 * columns, QImage.Format.Format_RGBA8888)
     return image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)  # a copy
 
 
