@@ -153,11 +153,13 @@ def tab_stops(dock: QWidget) -> list[QWidget]:
 
 
 def steps_up(dock: QWidget) -> list[str]:
-    """Where Tab goes up, or to the left in a row."""
+    """Where Tab goes up, but into a column to the right, or to the left in a row."""
     found, stops = [], tab_stops(dock)
     for before, after in zip(stops, stops[1:]):
         down = _top(dock, after) - _top(dock, before)
         across = after.mapTo(dock, QPoint()).x() - before.mapTo(dock, QPoint()).x()
+        if across >= before.width():
+            continue
         is_same_row = abs(down) < min(before.height(), after.height()) / 2
         if (across < 0) if is_same_row else (down < 0):
             found.append(f"{name_of(before)} > {name_of(after)}")

@@ -26,7 +26,7 @@ def play(desk: Desk) -> None:
     desk.dock.inspect.trigger()
     desk.wait_for_work(120)
     desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 30, "verdicts written")
-    desk.session.select([desk.session.windows()[0].fid])
+    desk.session.select([next(row.fid for row in desk.session.windows() if row.is_compared)])
     desk.rest_mouse()
     desk.pause(1)
     for side, area in (
