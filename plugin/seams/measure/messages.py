@@ -79,9 +79,7 @@ WINDOWS_FOUND = Message(
     WARNING,
 )
 WINDOWS_RESTORED = Message(
-    "QGIS ended before the windows in {name} were saved; what was changed last in {count} of them is back. Save the "
-    "layer to keep it.",
-    WARNING,
+    "QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.", WARNING
 )
 WINDOWS_NOT_KEPT = Message(
     "What is judged is safe only once you save the layer: it can't be kept in {path} meanwhile ({error}).", WARNING

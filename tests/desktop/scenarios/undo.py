@@ -31,6 +31,7 @@ def play(desk: Desk) -> None:
     desk.wait(lambda: session.windows() and not session.is_busy, 30, "windows placed")
     layer, count = session.window_layer(), len(session.windows())
     desk.report["placed"] = count
+    assert desk.dock.steps.undo.isEnabled()
     desk.dock.inspect.trigger()
     desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
     desk.wait_for_work()

@@ -23,7 +23,7 @@ from ....toolkit.desk.timers import single_shot
 from .restoring import UnsavedWindow, kept_values
 
 _MAGIC = b"Seam Inspector: windows not saved yet, 1\n"
-_AT_ONCE = 100  # windows read in one step
+_AT_ONCE = 25  # windows read and written in one step, some ms
 _NUMBER = "window_id"
 _OWNER, _NOBODY = "project", b"\0"
 

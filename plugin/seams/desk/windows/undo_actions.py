@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication, QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapTool
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtGui import QKeyEvent, QKeySequence
-from qgis.PyQt.QtWidgets import QAction, QMainWindow, QWidget
+from qgis.PyQt.QtWidgets import QAction, QMainWindow, QUndoStack, QWidget
 
 from ....toolkit.translation import tr
 
@@ -34,6 +35,7 @@ class UndoActions(QObject):
         self._session = session
         self._window = window
         self._is_in_sight = False
+        self._stack: QUndoStack | None = None
         self._filtered: set[QWidget] = set()
         self.undo = self._button("Undo", tr("Undo"), self._undo)
         self.redo = self._button("Redo", tr("Redo"), self._redo)
@@ -51,6 +53,7 @@ class UndoActions(QObject):
     def close(self) -> None:
         """Take the keys off all widgets."""
         self.set_in_sight(False)
+        self._follow(None)
         for widget in list(self._filtered):
             self._leave_keys_in(widget)
         for key in self._keys:
@@ -75,10 +78,11 @@ class UndoActions(QObject):
         self._is_in_sight = is_in_sight
         self.refresh()
 
-    def refresh(self) -> None:
+    def refresh(self, *_: object) -> None:
         """What can be undone and done again, and by which name."""
         layer = self._layer()
         stack = layer.undoStack() if layer is not None else None
+        self._follow(stack)
         undo_name, redo_name = (stack.undoText(), stack.redoText()) if stack is not None else ("", "")
         self.undo.setEnabled(stack is not None and stack.canUndo())
         self.redo.setEnabled(stack is not None and stack.canRedo())
@@ -98,6 +102,16 @@ class UndoActions(QObject):
         if event.type() == QEvent.Type.KeyPress:
             action.trigger()
         return True
+
+    def _follow(self, stack: QUndoStack | None) -> None:
+        """Windows are told of while a step is still being made, which can be undone only at its end."""
+        if stack is self._stack:
+            return
+        if self._stack is not None and not sip.isdeleted(self._stack):
+            self._stack.indexChanged.disconnect(self.refresh)
+        self._stack = stack
+        if stack is not None:
+            stack.indexChanged.connect(self.refresh)
 
     def _action_of(self, event: QKeyEvent) -> QAction | None:
         pressed = event.key(), event.modifiers()

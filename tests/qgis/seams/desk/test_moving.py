@@ -87,4 +87,4 @@ def test_windows_of_a_project_that_was_never_saved_are_found_after_a_crash(
     desk.session.open_windows(found[0])
     (row,) = desk.session.windows()
     assert (row.verdict, row.observer) == ("significant", "visible")
-    assert desk.messages[-1].startswith("QGIS ended before the windows in Windows were saved")
+    assert desk.messages[-1].startswith("QGIS ended without saving; the changes of")

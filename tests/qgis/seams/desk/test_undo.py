@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 from qgis.core import QgsProject, QgsVectorLayer
+from qgis.PyQt.QtWidgets import QMainWindow
+from seam_inspector.plugin.seams.desk.windows.undo_actions import UndoActions
 
 from tests.qgis.scenes import BLURRED, SHARP, outline, saved, windows
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_until
@@ -140,3 +142,20 @@ def test_layers_that_write_each_change_at_once_can_be_worked_in(desk: Desk, tmp_
     finally:
         desk.project.removeAllMapLayers()
         QgsProject.instance().setAutoTransaction(False)
+
+
+def test_placed_windows_can_be_undone_by_the_button_as_soon_as_they_are_there(desk: Desk) -> None:
+    window = QMainWindow()
+    actions = UndoActions(desk.session, window, window)
+    desk.session.place_windows()
+    desk.wait()
+    count = len(desk.session.windows())
+    assert count > 1
+    assert actions.undo.isEnabled()
+    assert "Add windows" in actions.undo.toolTip()
+    actions.undo.trigger()
+    assert desk.session.windows() == []
+    assert (actions.undo.isEnabled(), actions.redo.isEnabled()) == (False, True)
+    actions.redo.trigger()
+    assert len(desk.session.windows()) == count
+    actions.close()
