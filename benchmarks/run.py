@@ -1,10 +1,11 @@
 """The speed of the measurement, as ratios measured in one run: `make benchmark`.
 
-The curve of a clip against PyWavelets, whole windows against the bare GDAL read of their pixels, one thread against
-two, memory against the number of windows, the search in a large index, a report of 300 windows, the radiometry of whole
-rasters against their bare read, and the interior orientation of a scanned frame. It says what it is at and takes three
-minutes on two quiet cores; the scan of a whole mosaic has `make benchmark-scan`. Goals are printed beside the figures;
-the exit status is 0 whether they are met or not, since a busy machine is no fault of the code.
+The curve of a clip against PyWavelets, whole windows, the click and the live curve against the bare GDAL read of their
+pixels, one thread against two, memory against the number of windows, the search in a large index, a report of 300
+windows, the radiometry of whole rasters against their bare read, and the interior orientation of a scanned frame. It
+says what it is at and takes three minutes on two quiet cores; the scan of a whole mosaic has `make benchmark-scan`.
+Goals are printed beside the figures; the exit status is 0 whether they are met or not, since a busy machine is no
+fault of the code.
 """
 from __future__ import annotations
 
@@ -15,13 +16,14 @@ from pathlib import Path
 
 from osgeo import gdal
 
-from . import curves, photos, radiometry, reports, windows
+from . import curves, live, photos, radiometry, reports, windows
 from .ground import make_ground
 from .timing import Goal, print_machine, print_table, say, seconds_so_far
 
 PARTS = (
     ("curves of clips against PyWavelets", lambda ground, quick: curves.run(ground.pixels()[1], quick)),
     ("whole windows against the bare read", windows.run_against_read),
+    ("at the click and under the mouse", live.run),
     ("profile and causes against the curves", windows.run_explanation),
     ("windows on one thread and on two", windows.run_threads),
     ("memory against the number of windows", windows.run_memory),

@@ -1,6 +1,7 @@
 """Threads that read the rasters of a window side by side and keep them open, for whoever waits for each picture."""
 from __future__ import annotations
 
+import os
 import threading
 from collections.abc import Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -12,8 +13,8 @@ from ..raster_pool import RasterPool
 from ..rasters import RasterRef
 from .readings import Found, Reading, read_one
 
-LANES = 4  # more than most processors have cores: the system shares them out among rasters of unequal work
-KEPT_PER_LANE = 4  # rasters that a lane keeps open
+LANES = min(4, os.cpu_count() or 1)  # more than there are processors cost more than they gain
+KEPT_PER_LANE = 8  # rasters that a lane keeps open
 
 
 class ReadingLanes:
