@@ -207,6 +207,7 @@ class InspectionDock(ToolDock):
         lost.setDefaultAction(self.lost.action)
         lost.setAutoRaise(True)
         tabs.setCornerWidget(lost)
+        QWidget.setTabOrder(tabs.tabBar(), lost)
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
         self.setWidget(self._body)
 

@@ -205,6 +205,7 @@ class JudgeBar(QWidget):
         self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._buttons.addLayout(self._judging_row)
         self._buttons.addLayout(self._moving, 1)
+        QWidget.setTabOrder(self.operators, self._back)  # as they stand
         below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
         below.addLayout(self._buttons)
         below.addWidget(self.notes)
