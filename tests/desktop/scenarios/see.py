@@ -88,8 +88,9 @@ def swipe(desk: Desk, fid: int, shots: Path) -> None:
 
 
 def wait_for_swipe(desk: Desk) -> None:
-    """Until the map and what is swiped are drawn."""
-    desk.pause(0.3)
+    """Until the map and what is swiped are drawn; the canvas begins a while after it was asked."""
+    desk.canvas.refresh()
+    desk.pause(1)
     swiped = desk.dock.swiping.swipe
     desk.wait(lambda: not swiped.is_drawing and not desk.canvas.isDrawing(), 60, "swipe drawn")
 
