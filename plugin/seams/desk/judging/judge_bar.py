@@ -206,6 +206,7 @@ class JudgeBar(QWidget):
         self._buttons.addLayout(self._judging_row)
         self._buttons.addLayout(self._moving, 1)
         QWidget.setTabOrder(self.operators, self._back)  # as they stand
+        QWidget.setTabOrder(self._back, self._forth)
         below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
         below.addLayout(self._buttons)
         below.addWidget(self.notes)
