@@ -118,6 +118,7 @@ def follow(desk: Desk) -> None:
     grown = cycle([(x + 25.6 + 0.2 * step, y - 25.6 - 0.2 * step) for step in range(-10, 10)])
     QTest.mousePress(desk.canvas.viewport(), *left(), desk.pixel(corner))
     measure_live(desk, "dragged", grown)
+    desk.wait(lambda: session.live is not None and session.live.profile is not None, 20, "profile of the live window")
     desk.report["live_profiles"] = bool(session.live is not None and session.live.profile is not None)
     desk.screenshot(shots / "live_drag.png")
     before = len(session.windows())
