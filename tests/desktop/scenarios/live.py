@@ -112,14 +112,14 @@ def follow(desk: Desk) -> None:
     inside = [point for point in path if desk.canvas.extent().buffered(-10).contains(*point)]
     there_and_back = cycle([*inside, *reversed(inside)])
     measure_live(desk, "moved", there_and_back)
+    desk.wait(lambda: session.live is not None and session.live.profile is not None, 20, "profile of the live window")
+    desk.report["live_profiles"] = True
     desk.screenshot(shots / "live.png")
     x, y = inside[len(inside) // 2]
     corner = x - 25.6, y + 25.6
     grown = cycle([(x + 25.6 + 0.2 * step, y - 25.6 - 0.2 * step) for step in range(-10, 10)])
     QTest.mousePress(desk.canvas.viewport(), *left(), desk.pixel(corner))
     measure_live(desk, "dragged", grown)
-    desk.wait(lambda: session.live is not None and session.live.profile is not None, 20, "profile of the live window")
-    desk.report["live_profiles"] = bool(session.live is not None and session.live.profile is not None)
     desk.screenshot(shots / "live_drag.png")
     before = len(session.windows())
     end = next(grown)

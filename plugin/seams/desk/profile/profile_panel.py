@@ -208,8 +208,8 @@ class ProfilePanel(QWidget):
         if shown is not None:
             one = self.chart.pointed_bin
             words = bin_words(shown, one) if one is not None else summary_words(shown)
-            if self._session.live is not None:
-                words = [tr("Live: ") + text for text in words]
+            if (live := self._session.live) is not None:  # nothing is said while its profile is still to come
+                words = [tr("Live: ") + text for text in words] if live.profile is not None else [""]
         metrics, room = self._status.fontMetrics(), self._status.width() - 2 * self._status.margin()
         fitting = (text for text in words if metrics.horizontalAdvance(text) <= room)
         self._status.setText(next(fitting, words[-1]))
