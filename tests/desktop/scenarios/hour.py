@@ -9,6 +9,7 @@ import json
 import os
 import signal
 import time
+from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsRectangle
@@ -20,7 +21,7 @@ from qgis.utils import iface
 from demo.desk import Desk
 from demo.gaps import Gaps
 
-SIDE_M, SPACING_M = 7.6, 2.2
+SIDE_M, SPACING_M = 1.9, 2.2  # 64 px: larger windows would share too many pixels for 100 of them to have room
 JUDGED_BEFORE = 30
 WORDS = ((Qt.Key.Key_V, "visible"), (Qt.Key.Key_I, "invisible"), (Qt.Key.Key_U, "unsure"))
 
@@ -38,6 +39,8 @@ def begin(desk: Desk, work: Path) -> None:
     """From an empty project to thirty judged windows; then the power fails."""
     desk.set_up(Path(desk.parameters["brighton"]), SIDE_M, SPACING_M, mosaic="mosaic_feather0p4m")
     session = desk.session
+    # Of so small a window there is too little ground to judge its seam by.
+    session.set_inputs(replace(session.inputs, reference="sources"))
     assert desk.project.write(str(work / "project.qgz"))
     with Gaps() as gaps:
         desk.dock.place.trigger()
