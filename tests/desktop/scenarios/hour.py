@@ -1,4 +1,4 @@
-"""An hour at the desk in minutes: a hundred windows placed, inspected, judged by keys, killed midway, finished, exported.
+"""An hour at the desk in minutes: a hundred windows placed, inspected, judged by keys; killed midway, then finished.
 
 Parameters: ``brighton``, ``work``, ``screenshots`` (folders), ``stage`` (``begin`` | ``finish``). The first stage ends
 with the process; what it measured is in ``work``/begun.json.
@@ -93,7 +93,7 @@ def finish(desk: Desk, work: Path, shots: Path) -> None:
 
 def judge(desk: Desk, count: int) -> dict[str, object]:
     """So many windows, by one key each; the map follows."""
-    session, keys, lost = desk.session, 0, 0
+    keys = lost = 0
     press(desk, Qt.Key.Key_N)
     start = time.perf_counter()
     for number in range(count):
