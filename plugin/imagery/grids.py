@@ -3,17 +3,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeVar
-
-import numpy as np
+from typing import TYPE_CHECKING, TypeVar
 
 from . import limits, messages
 from .errors import SettingsError, WindowError
 
+if TYPE_CHECKING:
+    import numpy as np
+
 Extent = tuple[float, float, float, float]
 """xmin, ymin, xmax, ymax in map units."""
 
-_Places = TypeVar("_Places", float, np.ndarray)
+_Places = TypeVar("_Places", float, "np.ndarray")
 
 
 @dataclass(frozen=True)
@@ -105,6 +106,8 @@ class Grid:
 
     def to_pixels(self, points: np.ndarray) -> np.ndarray:
         """Columns and rows of places on the map, both (n, 2)."""
+        import numpy as np  # not when QGIS starts
+
         return np.column_stack([self.column_at(points[:, 0]), self.row_at(points[:, 1])])
 
     def window_extent(self, window: PixelWindow) -> Extent:

@@ -96,5 +96,5 @@ REMOTE_IN_PART = Message(
 )
 REMOTE_NOT_OPENED = Message("{name} can't be read over the network ({why}); check its address and GDAL's settings.")
 # files of records
-RECORDS_IN_USE = Message("another QGIS has it open", INFO)
-RECORDS_FOREIGN = Message("the file there is something else", INFO)
+RECORDS_IN_USE = Message("another QGIS has it open")
+RECORDS_FOREIGN = Message("the file there is something else")

@@ -72,7 +72,7 @@ WINDOWS_KEPT_MEANWHILE = Message(
 )
 WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
 WINDOWS_NOT_MOVED = Message(
-    "The windows stay in {old}, as they can't be moved to {folder} ({error}); export them from there.", WARNING
+    "The windows stay in {old}, as they can't be moved to {folder} ({error}); export them from there."
 )
 WINDOWS_FOUND = Message(
     "QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.",

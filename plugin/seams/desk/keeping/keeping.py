@@ -103,7 +103,7 @@ class Keeping(QObject):
             try:
                 self.told.emit(messages.WINDOWS_MOVED(path=move(layer, Path(project.homePath()))))
             except WindowLayerError as error:
-                self.told.emit(error.message)
+                self.told.emit(error.message.as_warning())  # nothing is lost
         self.follow(layer, 0)
         if is_edited:
             layer.startEditing()
