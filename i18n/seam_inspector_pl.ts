@@ -9,7 +9,7 @@
         <translation>Skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="26"/>
+        <location filename="../build/template_texts.py" line="27"/>
         <source>Windows</source>
         <translation>Okna</translation>
     </message>
@@ -84,12 +84,12 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="151"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/run.py" line="185"/>
+        <location filename="../plugin/toolkit/algorithms/run.py" line="186"/>
         <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
@@ -104,7 +104,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="76"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -144,52 +144,52 @@
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="32"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="31"/>
         <source>Place windows along seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="33"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="32"/>
         <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="43"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="42"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="43"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="42"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="50"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="50"/>
         <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="54"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="54"/>
         <source>Distance between the centres of neighbouring windows, measured along the seam.</source>
         <translation>Odległość między środkami sąsiednich okien, mierzona wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="59"/>
         <source>The windows, with the number of their seam and their station along it in metres.</source>
         <translation>Okna z numerem linii mozaikowania i pikietażem wzdłuż niej w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="102"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="101"/>
         <source>{windows} windows placed along {seams} seams.</source>
         <translation>Liczba rozmieszczonych okien: {windows}, liczba linii mozaikowania: {seams}.</translation>
     </message>
@@ -384,32 +384,32 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/messages.py" line="99"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="67"/>
+        <location filename="../plugin/seams/measure/messages.py" line="100"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="68"/>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="69"/>
+        <location filename="../plugin/seams/measure/messages.py" line="102"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="73"/>
+        <location filename="../plugin/seams/measure/messages.py" line="106"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału {band} (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
@@ -419,7 +419,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -464,7 +464,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="64"/>
+        <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>{count} windows had no number of their own and were given the next free ones.</source>
         <translation>Okna bez własnego numeru otrzymały kolejne wolne numery; liczba takich okien: {count}.</translation>
     </message>
@@ -489,7 +489,7 @@
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="25"/>
+        <location filename="../build/template_texts.py" line="26"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -499,12 +499,12 @@
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="23"/>
+        <location filename="../build/template_texts.py" line="24"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="28"/>
+        <location filename="../plugin/seams/desk/dock.py" line="60"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
@@ -514,7 +514,7 @@
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/window_pictures.py" line="46"/>
+        <location filename="../plugin/seams/desk/images/window_pictures.py" line="52"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
@@ -524,7 +524,7 @@
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="73"/>
+        <location filename="../build/template_texts.py" line="74"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -549,7 +549,7 @@
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_title.py" line="24"/>
+        <location filename="../plugin/seams/desk/images/picture_title.py" line="16"/>
         <source>source</source>
         <translation>źródło</translation>
     </message>
@@ -559,22 +559,22 @@
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="25"/>
+        <location filename="../build/template_texts.py" line="157"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="26"/>
+        <location filename="../build/template_texts.py" line="158"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="27"/>
+        <location filename="../build/template_texts.py" line="159"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="32"/>
+        <location filename="../build/template_texts.py" line="162"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
@@ -599,7 +599,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="38"/>
+        <location filename="../plugin/seams/window_summary.py" line="41"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -614,357 +614,312 @@
         <translation>Liczba zaznaczonych okien: {count} ({verdicts}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
-        <source>Inputs: choose the mosaic</source>
-        <translation>Dane wejściowe: wybierz ortofotomapę</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
         <source>{count} sources</source>
         <translation>źródła: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="162"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="164"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="166"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="201"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="176"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
         <source>{pixels} px, {metres:.1f} m</source>
         <translation>{pixels} px, {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="181"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="177"/>
+        <location filename="../build/template_texts.py" line="178"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="201"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="254"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="224"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="186"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="167"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/layer_box.py" line="50"/>
+        <location filename="../plugin/toolkit/desk/layer_box.py" line="56"/>
         <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="79"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="26"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="28"/>
         <source>{count} of the {selected} selected windows: mean and range</source>
         <translation>Zaznaczone okna: {count} z {selected}, średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="29"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="31"/>
         <source>{count} windows: mean and range</source>
         <translation>Liczba okien: {count}, średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="186"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="239"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="33"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="35"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="39"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="177"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="41"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="51"/>
         <source>None of the selected windows can be compared.</source>
         <translation>Żadnego z zaznaczonych okien nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="44"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="54"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="188"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="183"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="51"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="61"/>
         <source>The curves are not kept with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="52"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="186"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="45"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="46"/>
         <source>Visible (V)</source>
         <translation>Widoczna (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="45"/>
-        <source>The loss of detail can be seen at 2x magnification. Click again to take it back.</source>
-        <translation>Strata detali jest widoczna w powiększeniu 2×. Ponowne kliknięcie wycofuje opinię.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="49"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="50"/>
         <source>Invisible (I)</source>
         <translation>Niewidoczna (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="49"/>
-        <source>The loss of detail can&apos;t be seen at 2x magnification. Click again to take it back.</source>
-        <translation>Strata detali nie jest widoczna w powiększeniu 2×. Ponowne kliknięcie wycofuje opinię.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="55"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="57"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="55"/>
-        <source>Selects the next compared window that is not judged yet.</source>
-        <translation>Zaznacza następne porównane okno bez opinii obserwatora.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="58"/>
-        <source>Selects the window before this one.</source>
-        <translation>Zaznacza poprzednie okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="61"/>
-        <source>Selects the window after this one.</source>
-        <translation>Zaznacza następne okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="65"/>
-        <source>Next window to judge</source>
-        <translation>Następne okno bez opinii</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="98"/>
-        <source>{judged} of {count} compared windows are judged.</source>
-        <translation>Porównane okna z opinią obserwatora: {judged} z {count}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="197"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="150"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/judge_bar.py" line="203"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="153"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="58"/>
-        <source>Double click zooms to a window; Del removes the selected ones.</source>
-        <translation>Dwukrotne kliknięcie powiększa do okna; klawisz Del usuwa zaznaczone okna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="157"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="236"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="160"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="239"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="237"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="201"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="292"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="55"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="295"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
         <source>Windows without the observer&apos;s word.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="213"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="329"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="215"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="330"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>The selected windows are not judged yet.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -974,59 +929,49 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="57"/>
-        <source>Click: a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square.</source>
-        <translation>Kliknięcie: okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="150"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="150"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="167"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="167"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="169"/>
+        <location filename="../plugin/seams/desk/dock.py" line="183"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="169"/>
+        <location filename="../plugin/seams/desk/dock.py" line="183"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="40"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
-        <source>Undo the last change of the windows (Ctrl+Z)</source>
-        <translation>Cofnij ostatnią zmianę okien (Ctrl+Z)</translation>
     </message>
     <message>
         <location filename="../plugin/desk_tabs.py" line="11"/>
@@ -1034,7 +979,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="285"/>
+        <location filename="../plugin/seams/desk/dock.py" line="279"/>
         <source>{done} of {asked} windows</source>
         <translation>Okna: {done} z {asked}</translation>
     </message>
@@ -1064,17 +1009,17 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="69"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="11"/>
+        <location filename="../build/template_texts.py" line="12"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="88"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="94"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
@@ -1084,12 +1029,12 @@
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
         <source>sources</source>
         <translation>źródła</translation>
     </message>
@@ -1099,47 +1044,47 @@
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="107"/>
+        <location filename="../build/template_texts.py" line="108"/>
         <source>reason</source>
-        <translation>przyczyna</translation>
+        <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="26"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="27"/>
         <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="88"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="94"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="111"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="57"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="69"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="62"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="74"/>
         <source>log</source>
         <translation>log</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="63"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="75"/>
         <source>Logarithmic axis, which shows the fine levels; off: linear axis</source>
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
@@ -1149,62 +1094,37 @@
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="55"/>
-        <source>Check all rasters that overlap the mosaic</source>
-        <translation>Zaznacz wszystkie rastry nachodzące na ortofotomapę</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="56"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="71"/>
         <source>Check no raster; missing ones are removed</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="57"/>
-        <source>The orthoimages that the mosaic was made from. Uncheck a missing one to remove it from the inputs.</source>
-        <translation>Ortoobrazy, z których powstała ortofotomapa. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="67"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="168"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="192"/>
-        <source>does not overlap the mosaic: {path}</source>
-        <translation>nie nachodzi na ortofotomapę: {path}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="98"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="117"/>
         <source>{name} (resampled)</source>
         <translation>{name} (przepróbkowany)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="275"/>
-        <source>Drag to move, turn the wheel to zoom, hold Space to see the mosaic here.</source>
-        <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie; przytrzymaj spację, aby zobaczyć tu ortofotomapę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="242"/>
-        <source>no source covers it</source>
-        <translation>bez pokrycia źródłami</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="244"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="15"/>
         <source>{width:.1f} x {height:.1f} m, {columns} x {rows} px</source>
         <translation>{width:.1f} × {height:.1f} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/seam_finder.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/seam_finder.py" line="46"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
@@ -1214,7 +1134,7 @@
         <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
         <source>The picture, for documents</source>
         <translation>Obraz do dokumentów</translation>
     </message>
@@ -1229,7 +1149,7 @@
         <translation>Obraz ostry w każdej wielkości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
         <source>Save as CSV...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
@@ -1239,27 +1159,27 @@
         <translation>Wszystkie rastry i kanały w oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
         <source>To the clipboard</source>
         <translation>Do schowka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
         <source>Copy values</source>
         <translation>Kopiuj wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
         <source>To the clipboard, for a spreadsheet</source>
         <translation>Do schowka, do arkusza kalkulacyjnego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="62"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="65"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
@@ -1269,7 +1189,7 @@
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="70"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="71"/>
         <source>Table with commas</source>
         <translation>Tabela rozdzielana przecinkami</translation>
     </message>
@@ -1289,67 +1209,57 @@
         <translation>Zapisano krzywe w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="47"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="42"/>
         <source>Screen pixels per image pixel</source>
         <translation>Liczba pikseli ekranu na piksel obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="50"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="45"/>
         <source>Zoom all pictures out (wheel, -)</source>
         <translation>Pomniejsz wszystkie obrazy (kółko, -)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="51"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="46"/>
         <source>Zoom all pictures in (wheel, +)</source>
         <translation>Powiększ wszystkie obrazy (kółko, +)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="52"/>
-        <source>Show all of the window</source>
-        <translation>Pokaż całe okno</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="53"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="48"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="108"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="103"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="107"/>
         <source>Choose the mosaic under Inputs to see the pictures of this window.</source>
         <translation>Wybierz ortofotomapę w danych wejściowych, aby zobaczyć obrazy tego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="116"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="111"/>
         <source>No picture: neither the mosaic nor a source can be read in this window.</source>
         <translation>Brak obrazu: w tym oknie nie można odczytać ani ortofotomapy, ani ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="142"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="144"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="181"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="232"/>
         <source>{window}: reading ...</source>
         <translation>{window}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="183"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="234"/>
         <source>{window}: no source covers it</source>
         <translation>{window}: bez pokrycia źródłami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="185"/>
-        <source>{window} · Space: mosaic</source>
-        <translation>{window} · spacja: ortofotomapa</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="57"/>
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
@@ -1359,7 +1269,7 @@
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that layer elsewhere.</source>
         <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
     </message>
@@ -1384,27 +1294,27 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="94"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="136"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="137"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="144"/>
         <source>Add windows</source>
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="150"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="161"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="172"/>
+        <location filename="../plugin/seams/desk/session.py" line="259"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="179"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="211"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -1474,7 +1384,7 @@
         <translation> (ortofotomapa: {percent:.0f}% tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
         <source>Save as PNG...</source>
         <translation>Zapisz jako PNG...</translation>
     </message>
@@ -1504,29 +1414,24 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="157"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
         <source>opening ...</source>
         <translation>otwieranie ...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="159"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="89"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="92"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="293"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/desk_tabs.py" line="11"/>
-        <source>How the variance of the selected windows spreads over the levels of detail</source>
-        <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali</translation>
     </message>
     <message>
         <location filename="../plugin/desk_tabs.py" line="11"/>
@@ -1544,12 +1449,12 @@
         <translation>Komórki &amp;mozaiki</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="13"/>
+        <location filename="../build/template_texts.py" line="14"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="106"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="122"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -1609,12 +1514,12 @@
         <translation>Narysuj linię w poprzek kresek grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="180"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="188"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="248"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="256"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
@@ -1629,7 +1534,7 @@
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="251"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="259"/>
         <source>Width of one bar and one gap of the reference group together.</source>
         <translation>Łączna szerokość jednej kreski i jednej przerwy grupy odniesienia.</translation>
     </message>
@@ -1639,22 +1544,22 @@
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="255"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="263"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="256"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="264"/>
         <source>Bars</source>
         <translation>Kreski</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="257"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="265"/>
         <source>Reference</source>
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="258"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="266"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
@@ -1779,62 +1684,62 @@
         <translation>Ocenione modele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="45"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="44"/>
         <source>Predict loss by feathering</source>
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="46"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="45"/>
         <source>Says before any mosaic is made how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="57"/>
         <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
         <source>Width of the feather (metres)</source>
         <translation>Szerokość pasa wtapiania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
         <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is foretold, where both images weigh the same.</source>
         <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
         <source>Ramp of the feather</source>
         <translation>Przebieg wag w pasie wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
         <translation>Jak w poprzek pasa zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="84"/>
         <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold is the mean over the directions it may have.</source>
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="93"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="93"/>
         <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="97"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="97"/>
         <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
@@ -2059,7 +1964,7 @@
         <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="84"/>
+        <location filename="../build/template_texts.py" line="85"/>
         <source>Rasters</source>
         <translation>Rastry</translation>
     </message>
@@ -2177,11 +2082,6 @@
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="38"/>
         <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje granicę istotnej straty, którą potwierdzają oceny obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) ocen wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0.5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 ocenach widocznych lub 5 niewidocznych nie ma liczby.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="50"/>
-        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos;, and the measures &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
-        <translation>Okna skontrolowane i ocenione: pole 'observer' ze słowami 'visible' (stratę widać przy 2x) i 'invisible' oraz miary 'kept_1', 'composite_ratio_1', 'contrast_1' i 'ratio_1', o ile są.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
@@ -2474,7 +2374,7 @@
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="54"/>
+        <location filename="../build/template_texts.py" line="55"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
@@ -2484,7 +2384,7 @@
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="40"/>
+        <location filename="../build/template_texts.py" line="41"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
@@ -2624,7 +2524,7 @@
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="111"/>
+        <location filename="../build/template_texts.py" line="112"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
@@ -2664,7 +2564,7 @@
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="138"/>
+        <location filename="../build/template_texts.py" line="139"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
@@ -2744,17 +2644,17 @@
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="128"/>
+        <location filename="../build/template_texts.py" line="129"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="136"/>
+        <location filename="../build/template_texts.py" line="137"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="116"/>
+        <location filename="../build/template_texts.py" line="117"/>
         <source>Control points</source>
         <translation>Punkty osnowy</translation>
     </message>
@@ -3024,7 +2924,7 @@
         <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; miejsca bez okna: {notes}, opisane w dzienniku komunikatów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="55"/>
+        <location filename="../plugin/seams/measure/messages.py" line="61"/>
         <source>No window could be placed along the seams; the log messages say why.</source>
         <translation>Wzdłuż linii mozaikowania nie udało się umieścić żadnego okna; przyczyny podaje dziennik komunikatów.</translation>
     </message>
@@ -3039,27 +2939,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="114"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="118"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/messages.py" line="148"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz da się tu porównać: {why}</translation>
     </message>
@@ -3074,77 +2974,77 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny folder.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/messages.py" line="156"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola '{field}'; wybierz warstwę skontrolowanych okien, taką, jaką zostawia 'Skontroluj okna'.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="143"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="198"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="194"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="167"/>
+        <location filename="../plugin/seams/measure/messages.py" line="206"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/messages.py" line="176"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="140"/>
+        <location filename="../plugin/seams/measure/messages.py" line="179"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="173"/>
+        <location filename="../plugin/seams/measure/messages.py" line="212"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="172"/>
+        <location filename="../plugin/seams/measure/messages.py" line="211"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -4119,47 +4019,47 @@
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="20"/>
+        <location filename="../build/template_texts.py" line="21"/>
         <source>window</source>
         <translation>okno</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="21"/>
+        <location filename="../build/template_texts.py" line="22"/>
         <source>verdict, cause, observer</source>
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="27"/>
+        <location filename="../build/template_texts.py" line="28"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="22"/>
+        <location filename="../build/template_texts.py" line="23"/>
         <source>raster</source>
         <translation>raster</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="24"/>
+        <location filename="../build/template_texts.py" line="25"/>
         <source>detail, level</source>
         <translation>detale, poziom</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="19"/>
+        <location filename="../build/template_texts.py" line="20"/>
         <source>Relative variances</source>
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="81"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="83"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="83"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="86"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="90"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="93"/>
         <source>hard-cut composite</source>
         <translation>złożenie z ostrym cięciem</translation>
     </message>
@@ -4169,12 +4069,12 @@
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="142"/>
+        <location filename="../build/template_texts.py" line="143"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="143"/>
+        <location filename="../build/template_texts.py" line="144"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
@@ -4199,52 +4099,52 @@
         <translation>silny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="65"/>
+        <location filename="../build/template_texts.py" line="66"/>
         <source>not measurable</source>
         <translation>niemierzalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="76"/>
+        <location filename="../build/template_texts.py" line="77"/>
         <source>How it is measured</source>
         <translation>Jak przebiega pomiar</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="81"/>
+        <location filename="../build/template_texts.py" line="82"/>
         <source>Random noise</source>
         <translation>Szum losowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="82"/>
+        <location filename="../build/template_texts.py" line="83"/>
         <source>Windows by their random noise: {counts}.</source>
         <translation>Okna według szumu losowego: {counts}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="83"/>
+        <location filename="../build/template_texts.py" line="84"/>
         <source>Relative variance of the details by level, 1 the finest. It rises from level to level in an image with little random noise; noise lifts level 1 above level 2 and, where it is strong, level 2 above level 3.</source>
         <translation>Wariancja względna detali według poziomów, poziom 1 jest najdokładniejszy. W obrazie o małym szumie losowym rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2, a gdy jest silny, także poziom 2 ponad poziom 3.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="85"/>
+        <location filename="../build/template_texts.py" line="86"/>
         <source>group</source>
         <translation>grupa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="86"/>
+        <location filename="../build/template_texts.py" line="87"/>
         <source>pixel</source>
         <translation>piksel</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="87"/>
+        <location filename="../build/template_texts.py" line="88"/>
         <source>least sigma (DN)</source>
         <translation>najmniejsza sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="88"/>
+        <location filename="../build/template_texts.py" line="89"/>
         <source>mean</source>
         <translation>średnia</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="89"/>
+        <location filename="../build/template_texts.py" line="90"/>
         <source>largest</source>
         <translation>największa</translation>
     </message>
@@ -4279,17 +4179,17 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="90"/>
+        <location filename="../build/template_texts.py" line="91"/>
         <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. Judged is the luminance, or the only band (Pyka 2009).</source>
         <translation>Każde okno jest rozkładane falką {wavelet} na poziomy w liczbie {levels}; detale poziomu to udział jego trzech komponentów detali w wariancji okna. Oceniana jest luminancja albo jedyny kanał (Pyka 2009).</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="91"/>
+        <location filename="../build/template_texts.py" line="92"/>
         <source>Sigma is the median absolute value of the finest diagonal component divided by 0.6745, in DN. Fine texture adds to it, so compare it between images of the same ground.</source>
         <translation>Sigma to mediana wartości bezwzględnych najdokładniejszego komponentu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="92"/>
+        <location filename="../build/template_texts.py" line="93"/>
         <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground.</source>
         <translation>Kurtoza to czwarty moment detali poziomu podzielony przez kwadrat ich wariancji: 3 dla szumu gaussowskiego, więcej tam, gdzie krawędzie wyróżniają się na spokojnym tle.</translation>
     </message>
@@ -4299,42 +4199,42 @@
         <translation>Dodaj grupę kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="50"/>
+        <location filename="../build/template_texts.py" line="167"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="63"/>
+        <location filename="../build/template_texts.py" line="166"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="77"/>
+        <location filename="../build/template_texts.py" line="176"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="84"/>
+        <location filename="../build/template_texts.py" line="174"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="93"/>
+        <location filename="../build/template_texts.py" line="172"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="101"/>
+        <location filename="../build/template_texts.py" line="175"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="108"/>
+        <location filename="../build/template_texts.py" line="165"/>
         <source>misregistration</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="182"/>
+        <location filename="../build/template_texts.py" line="179"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
@@ -4384,107 +4284,107 @@
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="52"/>
+        <location filename="../build/template_texts.py" line="53"/>
         <source>Pictures</source>
         <translation>Obrazy znaczków</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="37"/>
+        <location filename="../build/template_texts.py" line="38"/>
         <source>Interior orientation of {name}</source>
         <translation>Orientacja wewnętrzna: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="38"/>
+        <location filename="../build/template_texts.py" line="39"/>
         <source>{columns} x {rows} px. Marks measured: {measured}, given: {given}, failed: {failed}.</source>
         <translation>{columns} × {rows} px. Znaczki zmierzone: {measured}, podane: {given}, odrzucone: {failed}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="39"/>
+        <location filename="../build/template_texts.py" line="40"/>
         <source>Root mean square of the residuals: {rms:.1f} um.</source>
         <translation>Średnia kwadratowa odchyłek: {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="41"/>
+        <location filename="../build/template_texts.py" line="42"/>
         <source>Mark</source>
         <translation>Znaczek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="42"/>
+        <location filename="../build/template_texts.py" line="43"/>
         <source>Column, px</source>
         <translation>Kolumna, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="43"/>
+        <location filename="../build/template_texts.py" line="44"/>
         <source>Row, px</source>
         <translation>Wiersz, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="44"/>
+        <location filename="../build/template_texts.py" line="45"/>
         <source>x, mm</source>
         <translation>x, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="45"/>
+        <location filename="../build/template_texts.py" line="46"/>
         <source>y, mm</source>
         <translation>y, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="46"/>
+        <location filename="../build/template_texts.py" line="47"/>
         <source>Residual x, um</source>
         <translation>Odchyłka x, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="47"/>
+        <location filename="../build/template_texts.py" line="48"/>
         <source>Residual y, um</source>
         <translation>Odchyłka y, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="48"/>
+        <location filename="../build/template_texts.py" line="49"/>
         <source>Correlation</source>
         <translation>Korelacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="49"/>
+        <location filename="../build/template_texts.py" line="50"/>
         <source>Status</source>
         <translation>Stan</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="50"/>
+        <location filename="../build/template_texts.py" line="51"/>
         <source>Reason</source>
         <translation>Przyczyna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="51"/>
+        <location filename="../build/template_texts.py" line="52"/>
         <source>Pixel centres are at .5: the first pixel reaches from 0 to 1. Millimetres: x to the right, y upwards.</source>
         <translation>Środki pikseli mają końcówkę ,5: pierwszy piksel sięga od 0 do 1. Milimetry: x w prawo, y w górę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="58"/>
+        <location filename="../build/template_texts.py" line="59"/>
         <source>to millimetres</source>
         <translation>na milimetry</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="59"/>
+        <location filename="../build/template_texts.py" line="60"/>
         <source>to pixels</source>
         <translation>na piksele</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="55"/>
+        <location filename="../build/template_texts.py" line="56"/>
         <source>Model: {model}, marks: {marks}, degrees of freedom: {redundancy}.</source>
         <translation>Model {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="56"/>
+        <location filename="../build/template_texts.py" line="57"/>
         <source>The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}.</source>
         <translation>Zdjęcie jest obrócone o {turned} stopni zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie: {evidence}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="57"/>
+        <location filename="../build/template_texts.py" line="58"/>
         <source> and mirrored</source>
         <translation> i odbite lustrzanie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="53"/>
+        <location filename="../build/template_texts.py" line="54"/>
         <source>Each pixel is shown {times} times as wide; the cross stands where the mark was found.</source>
         <translation>Każdy piksel jest pokazany w {times}-krotnym powiększeniu; krzyż stoi tam, gdzie znaleziono znaczek.</translation>
     </message>
@@ -4604,47 +4504,37 @@
         <translation>Okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="31"/>
+        <location filename="../build/template_texts.py" line="32"/>
         <source>{name} (mosaic)</source>
         <translation>{name} (mozaika)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="115"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="116"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="122"/>
-        <source>Absolute contrast at level 1: {percent:.0f} %.</source>
-        <translation>Kontrast bezwzględny na poziomie 1: {percent:.0f} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="124"/>
-        <source>Pixels where no source wins clearly: {percent:.0f} %.</source>
-        <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent:.0f} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="133"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="135"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="134"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="136"/>
         <source>against the hard-cut composite</source>
         <translation>względem złożenia z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="135"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="137"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="157"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="159"/>
         <source>Clips at 2x, {side} px a side around x {x}, y {y}.</source>
         <translation>Wycinki w powiększeniu 2x, bok {side} px, wokół x {x}, y {y}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="161"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="163"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4684,27 +4574,27 @@
         <translation>skok na liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="70"/>
+        <location filename="../build/template_texts.py" line="71"/>
         <source>contrast beside the seams</source>
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="63"/>
+        <location filename="../build/template_texts.py" line="64"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="64"/>
+        <location filename="../build/template_texts.py" line="65"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="61"/>
+        <location filename="../build/template_texts.py" line="62"/>
         <source>Rules: {name}.</source>
         <translation>Reguły: {name}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="60"/>
+        <location filename="../build/template_texts.py" line="61"/>
         <source>Radiometric acceptance</source>
         <translation>Odbiór radiometryczny</translation>
     </message>
@@ -4714,32 +4604,32 @@
         <translation>{name}, okno {window}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="62"/>
+        <location filename="../build/template_texts.py" line="63"/>
         <source>image</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="66"/>
+        <location filename="../build/template_texts.py" line="67"/>
         <source>what failed</source>
         <translation>niespełnione reguły</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="68"/>
+        <location filename="../build/template_texts.py" line="69"/>
         <source>Tonal balancing and feathering lower the step at the seams and take contrast away with it, so both have to be looked at together.</source>
         <translation>Wyrównanie tonalne i wtapianie zmniejszają skok na liniach mozaikowania, ale odbierają przy tym kontrast, więc oba trzeba oceniać razem.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="67"/>
+        <location filename="../build/template_texts.py" line="68"/>
         <source>Tonal unity and contrast</source>
         <translation>Jednolitość tonalna i kontrast</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="69"/>
+        <location filename="../build/template_texts.py" line="70"/>
         <source>largest step at a seam</source>
         <translation>największy skok na linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="71"/>
+        <location filename="../build/template_texts.py" line="72"/>
         <source>Available range: {low:g} to {high:g} DN.</source>
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
@@ -4749,67 +4639,67 @@
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="72"/>
+        <location filename="../build/template_texts.py" line="73"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="74"/>
+        <location filename="../build/template_texts.py" line="75"/>
         <source>result</source>
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="75"/>
+        <location filename="../build/template_texts.py" line="76"/>
         <source>source of the limit</source>
         <translation>źródło granicy</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="139"/>
+        <location filename="../plugin/radiometry/report.py" line="144"/>
         <source>{least} to {most}</source>
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="141"/>
+        <location filename="../plugin/radiometry/report.py" line="146"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="142"/>
+        <location filename="../plugin/radiometry/report.py" line="147"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="77"/>
+        <location filename="../build/template_texts.py" line="78"/>
         <source>Clipping, peak and contrast come from the histogram of all valid pixels. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range.</source>
         <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="78"/>
+        <location filename="../build/template_texts.py" line="79"/>
         <source>Signal to noise: areas of {side} x {side} px, spread over the image, whose mean lies in the middle half of the range and whose four quadrants have the same mean as far as their noise lets one tell; the quarter with the least noise, mean over standard deviation.</source>
         <translation>Stosunek sygnału do szumu: obszary {side} × {side} px, rozłożone na obrazie, których średnia leży w środkowej połowie zakresu, a cztery ćwiartki mają tę samą średnią, o ile pozwala to stwierdzić ich szum; z ćwierci obszarów o najmniejszym szumie, średnia podzielona przez odchylenie standardowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="79"/>
+        <location filename="../build/template_texts.py" line="80"/>
         <source>Colour balance: such areas whose bands differ by at most 10 % of the range; the quarter with the least colour, largest difference between the bands&apos; means.</source>
         <translation>Balans barw: takie same obszary, których kanały różnią się o najwyżej 10% zakresu; z ćwierci obszarów o najsłabszej barwie, największa różnica między średnimi kanałów.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="80"/>
+        <location filename="../build/template_texts.py" line="81"/>
         <source>Step at the seams: difference of the means {near} to {far} px on either side for every {station} px of seam, their median along each seam, the largest of all seams as a share of the image&apos;s largest value. Contrast beside the seams is the standard deviation of the same pixels, as a share of the range.</source>
         <translation>Skok na liniach mozaikowania: różnica średnich od {near} do {far} px po obu stronach, co {station} px linii, mediana wzdłuż każdej linii, największa ze wszystkich linii jako część największej wartości obrazu. Kontrast przy liniach mozaikowania to odchylenie standardowe tych samych pikseli jako część zakresu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="124"/>
+        <location filename="../build/template_texts.py" line="125"/>
         <source>Property</source>
         <translation>Właściwość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="125"/>
+        <location filename="../build/template_texts.py" line="126"/>
         <source>Value</source>
         <translation>Wartość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="126"/>
+        <location filename="../build/template_texts.py" line="127"/>
         <source>Unknowns</source>
         <translation>Niewiadome</translation>
     </message>
@@ -4849,87 +4739,87 @@
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="127"/>
+        <location filename="../build/template_texts.py" line="128"/>
         <source>Iterations</source>
         <translation>Iteracje</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="129"/>
+        <location filename="../build/template_texts.py" line="130"/>
         <source>Standard deviation of a control point</source>
         <translation>Odchylenie standardowe punktu osnowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="130"/>
+        <location filename="../build/template_texts.py" line="131"/>
         <source>Image outside the control points&apos; outline</source>
         <translation>Część obrazu poza obrysem punktów osnowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="131"/>
+        <location filename="../build/template_texts.py" line="132"/>
         <source>Accuracy</source>
         <translation>Dokładność</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="132"/>
+        <location filename="../build/template_texts.py" line="133"/>
         <source>Points</source>
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="133"/>
+        <location filename="../build/template_texts.py" line="134"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="112"/>
+        <location filename="../build/template_texts.py" line="113"/>
         <source>Mean X (m)</source>
         <translation>Średni X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="113"/>
+        <location filename="../build/template_texts.py" line="114"/>
         <source>Mean Y (m)</source>
         <translation>Średni Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="114"/>
+        <location filename="../build/template_texts.py" line="115"/>
         <source>Largest X (m)</source>
         <translation>Największy X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="115"/>
+        <location filename="../build/template_texts.py" line="116"/>
         <source>Largest Y (m)</source>
         <translation>Największy Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="134"/>
+        <location filename="../build/template_texts.py" line="135"/>
         <source>Mean column (px)</source>
         <translation>Średni kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="135"/>
+        <location filename="../build/template_texts.py" line="136"/>
         <source>Mean row (px)</source>
         <translation>Średni wiersza (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="137"/>
+        <location filename="../build/template_texts.py" line="138"/>
         <source>Mean errors are root mean squares. Only check points, which took no part in the fit, say how accurate the image becomes.</source>
         <translation>Błędy średnie to błędy średniokwadratowe. Tylko punkty kontrolne, które nie brały udziału w dopasowaniu, mówią, jak dokładny będzie obraz.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="139"/>
+        <location filename="../build/template_texts.py" line="140"/>
         <source>Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated.</source>
         <translation>Model minus pomiar na obrazie, w powiększeniu; zacieniony obrys obejmuje to, co nie jest ekstrapolowane.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="140"/>
+        <location filename="../build/template_texts.py" line="141"/>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="141"/>
+        <location filename="../build/template_texts.py" line="142"/>
         <source>Role</source>
         <translation>Rola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="144"/>
+        <location filename="../build/template_texts.py" line="145"/>
         <source>Blunder</source>
         <translation>Błąd gruby</translation>
     </message>
@@ -4944,52 +4834,52 @@
         <translation>tak</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="123"/>
+        <location filename="../build/template_texts.py" line="124"/>
         <source>Sensor model: {name}</source>
         <translation>Model sensora: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="118"/>
+        <location filename="../build/template_texts.py" line="119"/>
         <source>Each point was predicted by a fit to all others (leave-one-out), since check points are few.</source>
         <translation>Każdy punkt przewidziano z dopasowania do wszystkich pozostałych (leave-one-out), ponieważ punktów kontrolnych jest mało.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="119"/>
+        <location filename="../build/template_texts.py" line="120"/>
         <source>Errors are those of check points, which took no part in the fit.</source>
         <translation>Błędy są błędami punktów kontrolnych, które nie brały udziału w dopasowaniu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="109"/>
+        <location filename="../build/template_texts.py" line="110"/>
         <source>The recommended model stands out.</source>
         <translation>Zalecany model jest wyróżniony.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="110"/>
+        <location filename="../build/template_texts.py" line="111"/>
         <source>Table</source>
         <translation>Tabela</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="117"/>
+        <location filename="../build/template_texts.py" line="118"/>
         <source>Judged on</source>
         <translation>Podstawa oceny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="120"/>
+        <location filename="../build/template_texts.py" line="121"/>
         <source>Mean errors are root mean squares.</source>
         <translation>Błędy średnie to błędy średniokwadratowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="121"/>
+        <location filename="../build/template_texts.py" line="122"/>
         <source>Not fitted, or not to be trusted</source>
         <translation>Niedopasowane lub niewiarygodne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="122"/>
+        <location filename="../build/template_texts.py" line="123"/>
         <source>Why</source>
         <translation>Dlaczego</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="108"/>
+        <location filename="../build/template_texts.py" line="109"/>
         <source>Sensor models compared</source>
         <translation>Porównanie modeli sensora</translation>
     </message>
@@ -4999,52 +4889,52 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="52"/>
+        <location filename="../plugin/seams/window_summary.py" line="55"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="54"/>
+        <location filename="../plugin/seams/window_summary.py" line="57"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="58"/>
+        <location filename="../plugin/seams/window_summary.py" line="61"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="60"/>
+        <location filename="../plugin/seams/window_summary.py" line="63"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="61"/>
+        <location filename="../plugin/seams/window_summary.py" line="64"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="64"/>
+        <location filename="../plugin/seams/window_summary.py" line="67"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="66"/>
+        <location filename="../plugin/seams/window_summary.py" line="69"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="68"/>
+        <location filename="../plugin/seams/window_summary.py" line="71"/>
         <source>the sources lie {length} px apart</source>
         <translation>ortoobrazy są od siebie odsunięte o {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="71"/>
+        <location filename="../plugin/seams/window_summary.py" line="74"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="73"/>
+        <location filename="../plugin/seams/window_summary.py" line="76"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
@@ -5054,22 +4944,22 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="87"/>
+        <location filename="../plugin/seams/window_summary.py" line="91"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="89"/>
+        <location filename="../plugin/seams/window_summary.py" line="93"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="91"/>
+        <location filename="../plugin/seams/window_summary.py" line="95"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/window_summary.py" line="97"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -5179,72 +5069,72 @@
         <translation>{name} (mozaika, gruba)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="93"/>
+        <location filename="../build/template_texts.py" line="94"/>
         <source>Ground resolved distance: {name}</source>
         <translation>Terenowa zdolność rozdzielcza: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="94"/>
+        <location filename="../build/template_texts.py" line="95"/>
         <source>direction</source>
         <translation>kierunek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="95"/>
+        <location filename="../build/template_texts.py" line="96"/>
         <source>band</source>
         <translation>kanał</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="96"/>
+        <location filename="../build/template_texts.py" line="97"/>
         <source>distance, cm</source>
         <translation>GRD, cm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="97"/>
+        <location filename="../build/template_texts.py" line="98"/>
         <source>The target</source>
         <translation>Test</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="99"/>
+        <location filename="../build/template_texts.py" line="100"/>
         <source>Full circles are bars, empty ones the gaps between them. The gaps must lie beyond the dashed line, which is {criterion:.0%} of the full amplitude away from the weakest bar. Grey lines: the ends of the line as drawn.</source>
         <translation>Pełne kółka to kreski, puste – przerwy między nimi. Przerwy muszą leżeć za linią przerywaną, która jest oddalona od najsłabszej kreski o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="98"/>
+        <location filename="../build/template_texts.py" line="99"/>
         <source>Profiles</source>
         <translation>Profile</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="100"/>
+        <location filename="../build/template_texts.py" line="101"/>
         <source>Measurements</source>
         <translation>Pomiary</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="101"/>
+        <location filename="../build/template_texts.py" line="102"/>
         <source>bars</source>
         <translation>kreski</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="102"/>
+        <location filename="../build/template_texts.py" line="103"/>
         <source>amplitude, DN</source>
         <translation>amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="103"/>
+        <location filename="../build/template_texts.py" line="104"/>
         <source>full amplitude, DN</source>
         <translation>pełna amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="104"/>
+        <location filename="../build/template_texts.py" line="105"/>
         <source>modulation</source>
         <translation>modulacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="105"/>
+        <location filename="../build/template_texts.py" line="106"/>
         <source>shift, px</source>
         <translation>przesunięcie, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="106"/>
+        <location filename="../build/template_texts.py" line="107"/>
         <source>Reasons</source>
         <translation>Powody</translation>
     </message>
@@ -5264,17 +5154,17 @@
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="28"/>
+        <location filename="../build/template_texts.py" line="29"/>
         <source>Flagged windows</source>
         <translation>Oznaczone okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="29"/>
+        <location filename="../build/template_texts.py" line="30"/>
         <source>None: no window has a significant loss, and in none did the observer see one.</source>
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="151"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -5294,42 +5184,42 @@
         <translation>okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="12"/>
+        <location filename="../build/template_texts.py" line="13"/>
         <source>Causes</source>
         <translation>Przyczyny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="16"/>
+        <location filename="../build/template_texts.py" line="17"/>
         <source>of them flagged</source>
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="17"/>
+        <location filename="../build/template_texts.py" line="18"/>
         <source>Map</source>
         <translation>Mapa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="18"/>
+        <location filename="../build/template_texts.py" line="19"/>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="215"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="217"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="32"/>
+        <location filename="../build/template_texts.py" line="33"/>
         <source>How to read it</source>
         <translation>Jak to czytać</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="35"/>
+        <location filename="../build/template_texts.py" line="36"/>
         <source>Relative variance: the share of a clip&apos;s variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic&apos;s share at level 1 divided by a source&apos;s; a window&apos;s ratio is the largest over its sources.</source>
         <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział mozaiki na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="36"/>
+        <location filename="../build/template_texts.py" line="37"/>
         <source>The clips show, at 2x and all stretched alike, the part of the window where the mosaic lost most of the finest detail. JPEG takes a little of it from all of them.</source>
         <translation>Wycinki pokazują, w powiększeniu 2x i z jednakowym rozciągnięciem, część okna, w której mozaika straciła najwięcej najdrobniejszych detali. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
@@ -5389,7 +5279,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="170"/>
+        <location filename="../plugin/seams/desk/dock.py" line="184"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -5417,11 +5307,6 @@
         <location filename="../plugin/noise/desk/noise_panel.py" line="150"/>
         <source>The measurement was stopped. Select the window again to measure it.</source>
         <translation>Pomiar przerwano. Zaznacz okno ponownie, aby je zmierzyć.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="189"/>
-        <source>Relative variance of the details by level, 1 the finest; the bold curve is judged. It rises in an image with little random noise, and noise lifts level 1 above level 2 first.</source>
-        <translation>Wariancja względna detali na kolejnych poziomach, od najdrobniejszego 1; oceniana jest gruba krzywa. W obrazie o małym szumie losowym rośnie ona z poziomu na poziom, a szum najpierw podnosi poziom 1 ponad poziom 2.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/noise_summary.py" line="45"/>
@@ -5459,7 +5344,7 @@
         <translation>Nie można oceniać względem '{reference}'; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="74"/>
+        <location filename="../plugin/seams/measure/messages.py" line="107"/>
         <source>No source explains the mosaic&apos;s fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
@@ -5529,67 +5414,67 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="105"/>
+        <location filename="../plugin/seams/window_summary.py" line="109"/>
         <source>There is no seam in the window to be judged.</source>
         <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="107"/>
+        <location filename="../plugin/seams/window_summary.py" line="111"/>
         <source>The window has {percent} % of the sharpness of its sources.</source>
         <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="112"/>
+        <location filename="../plugin/seams/window_summary.py" line="116"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="117"/>
+        <location filename="../plugin/seams/window_summary.py" line="121"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="121"/>
+        <location filename="../plugin/seams/window_summary.py" line="125"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="126"/>
+        <location filename="../plugin/seams/window_summary.py" line="130"/>
         <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="136"/>
+        <location filename="../plugin/seams/window_summary.py" line="168"/>
         <source>; the rest is as sharp as its sources.</source>
         <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="137"/>
+        <location filename="../plugin/seams/window_summary.py" line="169"/>
         <source>; the whole window has {percent} % of the sharpness of its sources.</source>
         <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="148"/>
+        <location filename="../plugin/seams/window_summary.py" line="180"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="69"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="70"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="70"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="71"/>
         <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
+        <location filename="../build/template_texts.py" line="160"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="148"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="150"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -5599,19 +5484,14 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="92"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="98"/>
         <source>What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="105"/>
         <source>kept</source>
         <translation>zachow.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
-        <source>Share of the finest detail that is kept along the seam, relative to the ground around it.</source>
-        <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="50"/>
@@ -5659,32 +5539,32 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="31"/>
+        <location filename="../plugin/seams/judged_value.py" line="47"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="32"/>
+        <location filename="../plugin/seams/judged_value.py" line="48"/>
         <source>composite: {value:.2f}</source>
         <translation>złożenie: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="33"/>
+        <location filename="../plugin/seams/judged_value.py" line="49"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="40"/>
+        <location filename="../plugin/seams/judged_value.py" line="56"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="41"/>
+        <location filename="../plugin/seams/judged_value.py" line="57"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <location filename="../build/template_texts.py" line="164"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
@@ -5704,7 +5584,7 @@
         <translation>{value} % jej pikseli nie pochodzi z żadnego z tych ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <location filename="../build/template_texts.py" line="168"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
@@ -5734,7 +5614,7 @@
         <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <location filename="../build/template_texts.py" line="169"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
@@ -5754,7 +5634,7 @@
         <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <location filename="../build/template_texts.py" line="170"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
@@ -5774,7 +5654,7 @@
         <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <location filename="../build/template_texts.py" line="171"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
@@ -5794,7 +5674,7 @@
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="163"/>
+        <location filename="../build/template_texts.py" line="173"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
@@ -5809,7 +5689,7 @@
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <location filename="../build/template_texts.py" line="177"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
@@ -5839,52 +5719,52 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="78"/>
+        <location filename="../plugin/seams/measure/messages.py" line="111"/>
         <source>The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness alone.</source>
         <translation>W całym oknie mozaika podąża za jednym obrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="83"/>
+        <location filename="../plugin/seams/measure/messages.py" line="116"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="87"/>
+        <location filename="../plugin/seams/measure/messages.py" line="120"/>
         <source>{share:.0f} % of the window is from none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="91"/>
+        <location filename="../plugin/seams/measure/messages.py" line="124"/>
         <source>{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="95"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania mozaika ma od {low:.0f} do {high:.0f} % detali obrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="99"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="103"/>
+        <location filename="../plugin/seams/measure/messages.py" line="136"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/messages.py" line="137"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/messages.py" line="141"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="174"/>
+        <location filename="../plugin/seams/measure/messages.py" line="213"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -5924,27 +5804,27 @@
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="14"/>
+        <location filename="../build/template_texts.py" line="15"/>
         <source>main cause in</source>
         <translation>główna przyczyna w</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="15"/>
+        <location filename="../build/template_texts.py" line="16"/>
         <source>took part in</source>
         <translation>udział w</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="30"/>
+        <location filename="../build/template_texts.py" line="31"/>
         <source>share, level</source>
         <translation>część, poziom</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="33"/>
+        <location filename="../build/template_texts.py" line="34"/>
         <source>Kept: the share of the sources&apos; detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
         <translation>Zachowane: część detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="34"/>
+        <location filename="../build/template_texts.py" line="35"/>
         <source>Verdicts by the seam: significant, where 70 % or less is kept (or what the inspection was set to), or the whole window is blurred badly; reduced, where surely less than all is; else preserved. The paper&apos;s rule looks at ratio 1 in whole clips: significant up to 0.5, reduced below 1. Observer: what the operator saw at 2x magnification.</source>
         <translation>Oceny według linii mozaikowania: strata istotna, gdy zachowano 70 % lub mniej (albo tyle, ile ustawiono przy kontroli) lub całe okno jest mocno rozmyte; obniżona, gdy na pewno zachowano mniej niż wszystko; inaczej zachowana. Reguła z artykułu patrzy na stosunek 1 w całych wycinkach: istotna do 0,5, obniżona poniżej 1. Obserwator: co operator widział w powiększeniu 2x.</translation>
     </message>
@@ -5954,7 +5834,7 @@
         <translation>mediana</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="10"/>
+        <location filename="../build/template_texts.py" line="11"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
@@ -6019,22 +5899,22 @@
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="171"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="171"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -6049,42 +5929,42 @@
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="119"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="130"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="124"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="89"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="93"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="92"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="96"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="118"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="122"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="119"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="123"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -6104,37 +5984,37 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="176"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="180"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="178"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="182"/>
         <source>Scanned {metres} m of seams: no significant loss</source>
         <translation>Zbadano {metres} m linii: brak istotnej straty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="180"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="184"/>
         <source>Scanned {metres} m of seams: significant loss on {failed} m</source>
         <translation>Zbadano {metres} m linii: istotna strata na {failed} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="184"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="188"/>
         <source>Notes in the log: {count}.</source>
         <translation>Uwagi w dzienniku: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="30"/>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="26"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń najgorsze ({count})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="30"/>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="26"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="32"/>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="27"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
@@ -6189,419 +6069,1699 @@
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="180"/>
+        <location filename="../plugin/seams/measure/messages.py" line="219"/>
         <source>{density} is no density of a scan; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="181"/>
+        <location filename="../plugin/seams/measure/messages.py" line="220"/>
         <source>The picture of losses has no cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="183"/>
+        <location filename="../plugin/seams/measure/messages.py" line="222"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
         <translation>Raster {name} nie ma kanału {band}, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="225"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.</source>
         <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="229"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="191"/>
+        <location filename="../plugin/seams/measure/messages.py" line="230"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="192"/>
+        <location filename="../plugin/seams/measure/messages.py" line="231"/>
         <source>The scan starts anew, since nothing in {path} can be read any more.</source>
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="193"/>
+        <location filename="../plugin/seams/measure/messages.py" line="232"/>
         <source>{path} is damaged; the blocks before are kept ({done}), and the others are measured again.</source>
         <translation>Plik {path} jest uszkodzony; bloki sprzed uszkodzenia są zachowane ({done}), a pozostałe są mierzone ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="196"/>
+        <location filename="../plugin/seams/measure/messages.py" line="235"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="197"/>
+        <location filename="../plugin/seams/measure/messages.py" line="236"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="200"/>
+        <location filename="../plugin/seams/measure/messages.py" line="239"/>
         <source>{path} can&apos;t be kept to one scan on this disk ({error}); choose an output on a local disk.</source>
         <translation>Na tym dysku nie można zastrzec pliku {path} dla jednego badania ({error}); wybierz plik wyniku na dysku lokalnym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="203"/>
+        <location filename="../plugin/seams/measure/messages.py" line="242"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="204"/>
+        <location filename="../plugin/seams/measure/messages.py" line="243"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="208"/>
+        <location filename="../plugin/seams/measure/messages.py" line="247"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="212"/>
+        <location filename="../plugin/seams/measure/messages.py" line="251"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="213"/>
+        <location filename="../plugin/seams/measure/messages.py" line="252"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="214"/>
+        <location filename="../plugin/seams/measure/messages.py" line="253"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="215"/>
+        <location filename="../plugin/seams/measure/messages.py" line="254"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="216"/>
+        <location filename="../plugin/seams/measure/messages.py" line="255"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="217"/>
+        <location filename="../plugin/seams/measure/messages.py" line="256"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="218"/>
+        <location filename="../plugin/seams/measure/messages.py" line="257"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="221"/>
+        <location filename="../plugin/seams/measure/messages.py" line="260"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="223"/>
+        <location filename="../plugin/seams/measure/messages.py" line="262"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="224"/>
+        <location filename="../plugin/seams/measure/messages.py" line="263"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="227"/>
+        <location filename="../plugin/seams/measure/messages.py" line="266"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="231"/>
+        <location filename="../plugin/seams/measure/messages.py" line="270"/>
         <source>The seamline layer names no orthoimages; what lies beside its seams is called by its dates, of the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów; to, co leży po obu stronach linii, jest nazywane według dat z pola „{field}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="235"/>
+        <location filename="../plugin/seams/measure/messages.py" line="274"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="239"/>
+        <location filename="../plugin/seams/measure/messages.py" line="278"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="242"/>
+        <location filename="../plugin/seams/measure/messages.py" line="281"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="245"/>
+        <location filename="../plugin/seams/measure/messages.py" line="284"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="248"/>
+        <location filename="../plugin/seams/measure/messages.py" line="287"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="252"/>
+        <location filename="../plugin/seams/measure/messages.py" line="291"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all ({names} first of all); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="256"/>
+        <location filename="../plugin/seams/measure/messages.py" line="295"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <location filename="../plugin/seams/measure/messages.py" line="299"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} ({names} first of all).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <location filename="../plugin/seams/measure/messages.py" line="302"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="268"/>
+        <location filename="../plugin/seams/measure/messages.py" line="307"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="271"/>
+        <location filename="../plugin/seams/measure/messages.py" line="310"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <location filename="../plugin/seams/measure/messages.py" line="314"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="279"/>
+        <location filename="../plugin/seams/measure/messages.py" line="318"/>
         <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
         <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <location filename="../plugin/seams/measure/messages.py" line="327"/>
         <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
         <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="295"/>
+        <location filename="../plugin/seams/measure/messages.py" line="334"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="298"/>
+        <location filename="../plugin/seams/measure/messages.py" line="337"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <location filename="../plugin/seams/measure/messages.py" line="341"/>
         <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
         <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="305"/>
+        <location filename="../plugin/seams/measure/messages.py" line="344"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="308"/>
+        <location filename="../plugin/seams/measure/messages.py" line="347"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="311"/>
+        <location filename="../plugin/seams/measure/messages.py" line="350"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="314"/>
+        <location filename="../plugin/seams/measure/messages.py" line="353"/>
         <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <location filename="../plugin/seams/measure/messages.py" line="357"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="322"/>
+        <location filename="../plugin/seams/measure/messages.py" line="361"/>
         <source>None of the orthoimages can be used, for the reasons that are told; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="326"/>
+        <location filename="../plugin/seams/measure/messages.py" line="365"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="56"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="69"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="119"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="124"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="130"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
         <source>Length with a significant loss (metres)</source>
         <translation>Długość z istotną stratą (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="330"/>
+        <location filename="../plugin/seams/measure/messages.py" line="369"/>
         <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
         <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="179"/>
+        <location filename="../plugin/seams/measure/messages.py" line="218"/>
         <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
         <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="221"/>
         <source>{name} is {value:g}; give a number of {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <location filename="../plugin/seams/measure/messages.py" line="323"/>
         <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} wszędzie jest taki jak mozaika, jest więc jej kopią albo mozaiką, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako obraz źródłowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="291"/>
+        <location filename="../plugin/seams/measure/messages.py" line="330"/>
         <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells nothing, so give the orthoimages that the mosaic was made from.</source>
         <translation>{name} wszędzie jest taki jak mozaika i nie ma innego obrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc obrazy źródłowe, z których mozaika powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="334"/>
+        <location filename="../plugin/seams/measure/messages.py" line="373"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych obrazów źródłowych nie wyjaśnia mozaiki wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="337"/>
+        <location filename="../plugin/seams/measure/messages.py" line="376"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="340"/>
+        <location filename="../plugin/seams/measure/messages.py" line="379"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="343"/>
+        <location filename="../plugin/seams/measure/messages.py" line="382"/>
         <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="346"/>
+        <location filename="../plugin/seams/measure/messages.py" line="385"/>
         <source>The corridor counts only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała mozaika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="349"/>
+        <location filename="../plugin/seams/measure/messages.py" line="388"/>
         <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="189"/>
+        <source>Relative variance of the details by level, 1 the finest. Only the bold curve is judged. The red bar at a level stands as high as the bold curve does one level before: in an image with little noise the curve rises above it. Where the bold curve is in the red, below the bar, noise lifted the finer level.</source>
+        <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="99"/>
+        <source>another QGIS has it open</source>
+        <translation>plik jest otwarty w innym QGIS</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="100"/>
+        <source>the file there is something else</source>
+        <translation>plik w tym miejscu jest czymś innym</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="146"/>
+        <source>50 % kept, or less</source>
+        <translation>zachowane 50 % lub mniej</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="147"/>
+        <source>50 to 60 %</source>
+        <translation>od 50 do 60 %</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="148"/>
+        <source>60 to 70 %</source>
+        <translation>od 60 do 70 %</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="149"/>
+        <source>70 to 80 %</source>
+        <translation>od 70 do 80 %</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="150"/>
+        <source>80 to 90 %</source>
+        <translation>od 80 do 90 %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="148"/>
+        <source>another source has more detail here: cut hard, the window would have {percent} %</source>
+        <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="151"/>
+        <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
+        <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="154"/>
+        <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
+        <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="158"/>
+        <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
+        <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="10"/>
+        <source>not sure</source>
+        <translation>niepewna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/variance_table.py" line="83"/>
+        <source>found: {cause}</source>
+        <translation>znaleziono: {cause}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
+        <source>Found: {cause}.</source>
+        <translation>Znaleziono: {cause}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="124"/>
+        <source>Absolute contrast at level 1: {percent} %.</source>
+        <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="126"/>
+        <source>Pixels where no source wins clearly: {percent} %.</source>
+        <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="44"/>
+        <source>Swipe</source>
+        <translation>Kurtyna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="45"/>
+        <source>Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends</source>
+        <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="125"/>
+        <source>Compare the mosaic with {name}</source>
+        <translation>Porównaj ortofotomapę z {name}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="129"/>
+        <source>No source here</source>
+        <translation>Nie ma tu ortoobrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="131"/>
+        <source>Exchange the sides (X)</source>
+        <translation>Zamień strony (X)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="133"/>
+        <source>Lying handle</source>
+        <translation>Uchwyt poziomy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="134"/>
+        <source>Compare above and below instead of left and right</source>
+        <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe.py" line="86"/>
+        <source>Open {name}</source>
+        <translation>Otwórz {name}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe.py" line="229"/>
+        <source>{name} (its own stretch)</source>
+        <translation>{name} (własne rozciągnięcie)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe.py" line="233"/>
+        <source>{name}: reading ...</source>
+        <translation>{name}: wczytywanie...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/swipe/swipe_handle.py" line="26"/>
+        <source>Drag to compare the mosaic with the other image. X exchanges them, Esc ends.</source>
+        <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/notes_row.py" line="49"/>
+        <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
+        <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/notes_row.py" line="57"/>
+        <source>A remark on the window (R); Enter keeps it and Esc leaves it as it was.</source>
+        <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>remark</source>
+        <translation>uwaga</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/notes_row.py" line="69"/>
+        <source>Remark:</source>
+        <translation>Uwaga:</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <source>First operator</source>
+        <translation>Pierwszy operator</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <source>What is said goes to the field &apos;observer&apos;.</source>
+        <translation>Opinia trafia do pola 'observer'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <source>Second operator</source>
+        <translation>Drugi operator</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <source>What is said goes to the field &apos;observer_2&apos;, beside the first one&apos;s.</source>
+        <translation>Opinia trafia do pola 'observer_2', obok opinii pierwszego operatora.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="38"/>
+        <source>Blind</source>
+        <translation>W ciemno</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="38"/>
+        <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
+        <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="44"/>
+        <source>Agreement of both ...</source>
+        <translation>Zgodność obu...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="45"/>
+        <source>How often both operators say the same, and how much of that is not chance.</source>
+        <translation>Jak często obaj operatorzy są zgodni i ile z tego nie jest przypadkiem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="59"/>
+        <source>2nd</source>
+        <translation>Op. 2</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="59"/>
+        <source>1st</source>
+        <translation>Op. 1</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="60"/>
+        <source>{operator}, blind</source>
+        <translation>{operator}, w ciemno</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="61"/>
+        <source>Who judges: the first or the second operator; blind or not; how well both agree.</source>
+        <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="54"/>
+        <source>Not sure (U)</source>
+        <translation>Niepewna (U)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <source>It can&apos;t be said. The window counts as not judged in all results.</source>
+        <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="57"/>
+        <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
+        <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="61"/>
+        <source>The window before this (P).</source>
+        <translation>Poprzednie okno (P).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="64"/>
+        <source>The window after this.</source>
+        <translation>Następne okno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="137"/>
+        <source>Window {numbers}. What was found is hidden.</source>
+        <translation>Okno {numbers}. Wynik jest ukryty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="219"/>
+        <source>Then the next window comes. Click again to take it back.</source>
+        <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="27"/>
+        <source>No window was judged by both operators yet; who is not sure did not judge.</source>
+        <translation>Żadne okno nie ma jeszcze opinii obu operatorów; niepewna się nie liczy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="30"/>
+        <source>Both judged {count} windows and said the same of {agreed} ({percent} %).</source>
+        <translation>Okna z opiniami obu operatorów: {count}, w tym zgodne: {agreed} ({percent} %).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="33"/>
+        <source>Only the first saw a loss: {first}. Only the second: {second}.</source>
+        <translation>Stratę widział tylko pierwszy: {first}. Tylko drugi: {second}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="38"/>
+        <source>Both used one word only, so agreement can&apos;t be told from chance.</source>
+        <translation>Obaj użyli tylko jednego słowa, więc zgodności nie da się odróżnić od przypadku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="39"/>
+        <source>Cohen&apos;s kappa: {value} ({low} to {high} by 95 %), {word}.</source>
+        <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="47"/>
+        <source>slight agreement</source>
+        <translation>zgodność znikoma</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="47"/>
+        <source>fair agreement</source>
+        <translation>zgodność słaba</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="47"/>
+        <source>moderate agreement</source>
+        <translation>zgodność umiarkowana</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="48"/>
+        <source>substantial agreement</source>
+        <translation>zgodność znaczna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="51"/>
+        <source>no more than chance</source>
+        <translation>zgodność nie większa niż przypadkowa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="52"/>
+        <source>almost perfect agreement</source>
+        <translation>zgodność prawie pełna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="57"/>
+        <source>Agreement of both operators</source>
+        <translation>Zgodność obu operatorów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="61"/>
+        <source>Show where they differ</source>
+        <translation>Pokaż, gdzie się różnią</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="158"/>
+        <source>Write this into {count} windows?</source>
+        <translation>Wpisać to do {count} okien?</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="166"/>
+        <source>Judge {count} windows as {word}?</source>
+        <translation>Wpisać opinię „{word}” do {count} okien?</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="168"/>
+        <source>Take back what was said of {count} windows?</source>
+        <translation>Wycofać opinie dla {count} okien?</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="58"/>
+        <source>as sorted</source>
+        <translation>jak w tabeli</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="58"/>
+        <source>As the table is sorted by one of its columns.</source>
+        <translation>Według kolumny, po której posortowano tabelę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <source>along the seam</source>
+        <translation>wzdłuż linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <source>Seam by seam and along each, as the windows were placed.</source>
+        <translation>Linia po linii i wzdłuż każdej z nich, tak jak rozmieszczono okna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <source>worst first</source>
+        <translation>od najgorszych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <source>The least kept detail first.</source>
+        <translation>Najpierw okna, w których zachowano najmniej detali.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <source>tool differs</source>
+        <translation>sporne z oceną</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <source>First the windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
+        <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <source>operators differ</source>
+        <translation>sporne opinie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <source>First the windows where the two operators disagree.</source>
+        <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="30"/>
+        <source>{judged} of {count} judged, {left} to go</source>
+        <translation>Opinie: {judged} z {count}, zostało {left}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="36"/>
+        <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}.</source>
+        <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/blind_style.py" line="58"/>
+        <source>judged</source>
+        <translation>z opinią</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/blind_style.py" line="62"/>
+        <source>to be judged</source>
+        <translation>do oceny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="41"/>
+        <source>Live, {band}: {columns} x {rows} px under the mouse</source>
+        <translation>Na żywo, {band}: {columns} x {rows} px pod kursorem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/window_pictures.py" line="68"/>
+        <source>Cut the composite</source>
+        <translation>Wytnij kompozycję</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="103"/>
+        <source>Space: {name}</source>
+        <translation>Spacja: {name}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="116"/>
+        <source>hard cut of the sources</source>
+        <translation>ostre cięcie ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="310"/>
+        <source>Drag to move, turn the wheel to zoom.</source>
+        <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="312"/>
+        <source>Hold Space to see {name} here.</source>
+        <translation>Przytrzymaj spację, aby zobaczyć tu {name}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="64"/>
+        <source>the hard-cut composite: each pixel from the source that the mosaic follows</source>
+        <translation>kompozycja z ostrym cięciem: każdy piksel z ortoobrazu, z którego pochodzi ortofotomapa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="90"/>
+        <source>Compare the large picture with {name}</source>
+        <translation>Porównaj duży obraz z {name}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="36"/>
+        <source>All pictures side by side, or one large one</source>
+        <translation>Wszystkie obrazy obok siebie albo jeden duży</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="47"/>
+        <source>Show the whole picture</source>
+        <translation>Pokaż cały obraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <source>As delivered</source>
+        <translation>Oryginał</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <source>8 bit as it is, 16 bit by its range of values: the same in all windows</source>
+        <translation>8 bitów bez zmian, 16 bitów według zakresu wartości: tak samo we wszystkich oknach</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <source>One stretch</source>
+        <translation>Wspólnie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <source>More contrast: the mosaic&apos;s darkest and brightest 2 % cut off, the same in all windows</source>
+        <translation>Większy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli ortofotomapy, tak samo we wszystkich oknach</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <source>Each window</source>
+        <translation>Osobno</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <source>Most contrast: each window&apos;s darkest and brightest 2 % cut off. Windows look unlike each other, and grey may look coloured.</source>
+        <translation>Największy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli każdego okna. Okna wyglądają różnie, a szarość może wydawać się barwna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="84"/>
+        <source>How grey values are shown; never band by band, so that colours stay as they are</source>
+        <translation>Jak wyświetlane są odcienie; nigdy kanał po kanale, więc barwy pozostają bez zmian</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="189"/>
+        <source>composite: reading ...</source>
+        <translation>kompozycja: wczytywanie...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="189"/>
+        <source>no source explains it</source>
+        <translation>nie wyjaśnia jej żaden ortoobraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="64"/>
+        <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
+        <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="64"/>
+        <source>&gt; {near} m: {kept} %</source>
+        <translation>&gt; {near} m: {kept} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="66"/>
+        <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
+        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="67"/>
+        <source>{near} to {far} m: {kept} %</source>
+        <translation>od {near} do {far} m: {kept} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="80"/>
+        <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="80"/>
+        <source>{kept} % kept ({low} to {high} %)</source>
+        <translation>zachowane {kept} % (od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="82"/>
+        <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="161"/>
+        <source>limit {percent} %</source>
+        <translation>granica {percent} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="179"/>
+        <source>distance from the seam (m)</source>
+        <translation>odległość od linii mozaikowania (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="181"/>
+        <source>from the seam (m)</source>
+        <translation>od linii (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="40"/>
+        <source>Save or copy the seam profile: as a picture, or as a table of all levels</source>
+        <translation>Zapisz lub skopiuj profil linii mozaikowania: jako obraz albo jako tabelę wszystkich poziomów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <source>All levels and distances</source>
+        <translation>Wszystkie poziomy i odległości</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="87"/>
+        <source>Save seam profile</source>
+        <translation>Zapisz profil linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="100"/>
+        <source>The seam profile was not saved to {path}: {error}. Choose another folder.</source>
+        <translation>Nie zapisano profilu linii mozaikowania w {path}: {error}. Wybierz inny katalog.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="103"/>
+        <source>The seam profile was saved to {path}.</source>
+        <translation>Zapisano profil linii mozaikowania w {path}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="140"/>
+        <source>the picture could not be written</source>
+        <translation>nie udało się zapisać obrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="117"/>
+        <source>Seam profile</source>
+        <translation>Profil linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="118"/>
+        <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
+        <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="147"/>
+        <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
+        <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="179"/>
+        <source>Select one window to see its seam profile.</source>
+        <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="185"/>
+        <source>The profile is not at hand. Inspect again to see it.</source>
+        <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="190"/>
+        <source>There is no seam in the window.</source>
+        <translation>W oknie nie ma linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="191"/>
+        <source>There is too little ground around the seam to compare with. Take a larger window.</source>
+        <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="212"/>
+        <source>Live: </source>
+        <translation>Na żywo: </translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/keeping/found_message.py" line="29"/>
+        <source>Open the windows</source>
+        <translation>Otwórz okna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/keeping/found_message.py" line="29"/>
+        <source>Adds the layer of these windows and brings back what was not saved.</source>
+        <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/keeping/restoring.py" line="44"/>
+        <source>Restore windows</source>
+        <translation>Przywróć okna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="62"/>
+        <source>Click: selects the window that is there, with Shift it too; else makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
+        <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="258"/>
+        <source>There is no window yet: draw one, or place them along the seamlines.</source>
+        <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="264"/>
+        <source>No scan has found such places yet: scan the mosaic first.</source>
+        <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="268"/>
+        <source>No window has been inspected yet.</source>
+        <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="30"/>
+        <source>Lost detail</source>
+        <translation>Utracone detale</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="31"/>
+        <source>Show where detail was lost, over the map and the images (L). One scale for all windows</source>
+        <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="17"/>
+        <source>no source has pixels there</source>
+        <translation>żaden ortoobraz nie ma tam pikseli</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="22"/>
+        <source>{counted} or more</source>
+        <translation>{counted} lub więcej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="24"/>
+        <source>{share:.0f} % of the mosaic is empty there</source>
+        <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="24"/>
+        <source>{share:.1f} % of the mosaic is empty there</source>
+        <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>east</source>
+        <translation>wschód</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>north-east</source>
+        <translation>północny wschód</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>north</source>
+        <translation>północ</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>north-west</source>
+        <translation>północny zachód</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>west</source>
+        <translation>zachód</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>south-west</source>
+        <translation>południowy zachód</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>south</source>
+        <translation>południe</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <source>south-east</source>
+        <translation>południowy wschód</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="89"/>
+        <source>Look where the sources have pixels</source>
+        <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="173"/>
+        <source>window {number}: click selects it, drag draws another</source>
+        <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="218"/>
+        <source>{metres:.1f} m aside, where it can be judged; with Ctrl here</source>
+        <translation>{metres:.1f} m obok, gdzie można je ocenić; z Ctrl tutaj</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="223"/>
+        <source>nearest place that can be judged: {metres:.1f} m {direction}</source>
+        <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/loss_legend.py" line="47"/>
+        <source>No picture yet: inspect windows</source>
+        <translation>Jeszcze brak obrazu: skontroluj okna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/loss_legend.py" line="48"/>
+        <source>Detail kept (L hides it)</source>
+        <translation>Zachowane detale (L ukrywa)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="41"/>
+        <source>Redo</source>
+        <translation>Ponów zmianę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="89"/>
+        <source>Takes the last change of the windows back ({keys}).</source>
+        <translation>Cofa ostatnią zmianę okien ({keys}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="90"/>
+        <source>Does again what was taken back ({keys}).</source>
+        <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="42"/>
+        <source>{metres} m</source>
+        <translation>{metres} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>observer 2</source>
+        <translation>obserwator 2</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>What the second operator saw at 2x magnification.</source>
+        <translation>Co drugi operator widział w powiększeniu 2×.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>sure</source>
+        <translation>pewność</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>How sure the observer is, 0 to 100 %.</source>
+        <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>sure 2</source>
+        <translation>pewność 2</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>How sure the second operator is, 0 to 100 %.</source>
+        <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>The observer&apos;s remark.</source>
+        <translation>Uwaga obserwatora.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>remark 2</source>
+        <translation>uwaga 2</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <source>The second operator&apos;s remark.</source>
+        <translation>Uwaga drugiego operatora.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>kept from</source>
+        <translation>zach. od</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>Lower end of the 95 % interval of what is kept along the seam.</source>
+        <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>kept to</source>
+        <translation>zach. do</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>Upper end of the 95 % interval of what is kept along the seam.</source>
+        <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>Width of the band along the seam in which detail was lost.</source>
+        <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>sharpness</source>
+        <translation>ostrość</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>Sharpness of the whole window against the composite of its sources.</source>
+        <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>added</source>
+        <translation>dodane</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
+        <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>explained</source>
+        <translation>wyjaśnione</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>Share of the pixels whose detail the given sources explain.</source>
+        <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>all causes</source>
+        <translation>wszystkie przyczyny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>All that happened to the contrast, strongest first.</source>
+        <translation>Wszystko, co stało się z kontrastem, od najsilniejszego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>seam</source>
+        <translation>linia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>Number of the seam that the window was placed on.</source>
+        <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>station</source>
+        <translation>pikietaż</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <source>How far along its seam the window lies.</source>
+        <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="83"/>
+        <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
+        <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="269"/>
+        <source>Save the windows</source>
+        <translation>Zapisz okna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="269"/>
+        <source>CSV files (*.csv)</source>
+        <translation>Pliki CSV (*.csv)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <source>Windows where the observer was not sure.</source>
+        <translation>Okna, których obserwator nie był pewien.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <source>Windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
+        <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <source>Windows where the two operators disagree.</source>
+        <translation>Okna, w których opinie obu operatorów się różnią.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="322"/>
+        <source>In which order windows are shown and judged.</source>
+        <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <source>Judge not sure</source>
+        <translation>Strata niepewna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <source>Copy rows</source>
+        <translation>Kopiuj wiersze</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <source>The selected rows with their headings, for a spreadsheet.</source>
+        <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <source>Save as CSV ...</source>
+        <translation>Zapisz jako CSV...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <source>All windows that are shown, with all of their numbers.</source>
+        <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="114"/>
+        <source>paper</source>
+        <translation>artykuł</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="114"/>
+        <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
+        <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/column_choice.py" line="65"/>
+        <source>As there is room</source>
+        <translation>Według miejsca</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/column_choice.py" line="66"/>
+        <source>The usual columns in their usual order, as many as there is room for.</source>
+        <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="70"/>
+        <source>A scan is under way; it can be stopped below.</source>
+        <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="164"/>
+        <source>looking for sources ...</source>
+        <translation>szukanie ortoobrazów...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="164"/>
+        <source>check the sources</source>
+        <translation>zaznacz ortoobrazy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
+        <source>Inputs: {missing}</source>
+        <translation>Dane wejściowe: {missing}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <source>{asked:.1f} m is too small for this mosaic</source>
+        <translation>{asked:.1f} m to za mało dla tej ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <source>{asked:.1f} m is too large for this mosaic</source>
+        <translation>{asked:.1f} m to za dużo dla tej ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="259"/>
+        <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
+        <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="103"/>
+        <source>Look at the sources</source>
+        <translation>Sprawdź ortoobrazy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="68"/>
+        <source>suggested</source>
+        <translation>proponowane</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="68"/>
+        <source>Check the rasters that may be sources of this mosaic, and no others</source>
+        <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="72"/>
+        <source>The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the same. Uncheck a missing one to remove it from the inputs.</source>
+        <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/raster_layers.py" line="80"/>
+        <source>floating point</source>
+        <translation>zmiennoprzecinkowe</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/raster_layers.py" line="80"/>
+        <source>{bits} bit</source>
+        <translation>{bits}-bitowe</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="55"/>
+        <source>Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are ready.</source>
+        <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; miejsca, które już miały swoje okno: {there}. Skontroluj je, gdy zechcesz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="60"/>
+        <source>No window was placed: all {there} places along the seams have theirs already.</source>
+        <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <source>Until the project is saved its windows are in {path}; they move beside the project then.</source>
+        <translation>Dopóki projekt nie zostanie zapisany, jego okna są w {path}; potem zostaną przeniesione obok projektu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="73"/>
+        <source>The windows moved beside the project, to {path}.</source>
+        <translation>Okna przeniesiono obok projektu, do {path}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="74"/>
+        <source>The windows stay in {old}, as they can&apos;t be moved to {folder} ({error}); export them from there.</source>
+        <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="77"/>
+        <source>QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.</source>
+        <translation>QGIS zakończył działanie, zanim zapisano projekt z oknami; są one w {path}. Otwórz jego rastry, a potem okna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="81"/>
+        <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
+        <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany okien ({count}) w {name}. Zapisz warstwę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="84"/>
+        <source>What is judged is safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
+        <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="87"/>
+        <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows are measured again after the project was closed.</source>
+        <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="92"/>
+        <source>The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
+        <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="169"/>
+        <source>The table can&apos;t be saved as {path}: {error}.</source>
+        <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="170"/>
+        <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
+        <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = 'feathering'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
+        <translation>Filtr pyta o '{name}', a okna tego nie mają. Mają: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="172"/>
+        <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
+        <translation>Plik warstwy {name} nie może mieć pola '{field}': zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="7"/>
+        <source>The mosaic itself.</source>
+        <translation>Sama ortofotomapa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="8"/>
+        <source>Does not overlap the mosaic.</source>
+        <translation>Nie nachodzi na ortofotomapę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="9"/>
+        <source>Other bands, {bands} and not {mosaic}: heights, a mask or a map.</source>
+        <translation>Inne kanały, {bands} zamiast {mosaic}: wysokości, maska albo mapa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="10"/>
+        <source>Pixels {factor:.1f} times as large as the mosaic&apos;s: an overview or a map.</source>
+        <translation>Piksele {factor:.1f} raza większe niż w ortofotomapie: przegląd albo mapa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="11"/>
+        <source>Pixels {factor:.1f} times smaller than the mosaic&apos;s: another flight.</source>
+        <translation>Piksele {factor:.1f} raza mniejsze niż w ortofotomapie: inny nalot.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="12"/>
+        <source>In another reference system than the mosaic and others here: a reprojected copy.</source>
+        <translation>W innym układzie współrzędnych niż ortofotomapa i inne rastry: kopia po przeliczeniu układu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="13"/>
+        <source>Pixels of {own}, the mosaic&apos;s and others&apos; are {mosaic}: a converted copy.</source>
+        <translation>Piksele {own}, a w ortofotomapie i innych rastrach {mosaic}: kopia po konwersji.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="15"/>
+        <source>Covers the whole mosaic: being compared with it ...</source>
+        <translation>Pokrywa całą ortofotomapę: trwa porównanie...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="16"/>
+        <source>The mosaic again: alike wherever they were compared. It would hide every loss.</source>
+        <translation>To znów ortofotomapa: taka sama wszędzie, gdzie je porównano. Ukryłaby każdą stratę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
+        <source>A part of the mosaic again: alike wherever they were compared, though other sources lie there.</source>
+        <translation>To znów część ortofotomapy: taka sama wszędzie, gdzie je porównano, choć leżą tam inne ortoobrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="20"/>
+        <source>A VRT of the mosaic. It would hide every loss.</source>
+        <translation>VRT ortofotomapy. Ukryłby każdą stratę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
+        <source>Another mosaic: partly {first}, partly {second}.</source>
+        <translation>Inna ortofotomapa: częściowo {first}, częściowo {second}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
+        <source>The same image as {name}.</source>
+        <translation>Ten sam obraz co {name}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="23"/>
+        <source>Covers the whole mosaic and is like it nowhere.</source>
+        <translation>Pokrywa całą ortofotomapę i nigdzie nie jest do niej podobny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="24"/>
+        <source>Shows something else than the mosaic: a map, or another time.</source>
+        <translation>Pokazuje co innego niż ortofotomapa: mapę albo inny czas.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
+        <source>Covers the whole mosaic, as another mosaic would; check it if it is one of the orthoimages.</source>
+        <translation>Pokrywa całą ortofotomapę, jak inna ortofotomapa; zaznacz go, jeśli jest jednym z ortoobrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
+        <source>Could not be compared with the mosaic: {why}</source>
+        <translation>Nie można porównać z ortofotomapą: {why}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
+        <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
+        <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
+        <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
+        <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="38"/>
+        <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
+        <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="50"/>
+        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; is no verdict), and the measures &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
+        <translation>Okna skontrolowane i ocenione: pole 'observer' ze słowami 'visible' (stratę widać przy 2x) i 'invisible' ('unsure' nie jest oceną) oraz miary 'kept_1', 'composite_ratio_1', 'contrast_1' i 'ratio_1', o ile są.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="151"/>
+        <source>90 % and more: even ground</source>
+        <translation>90 % i więcej: jak teren wokół</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="152"/>
+        <source>at most half of the finest detail would stay</source>
+        <translation>zostałaby najwyżej połowa najdrobniejszych detali</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="153"/>
+        <source>up to three quarters</source>
+        <translation>do trzech czwartych</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="154"/>
+        <source>more than three quarters</source>
+        <translation>ponad trzy czwarte</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="155"/>
+        <source>nothing to be feathered, or not comparable</source>
+        <translation>nic do wtapiania albo nieporównywalne</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="156"/>
+        <source>significant loss</source>
+        <translation>istotna strata</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="161"/>
+        <source>width of the band</source>
+        <translation>szerokość pasa</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="163"/>
+        <source>Window</source>
+        <translation>Okno</translation>
+    </message>
+    <message>
+        <location filename="../plugin/desk_tabs.py" line="11"/>
+        <source>How the variance of the selected windows spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
+        <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="178"/>
+        <source>There is no such change.</source>
+        <translation>Nie ma takiej zmiany.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="105"/>
+        <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
+        <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
 </context>
 </TS>

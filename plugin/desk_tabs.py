@@ -15,7 +15,7 @@ TABS = (
         QT_TRANSLATE_NOOP(
             "@default",
             "How the variance of the selected windows spreads over the levels of detail, and how much detail is "
-            "kept by the distance from the seam",
+            "kept by the distance from the seam"
         ),
         CurvesAndProfile,
         tells_verdict=True,

@@ -175,4 +175,4 @@ class _Key:
 def _tip(text: str, keys: Iterable[str], step: str) -> str:
     shown = [QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys]
     tip = text.format(keys=", ".join(shown))
-    return f"{tip}\n\n{step or tr('There is no such change.')}"
+    return f"{tip}\n\n" + (step or tr("There is no such change."))

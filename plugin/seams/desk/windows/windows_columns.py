@@ -107,7 +107,7 @@ _KEPT = TableColumn(
     QT_TRANSLATE_NOOP(
         "@default",
         "Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the "
-        "verdict was not taken by it.",
+        "verdict was not taken by it."
     ),
     lambda row: "" if (kept := judged_kept(row)) is None else f"{percent(kept)} %", judged_kept, _ALIGNED_RIGHT,
 )  # fmt: skip
