@@ -27,7 +27,8 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
-from ..measure import limits, messages
+from ..measure import limits
+from ..measure.scan import messages
 from ..scan_words import time_left
 from .block_parameters import gathered_sources, given_sources
 

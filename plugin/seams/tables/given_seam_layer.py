@@ -10,7 +10,7 @@ from ...imagery.errors import WindowError
 from ...imagery.message import Message
 from ...toolkit.attribute_values import is_known, text
 from ...toolkit.layers import line_wkb
-from ..measure import messages
+from ..measure.scan import messages
 from ..measure.scan.lines.seam_features import SeamFeature
 
 

@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QObject
 
 from ....toolkit.desk.bar_question import BarQuestion
 from ....toolkit.translation import sentence, tr
-from ...measure import messages
+from . import messages
 
 
 class FoundMessage(BarQuestion):

@@ -10,10 +10,10 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError, WindowLayerError
 from ....toolkit import layers
-from ...measure import messages
 from ...measure.window.window_result import WindowResult
 from ...measure.window_records import WindowRecord
 from ..windows.window_watch import WindowWatch
+from . import messages
 from .kept_results import KeptResults
 from .moving import home_of, is_to_be_moved, move
 from .restoring import restore

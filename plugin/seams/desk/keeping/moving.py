@@ -10,8 +10,8 @@ from qgis.core import QgsApplication, QgsProject, QgsVectorLayer
 
 from ....imagery.errors import WindowLayerError
 from ....toolkit import layers
-from ...measure import messages
 from ...tables import window_layer
+from . import messages
 from .window_files import RESULTS
 
 _FOLDER = "seam_inspector"  # of the user's profile of QGIS

@@ -16,7 +16,7 @@ from ....toolkit.background_task import End, Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.message_bar import bar_level, write_log
 from ....toolkit.translation import sentence, shown_number, tr
-from ...measure import messages
+from ...measure.scan import messages
 from ...scan_job import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job
 from ...scan_words import time_left
 from .scan_group import ScanGroup, worst_layer

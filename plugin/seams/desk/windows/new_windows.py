@@ -27,6 +27,7 @@ from ...measure.inspection import Block
 from ...measure.window_placing import Placement
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
+from ..keeping import messages as keeping_messages
 from ..keeping.moving import home_of
 from .window_watch import WindowWatch
 
@@ -118,7 +119,7 @@ class NewWindows(QObject):
         yield
         self._project.addMapLayer(made)
         if not self._project.homePath():
-            self.told.emit(messages.WINDOWS_KEPT_MEANWHILE(path=path))
+            self.told.emit(keeping_messages.WINDOWS_KEPT_MEANWHILE(path=path))
         yield
         self.layerMade.emit(made.id())
         yield

@@ -1,4 +1,4 @@
-"""Why a raster of the project is not suggested as a source of the mosaic, and what is odd about one that is."""
+"""Why a raster is not suggested as a source of the mosaic, what is odd about one that is, and which is a copy."""
 from __future__ import annotations
 
 from ....imagery.message import INFO, WARNING, Message
@@ -38,4 +38,16 @@ SOURCES_NOT_FOLLOWED = Message(
 SOURCES_RESAMPLED = Message(
     "In windows with sources on the mosaic's own pixels {count} others took no part, such as {name}: their pixels have "
     "another size or direction, or they are in another reference system, so they would have to be resampled.", WARNING
+)
+# sources that were made from the mosaic, and are given
+COPY_AMONG_SOURCES = Message(
+    "{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would "
+    "hide every loss and is left out of the sources.", WARNING
+)
+OVERVIEW_AMONG_SOURCES = Message(
+    "{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.", WARNING
+)
+ONLY_SOURCE_IS_EQUAL = Message(
+    "{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells "
+    "nothing, so give the orthoimages that the mosaic was made from.", WARNING
 )

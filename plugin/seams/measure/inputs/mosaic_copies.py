@@ -16,8 +16,8 @@ from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import same_coordinates
 from ....imagery.remote_files import vrt_parts
-from .. import messages
 from ..source_images import Source, is_same_file, sources_in
+from . import messages
 
 SIDE_PX = 64  # of a patch that is compared
 PLACES = 16  # along each side of the mosaic: what follows another source on 1 % of it is missed once in thirteen times

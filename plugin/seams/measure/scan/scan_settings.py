@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import SettingsError
 from ....imagery.wavelets import check_decomposition
-from .. import limits, messages
+from .. import limits
 from ..limits import DENSITIES, SEAMS
 from ..profile.detail_cells import CELL_PX
+from . import messages
 
 LEAST_PIECE_M = 0.01
 MOST_LEVELS = 4

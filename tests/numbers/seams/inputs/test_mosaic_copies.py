@@ -11,7 +11,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery import raster_pool
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.inputs import messages
 from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import leave_out_copies
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources
 

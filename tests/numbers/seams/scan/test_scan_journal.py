@@ -15,7 +15,7 @@ from types import SimpleNamespace
 import pytest
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.message import INFO, WARNING, Message
-from seam_inspector.plugin.seams.measure import messages
+from seam_inspector.plugin.seams.measure.scan import messages
 from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import ScanJournal, open_journal
 
 from tests.numbers.disks import full_disk

@@ -15,7 +15,7 @@ from .....imagery.grids import PixelWindow
 from .....imagery.message import Message
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster, RasterRef
-from ... import messages
+from .. import messages
 from .block_grid import UNIT_PX
 from .grey_values import factor_of
 

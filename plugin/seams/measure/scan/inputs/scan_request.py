@@ -12,13 +12,13 @@ from .....imagery.errors import SettingsError
 from .....imagery.grids import PixelWindow
 from .....imagery.message import Message
 from .....imagery.rasters import Raster
-from ... import messages
 from ...inputs.mosaic_copies import leave_out_copies
 from ...limits import FULL
 from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
 from ...source_tree import SourceTree
+from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey
 from ..blocks.grey_values import grey_factor
 from ..blocks.scan_block import BlockRequest

@@ -17,8 +17,8 @@ from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.message import Message
 from .....imagery.rasters import RasterRef
 from .....imagery.remote_files import forget_fetched, is_remote, readable_path, vrt_parts
-from ... import messages
 from ...source_images import Source
+from .. import messages
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
 _BESIDE = ("", ".msk")

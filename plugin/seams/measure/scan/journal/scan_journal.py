@@ -17,7 +17,7 @@ from .....imagery.errors import SettingsError
 from .....imagery.message import Message
 from .....imagery.records.file_lock import lock_file
 from .....imagery.records.record_bytes import append_record, is_cut_off, read_all, record_at, record_size, write_all
-from ... import messages
+from .. import messages
 from .scan_fingerprint import what_changed
 
 MOST_LOST_SECONDS = 2.0

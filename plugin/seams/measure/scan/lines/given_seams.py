@@ -12,8 +12,8 @@ from .....imagery.errors import SeamlineError
 from .....imagery.grids import Grid
 from .....imagery.lines import line_networks, seamlines
 from .....imagery.message import Message
-from ... import messages
 from ...seam_cells import Cell
+from .. import messages
 from .polygon_faults import polygon_faults
 from .seam_features import SeamFeature, gathered, told
 from .seam_fields import seam_fields

@@ -9,7 +9,7 @@ from osgeo import ogr
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
 from .....imagery.message import Message
-from ... import messages
+from .. import messages
 
 WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged
 _NAMED = 3  # overlaps that are told by name

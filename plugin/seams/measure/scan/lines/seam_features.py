@@ -12,8 +12,8 @@ from .....imagery.errors import SeamlineError
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Extent, Grid, extents_meet
 from .....imagery.lines import seamlines
-from ... import messages
 from ...seam_cells import Cell
+from .. import messages
 from .seam_fields import Attributes, SeamFields, said
 
 SeamFeature = tuple[Attributes, "bytes | None"]

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from .....imagery.errors import SettingsError
-from ... import messages
+from .. import messages
 
 SOURCE_FIELDS = tuple(
     "source src source_image source_name source_id image_source_reference cliche nom_cliche num_cliche "

@@ -12,7 +12,7 @@ from .....imagery.errors import SettingsError
 from .....imagery.grids import Grid
 from .....imagery.lines.paths import points_at, vertex_stations
 from .....imagery.message import Message
-from ... import messages
+from .. import messages
 
 TOLD_OUTSIDE_M = 1.0
 """Less than this beyond the mosaic's edge is how lines end, and nothing to tell."""

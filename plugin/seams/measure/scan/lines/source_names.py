@@ -5,8 +5,8 @@ import re
 from collections.abc import Iterable, Sequence
 
 from .....imagery.message import Message
-from ... import messages
 from ...seam_cells import source_stem
+from .. import messages
 
 _TOLD = 3  # names that a notice tells
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from concurrent.futures import Executor
 from typing import Callable
 
-from ... import messages
+from .. import messages
 from ..block_runs import ScanStep
 from ..blocks.block_grid import BlockGrid
 from ..blocks.seam_squares import SeamSquares

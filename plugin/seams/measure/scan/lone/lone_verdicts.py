@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from .....imagery.message import Message
-from ... import messages
 from ...limits import MAX_SIGNIFICANT_KEPT
 from ...verdicts import Verdict
+from .. import messages
 from .lone_kept import LoneKept, LoneSeams
 
 RUNS_LENGTHS = (1.0, 2.0, 4.0)

@@ -10,11 +10,11 @@ from osgeo import ogr
 from scipy import ndimage
 
 from .....imagery.message import Message
-from ... import messages
 from ...following.boxes import enlarged
 from ...seam_cells import UNKNOWN
 from ...verdicts import Verdict
 from ...window_placing import PlacedWindow
+from .. import messages
 from ..block_runs import NOTHING, block_scans, global_numbers
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockKey
 from ..blocks.cell_table import CellTable

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .....imagery.message import Message
-from ... import messages
 from ...following.likely_source import MIN_FIT
 from ...limits import MAX_SIGNIFICANT_KEPT
 from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ...verdicts import MAX_INTERVAL_FACTOR, Verdict, judge_by_seam
+from .. import messages
 from ..lines.seam_pieces import SeamPiece
 from .piece_sums import PieceProfile
 

@@ -1,0 +1,36 @@
+"""What a user can be told of how windows and what was measured in them are kept."""
+from __future__ import annotations
+
+from ....imagery.message import INFO, WARNING, Message
+
+WINDOWS_NOT_SAVED = Message(
+    "The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that "
+    "layer elsewhere."
+)
+WINDOWS_KEPT_MEANWHILE = Message(
+    "Until the project is saved its windows are in {path}; they move beside the project then.", INFO
+)
+WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
+WINDOWS_NOT_MOVED = Message(
+    "The windows stay in {old}, as they can't be moved to {folder} ({error}); export them from there."
+)
+WINDOWS_FOUND = Message(
+    "QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.",
+    WARNING,
+)
+WINDOWS_RESTORED = Message(
+    "QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.", WARNING
+)
+WINDOWS_NOT_KEPT = Message(
+    "What is judged is safe only once you save the layer: it can't be kept in {path} meanwhile ({error}).", WARNING
+)
+RESULTS_NOT_KEPT = Message(
+    "Curves and pictures of the windows can't be kept in {path} ({error}); without them windows are measured again "
+    "after the project was closed.",
+    WARNING,
+)
+WINDOWS_WITHOUT_FILE = Message(
+    "The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a "
+    "GeoPackage to keep them.",
+    WARNING,
+)
