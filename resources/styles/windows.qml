@@ -17,7 +17,7 @@
           <Option type="Map">
             <Option name="capstyle" value="square" type="QString"/>
             <Option name="joinstyle" value="miter" type="QString"/>
-            <Option name="line_color" value="255,255,0,255" type="QString"/>
+            <Option name="line_color" value="255,255,0,0" type="QString"/>
             <Option name="line_style" value="solid" type="QString"/>
             <Option name="line_width" value="3.9" type="QString"/>
             <Option name="line_width_unit" value="MM" type="QString"/>
@@ -144,7 +144,7 @@
                     </Option>
                     <Option name="size" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 4.5)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -160,7 +160,7 @@
           <Option type="Map">
             <Option name="capstyle" value="square" type="QString"/>
             <Option name="joinstyle" value="miter" type="QString"/>
-            <Option name="line_color" value="255,255,0,255" type="QString"/>
+            <Option name="line_color" value="255,255,0,0" type="QString"/>
             <Option name="line_style" value="solid" type="QString"/>
             <Option name="line_width" value="3.6" type="QString"/>
             <Option name="line_width_unit" value="MM" type="QString"/>
@@ -287,7 +287,7 @@
                     </Option>
                     <Option name="size" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 4.5)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -303,7 +303,7 @@
           <Option type="Map">
             <Option name="capstyle" value="square" type="QString"/>
             <Option name="joinstyle" value="miter" type="QString"/>
-            <Option name="line_color" value="255,255,0,255" type="QString"/>
+            <Option name="line_color" value="255,255,0,0" type="QString"/>
             <Option name="line_style" value="solid" type="QString"/>
             <Option name="line_width" value="3.6" type="QString"/>
             <Option name="line_width_unit" value="MM" type="QString"/>
@@ -430,7 +430,7 @@
                     </Option>
                     <Option name="size" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 4.5)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -446,7 +446,7 @@
           <Option type="Map">
             <Option name="capstyle" value="square" type="QString"/>
             <Option name="joinstyle" value="miter" type="QString"/>
-            <Option name="line_color" value="255,255,0,255" type="QString"/>
+            <Option name="line_color" value="255,255,0,0" type="QString"/>
             <Option name="line_style" value="solid" type="QString"/>
             <Option name="line_width" value="3.3" type="QString"/>
             <Option name="line_width_unit" value="MM" type="QString"/>
@@ -573,7 +573,7 @@
                     </Option>
                     <Option name="size" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 4.5)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -589,7 +589,7 @@
           <Option type="Map">
             <Option name="capstyle" value="square" type="QString"/>
             <Option name="joinstyle" value="miter" type="QString"/>
-            <Option name="line_color" value="255,255,0,255" type="QString"/>
+            <Option name="line_color" value="255,255,0,0" type="QString"/>
             <Option name="line_style" value="solid" type="QString"/>
             <Option name="line_width" value="3.3" type="QString"/>
             <Option name="line_width_unit" value="MM" type="QString"/>
@@ -716,7 +716,7 @@
                     </Option>
                     <Option name="size" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 4.5)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear(z($geometry), 3, 14, 2, 4.5), 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
