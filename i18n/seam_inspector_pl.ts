@@ -384,32 +384,32 @@
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="99"/>
+        <location filename="../plugin/seams/measure/messages.py" line="68"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="100"/>
+        <location filename="../plugin/seams/measure/messages.py" line="69"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="102"/>
+        <location filename="../plugin/seams/measure/messages.py" line="71"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="103"/>
+        <location filename="../plugin/seams/measure/messages.py" line="72"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="106"/>
+        <location filename="../plugin/seams/measure/messages.py" line="75"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału {band} (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
@@ -419,7 +419,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/messages.py" line="114"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -464,7 +464,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>{count} windows had no number of their own and were given the next free ones.</source>
         <translation>Okna bez własnego numeru otrzymały kolejne wolne numery; liczba takich okien: {count}.</translation>
     </message>
@@ -786,12 +786,12 @@
     <message>
         <location filename="../plugin/seams/desk/judging/judge_bar.py" line="46"/>
         <source>Visible (V)</source>
-        <translation>Widoczna (V)</translation>
+        <translation>Widać (V)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judge_bar.py" line="50"/>
         <source>Invisible (I)</source>
-        <translation>Niewidoczna (I)</translation>
+        <translation>Nie widać (I)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judge_bar.py" line="57"/>
@@ -1119,7 +1119,7 @@
         <translation>{width:.1f} × {height:.1f} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="82"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
@@ -1269,7 +1269,7 @@
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="6"/>
         <source>The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that layer elsewhere.</source>
         <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
     </message>
@@ -1299,7 +1299,7 @@
         <translation>Dodaj pola</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="145"/>
         <source>Add windows</source>
         <translation>Dodaj okna</translation>
     </message>
@@ -1811,7 +1811,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
-        <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycie; w pozostałych miejscach jest on ustalany na podstawie samych detali.</translation>
+        <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="44"/>
@@ -2086,7 +2086,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
-        <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny 'contrast_1': względem złożenia, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
+        <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny 'contrast_1': względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
@@ -2939,27 +2939,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="116"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="150"/>
+        <location filename="../plugin/seams/measure/messages.py" line="119"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="120"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="152"/>
+        <location filename="../plugin/seams/measure/messages.py" line="121"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz da się tu porównać: {why}</translation>
     </message>
@@ -2974,77 +2974,77 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny folder.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola '{field}'; wybierz warstwę skontrolowanych okien, taką, jaką zostawia 'Skontroluj okna'.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="162"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="134"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="198"/>
+        <location filename="../plugin/seams/measure/messages.py" line="167"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="194"/>
+        <location filename="../plugin/seams/measure/messages.py" line="163"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="202"/>
+        <location filename="../plugin/seams/measure/messages.py" line="171"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="206"/>
+        <location filename="../plugin/seams/measure/messages.py" line="175"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="176"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="179"/>
+        <location filename="../plugin/seams/measure/messages.py" line="148"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="212"/>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="211"/>
+        <location filename="../plugin/seams/measure/messages.py" line="180"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -4061,7 +4061,7 @@
     <message>
         <location filename="../plugin/seams/report/variance_table.py" line="93"/>
         <source>hard-cut composite</source>
-        <translation>złożenie z ostrym cięciem</translation>
+        <translation>kompozycja z ostrym cięciem</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/charts.py" line="34"/>
@@ -4521,7 +4521,7 @@
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="136"/>
         <source>against the hard-cut composite</source>
-        <translation>względem złożenia z ostrym cięciem</translation>
+        <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="137"/>
@@ -5061,7 +5061,7 @@
     <message>
         <location filename="../plugin/seams/report/curve_pictures.py" line="88"/>
         <source>hard-cut composite (dashed)</source>
-        <translation>złożenie z ostrym cięciem (przerywana)</translation>
+        <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/curve_pictures.py" line="90"/>
@@ -5344,7 +5344,7 @@
         <translation>Nie można oceniać względem '{reference}'; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="107"/>
+        <location filename="../plugin/seams/measure/messages.py" line="76"/>
         <source>No source explains the mosaic&apos;s fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
@@ -5546,7 +5546,7 @@
     <message>
         <location filename="../plugin/seams/judged_value.py" line="48"/>
         <source>composite: {value:.2f}</source>
-        <translation>złożenie: {value:.2f}</translation>
+        <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/judged_value.py" line="49"/>
@@ -5719,52 +5719,52 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/messages.py" line="80"/>
         <source>The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness alone.</source>
         <translation>W całym oknie mozaika podąża za jednym obrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/messages.py" line="85"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/messages.py" line="89"/>
         <source>{share:.0f} % of the window is from none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/messages.py" line="93"/>
         <source>{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania mozaika ma od {low:.0f} do {high:.0f} % detali obrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="136"/>
+        <location filename="../plugin/seams/measure/messages.py" line="105"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/messages.py" line="106"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="110"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="213"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -5776,7 +5776,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="70"/>
         <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
-        <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozytu ortoobrazów źródłowych bez wtapiania i terenu wokół. composite: całe okno względem tego kompozytu. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
+        <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozycji ortoobrazów źródłowych z ostrym cięciem i terenu wokół. composite: całe okno względem tej kompozycji. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
@@ -5929,22 +5929,22 @@
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="118"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="130"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="124"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="125"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -6069,417 +6069,417 @@
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="219"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="8"/>
         <source>{density} is no density of a scan; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="220"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="9"/>
         <source>The picture of losses has no cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="222"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="36"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
         <translation>Raster {name} nie ma kanału {band}, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="225"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="40"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.</source>
         <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="229"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="88"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="230"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="89"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="231"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="90"/>
         <source>The scan starts anew, since nothing in {path} can be read any more.</source>
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="232"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
         <source>{path} is damaged; the blocks before are kept ({done}), and the others are measured again.</source>
         <translation>Plik {path} jest uszkodzony; bloki sprzed uszkodzenia są zachowane ({done}), a pozostałe są mierzone ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="235"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="94"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="236"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="95"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="239"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="98"/>
         <source>{path} can&apos;t be kept to one scan on this disk ({error}); choose an output on a local disk.</source>
         <translation>Na tym dysku nie można zastrzec pliku {path} dla jednego badania ({error}); wybierz plik wyniku na dysku lokalnym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="242"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="101"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="243"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="102"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="247"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="106"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="251"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="110"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="252"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="253"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="254"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="255"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="114"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="256"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="115"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="257"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="122"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="116"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="262"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="43"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="44"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="266"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="47"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="270"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="51"/>
         <source>The seamline layer names no orthoimages; what lies beside its seams is called by its dates, of the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów; to, co leży po obu stronach linii, jest nazywane według dat z pola „{field}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="274"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="55"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="278"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="59"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="281"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="62"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="284"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="65"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="287"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="68"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="291"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="72"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all ({names} first of all); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="295"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="76"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="299"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="80"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} ({names} first of all).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="83"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="307"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="143"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="310"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="146"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="314"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="150"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="154"/>
         <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
         <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="327"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
         <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
         <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="334"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="19"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="337"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="158"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="341"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="162"/>
         <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
         <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="344"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="165"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="347"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="22"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="350"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="25"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="353"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="32"/>
         <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="357"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="361"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="28"/>
         <source>None of the orthoimages can be used, for the reasons that are told; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="365"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="125"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="56"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="70"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="118"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="124"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="125"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="130"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
         <source>Length with a significant loss (metres)</source>
         <translation>Długość z istotną stratą (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="369"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
         <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
         <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="218"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="7"/>
         <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
         <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="221"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="10"/>
         <source>{name} is {value:g}; give a number of {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="323"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
         <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} wszędzie jest taki jak mozaika, jest więc jej kopią albo mozaiką, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako obraz źródłowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="330"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="50"/>
         <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells nothing, so give the orthoimages that the mosaic was made from.</source>
         <translation>{name} wszędzie jest taki jak mozaika i nie ma innego obrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc obrazy źródłowe, z których mozaika powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="373"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych obrazów źródłowych nie wyjaśnia mozaiki wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="376"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="132"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="379"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="15"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="382"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="135"/>
         <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="385"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="12"/>
         <source>The corridor counts only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała mozaika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="388"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="11"/>
         <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
@@ -6501,7 +6501,7 @@
     <message>
         <location filename="../build/template_texts.py" line="146"/>
         <source>50 % kept, or less</source>
-        <translation>zachowane 50 % lub mniej</translation>
+        <translation>50 % lub mniej</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="147"/>
@@ -6696,7 +6696,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging/operator_button.py" line="60"/>
         <source>{operator}, blind</source>
-        <translation>{operator}, w ciemno</translation>
+        <translation>{operator}, ślepo</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/operator_button.py" line="61"/>
@@ -6841,7 +6841,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
         <source>worst first</source>
-        <translation>od najgorszych</translation>
+        <translation>najgorsze</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
@@ -6851,7 +6851,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
         <source>tool differs</source>
-        <translation>sporne z oceną</translation>
+        <translation>inna ocena</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
@@ -6861,7 +6861,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
         <source>operators differ</source>
-        <translation>sporne opinie</translation>
+        <translation>różne opinie</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
@@ -6871,7 +6871,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging/judging_progress.py" line="30"/>
         <source>{judged} of {count} judged, {left} to go</source>
-        <translation>Opinie: {judged} z {count}, zostało {left}</translation>
+        <translation>{judged} z {count}, zostało {left}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judging_progress.py" line="36"/>
@@ -7011,7 +7011,7 @@
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="80"/>
         <source>{kept} % kept ({low} to {high} %)</source>
-        <translation>zachowane {kept} % (od {low} do {high} %)</translation>
+        <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="82"/>
@@ -7544,62 +7544,62 @@
         <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="10"/>
         <source>Until the project is saved its windows are in {path}; they move beside the project then.</source>
         <translation>Dopóki projekt nie zostanie zapisany, jego okna są w {path}; potem zostaną przeniesione obok projektu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="73"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="13"/>
         <source>The windows moved beside the project, to {path}.</source>
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="74"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="14"/>
         <source>The windows stay in {old}, as they can&apos;t be moved to {folder} ({error}); export them from there.</source>
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="77"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="17"/>
         <source>QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.</source>
         <translation>QGIS zakończył działanie, zanim zapisano projekt z oknami; są one w {path}. Otwórz jego rastry, a potem okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="81"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="21"/>
         <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
         <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany okien ({count}) w {name}. Zapisz warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="84"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="24"/>
         <source>What is judged is safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
         <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="87"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="27"/>
         <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows are measured again after the project was closed.</source>
         <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="92"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="32"/>
         <source>The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="169"/>
+        <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="170"/>
+        <location filename="../plugin/seams/measure/messages.py" line="139"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = 'feathering'.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/messages.py" line="140"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o '{name}', a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="172"/>
+        <location filename="../plugin/seams/measure/messages.py" line="141"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola '{field}': zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
