@@ -1,11 +1,9 @@
 """The one model behind the dock, the map tool and all panels: inputs, windows, results, and work in the background."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -13,8 +11,6 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...imagery.errors import SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.message import Message
-from ...toolkit.desk.background_tasks import BackgroundTasks
-from ...toolkit.desk.timers import single_shot
 from ...toolkit.layer_editing import edit_step
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
@@ -27,18 +23,11 @@ from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..scan_job import ScanOrder
 from ..tables import window_layer
-from .images.window_pictures import WindowPictures
-from .inputs.block_cache import BlockCache
-from .inputs.inputs_watch import InputsWatch
-from .inputs.layer_places import LayerPlaces
-from .inputs.project_inputs import Inputs, load_inputs, save_inputs
-from .keeping.keeping import Keeping
-from .live.live_windows import LiveWindows
+from .desk_parts import DeskParts
+from .inputs.project_inputs import Inputs
 from .loss_view import LossView
-from .map.seam_finder import SeamFinder
-from .map.window_coverage import Coverage, WindowCoverage
-from .windows.new_windows import NewWindows
-from .windows.window_results import WindowResults
+from .map.window_coverage import Coverage
+from .project_follower import ProjectFollower
 from .windows.window_watch import WindowWatch
 
 
@@ -62,72 +51,34 @@ class Session(QObject):
         super().__init__(parent)
         self.loss_view = LossView(self)
         """Whether lost detail is painted over the map and the images."""
-        self._project = QgsProject.instance()
-        self._inputs_background = BackgroundTasks(self)  # apart, since another window layer does not matter to it
-        self._inputs_background.failed.connect(self._tell)
-        self._block = BlockCache(self._project, self._inputs_background, self)
-        self._block.opened.connect(self._opened)
-        self._places = LayerPlaces(self._project)
-        self._seams = SeamFinder(self._block, self._inputs_background)
-        self._coverage = WindowCoverage(self)
-        self._coverage.changed.connect(self.coverageChanged)
-        self._layers = InputsWatch(self._project, self)
-        self._layers.layersChanged.connect(self._files_changed)
-        self._layers.indexEdited.connect(self._files_changed)
-        self._layers.seamlinesEdited.connect(self._seamlines_edited)
         self._watch = WindowWatch(self)
         self._watch.windowsChanged.connect(self.windowsChanged)
         self._watch.selectionChanged.connect(self.selectionChanged)
-        self._watch.replaced.connect(self._windows_replaced)
-        self._keeping = Keeping(self._watch, self)
-        self._keeping.told.connect(self._tell)
-        self._background = BackgroundTasks(self)
-        self._background.failed.connect(self._tell)
-        self._live = LiveWindows(self._block, self)
+        self._parts = parts = DeskParts(QgsProject.instance(), self._watch, self)
+        self._block, self._seams, self._coverage = parts.block, parts.seams, parts.coverage
+        self._live, self._keeping, self._pictures = parts.live, parts.keeping, parts.pictures
+        self._results, self._new, self._background = parts.results, parts.new, parts.background
+        self._coverage.changed.connect(self.coverageChanged)
         self._live.changed.connect(self.liveChanged)
-        self._live.failed.connect(self._tell)
-        self._results = WindowResults(
-            self._block, self._watch, self._background, self._keeping, self, self._live.measure
-        )
-        self._results.curvesArrived.connect(self._live.stay_open)
         self._results.curvesArrived.connect(self.curvesArrived)
         self._results.arrived.connect(self.resultArrived)
         self._results.progressChanged.connect(self.progressChanged)
-        self._results.failed.connect(self._tell)
-        self._new = NewWindows(self._project, self._block, self._watch, self._background, self)
-        self._new.layerMade.connect(self._take_layer)
-        self._new.drawn.connect(self._take_drawn)
-        self._new.told.connect(self._tell)
-        self._pictures = WindowPictures(self._block, self._watch, self._background, self)
         self._pictures.arrived.connect(self.picturesArrived)
-        self._searcher = single_shot(self, self._find_left)  # the project is still being read when it tells so
-        self._connections: list[tuple[Any, Callable[..., None]]] = [
-            (self._project.readProject, self._load),
-            (self._project.cleared, self._load),
-            (self._project.writeProject, self._save),
-            (self._project.layersAdded, self._layers_added),
-            (self._project.layersWillBeRemoved, self._forget_layers),
-            (self._project.layersRemoved, self._layers_changed),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
-        self._load()
+        self._follower = ProjectFollower(parts, self)
+        self._follower.inputsChanged.connect(self.inputsChanged)
+        self._follower.windowsFound.connect(self.windowsFound)
+        self._new.layerMade.connect(self._follower.take_layer)
+        self._new.drawn.connect(self._take_drawn)
+        for told in (
+            parts.inputs_background.failed, parts.background.failed, self._live.failed, self._results.failed,
+            self._keeping.told, self._new.told, self._follower.told,
+        ):
+            told.connect(self._tell)
 
     def close(self) -> None:
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
-        while self._connections:
-            signal, slot = self._connections.pop()
-            signal.disconnect(slot)
-        self._new.abandon()
-        self._live.close()
-        self._layers.close()
-        self._coverage.close()
-        self._inputs_background.close()
-        self._background.close()
-        self._results.close()
-        self._searcher.stop()
-        self._keeping.close()
-        self._watch.close()
+        self._follower.close()
+        self._parts.close()
 
     # Inputs
 
@@ -138,14 +89,7 @@ class Session(QObject):
 
     def set_inputs(self, inputs: Inputs) -> None:
         """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
-        before = self.inputs
-        if before == inputs:
-            return
-        if before.windows != inputs.windows:
-            self._results.write()  # into the layer they are of
-        self._block.inputs = inputs
-        save_inputs(self._project, inputs)
-        self._layers_changed()
+        self._follower.set_inputs(inputs)
 
     def mosaic_layer(self) -> QgsRasterLayer | None:
         """The mosaic, while it is there."""
@@ -314,105 +258,14 @@ class Session(QObject):
         """The hard-cut composite of a window whose pictures are there; None while it is made, empty without one."""
         return self._pictures.composite(fid)
 
-    def _take_layer(self, layer_id: str) -> None:
-        """A window layer was made for new windows."""
-        self.set_inputs(replace(self.inputs, windows=layer_id))
-
     def _take_drawn(self, fids: list[int]) -> None:
         self.select(fids)
         self.inspect(fids)
 
-    # The project
-
-    def _load(self, *_: object) -> None:
-        self._live.leave()
-        self._live.let_go()
-        self._inputs_background.abandon()
-        self._block.forget()
-        self._seams.forget()
-        self._forget_windows()
-        self._block.inputs = load_inputs(self._project)
-        self._places.load()
-        self._layers_changed()
-        self._searcher.start()
-
-    def _find_left(self) -> None:
-        """Windows of this project that were never saved with it, as QGIS ended before; or of one without a file."""
-        if self._watch.layer is not None or (path := self._keeping.left_in(self._project)) is None:
-            return
-        if self._project.fileName():
-            self.open_windows(path)
-        else:
-            self.windowsFound.emit(path)
-
     def open_windows(self, path: Path) -> None:
         """Take the windows of a file that the desk has made."""
         with self._raised():
-            self._take_layer(self._project.addMapLayer(window_layer.open_window_layer(path)).id())
-
-    def _save(self, *_: object) -> None:
-        """Save the windows with the project, as its user expects."""
-        self._results.write()
-        self._watch.save_stale()
-        if (layer := self._watch.layer) is not None:
-            self._keeping.save(layer, self._project)
-
-    def _layers_added(self, *_: object) -> None:
-        """One that was removed may be back, under another id."""
-        inputs = self._places.found_again(self.inputs)
-        if inputs != self.inputs:
-            self.set_inputs(inputs)
-        else:
-            self._layers_changed()
-
-    def _layers_changed(self, *_: object) -> None:
-        self._places.note(self.inputs)
-        self._block.refresh()
-        self._layers.follow(self.inputs)
-        layer = self._project.mapLayer(self.inputs.windows)
-        if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
-            self._forget_windows()
-            self._watch.watch(layer)
-            if self._watch.layer is not None:
-                self._keeping.follow(self._watch.layer, self.inputs.levels)
-        self._opened()
-
-    def _opened(self) -> None:
-        """There may be another block, or none any more."""
-        self._seams.refresh()
-        self._coverage.follow(self._block.silent())
-        self._watch.set_state(self._block.state())
-        self.inputsChanged.emit()
-
-    def _files_changed(self) -> None:
-        self._live.let_go()
-        self._block.refresh(anew=True)
-        self._coverage.follow(None)  # what lies in the files may be something else
-        self._opened()
-
-    def _seamlines_edited(self) -> None:
-        self._seams.refresh(anew=True)
-
-    def _windows_replaced(self) -> None:
-        if (layer := self._watch.layer) is not None:
-            self._keeping.leave([layer.id()])
-        self._forget_windows()
-        self._layers_changed()
-
-    def _forget_layers(self, ids: list[str]) -> None:
-        self._live.let_go()  # or their files could not be moved or deleted
-        self._layers.leave(ids)
-        self._keeping.leave(ids)
-        if (layer := self._watch.layer) is not None and layer.id() in ids:
-            self._forget_windows()
-
-    def _forget_windows(self) -> None:
-        """What is of the window layer so far; nothing of it may reach another one."""
-        self._new.abandon()
-        self._background.abandon()
-        self._watch.watch(None)
-        self._pictures.forget()
-        self._results.forget()
+            self._follower.open_windows(path)
 
     def _tell(self, message: Message) -> None:
         self.messageRaised.emit(sentence(message), bar_level(message))

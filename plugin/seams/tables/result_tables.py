@@ -19,10 +19,10 @@ from ...toolkit.version_differences import field
 from ..measure.changes import Change
 from ..measure.loss_forecast import Forecast, ForecastPair
 from ..measure.observers import JUDGING_FIELDS
+from ..measure.placing.window_placing import PlacedWindow
 from ..measure.profile.seam_profile import ProfileBin
 from ..measure.tone import Tone
 from ..measure.window.window_result import ClipResult, PairResult, WindowResult
-from ..measure.window_placing import PlacedWindow
 
 
 class _CurveRow(NamedTuple):

@@ -18,7 +18,7 @@ from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.source_use import source_doubts
-from ...measure.window_placing import fitting_side_m, window_side_px
+from ...measure.placing.window_sides import fitting_side_m, window_side_px
 from ...tables.source_index import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
 from .source_list import SourceList

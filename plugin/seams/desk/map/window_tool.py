@@ -16,7 +16,7 @@ from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_w
 from ....toolkit.desk.drawing_tool import DrawingTool, is_drag
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
-from ...measure.window_placing import window_side_px
+from ...measure.placing.window_sides import window_side_px
 from .window_outline import OutlineTone, WindowOutline
 from .window_under import window_under
 from .window_words import described, direction, is_near, metres_apart, middle

@@ -11,9 +11,9 @@ from scipy import ndimage
 
 from .....imagery.message import Message
 from ...following.boxes import enlarged
+from ...placing.window_placing import PlacedWindow
 from ...seam_cells import UNKNOWN
 from ...verdicts import Verdict
-from ...window_placing import PlacedWindow
 from .. import messages
 from ..block_runs import NOTHING, block_scans, global_numbers
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockKey

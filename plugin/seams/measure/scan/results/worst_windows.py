@@ -13,7 +13,8 @@ from .....imagery.grids import Grid, PixelWindow, standard_side_px, standard_win
 from .....imagery.lines.paths import points_at, vertex_stations
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster
-from ...window_placing import PlacedWindow, WindowIndex
+from ...placing.window_index import WindowIndex
+from ...placing.window_placing import PlacedWindow
 from .judged_pieces import JudgedPiece
 
 WINDOWS_ALONG = 4
