@@ -1,15 +1,15 @@
 """Where the layers of the inputs come from, so that one that was removed is found when it is added again."""
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from functools import lru_cache
 
 from qgis.core import QgsMapLayer, QgsProject, QgsProviderRegistry
 
+from ....toolkit.project_settings import load_settings, save_settings
 from .project_inputs import Inputs
 
-_SCOPE, _KEY = "SeamInspector", "places"
+_KEY = "places"
 _SINGLE = ("mosaic", "source_index", "seamlines", "windows", "cells")
 
 Place = tuple[str, str]
@@ -25,14 +25,9 @@ class LayerPlaces:
 
     def load(self) -> None:
         """Another project."""
-        text, known = self._project.readEntry(_SCOPE, _KEY)
-        try:
-            stored = json.loads(text) if known and text else {}
-        except ValueError:
-            stored = {}
         self._places = {
             name: (place[0], place[1])
-            for name, place in (stored.items() if isinstance(stored, dict) else ())
+            for name, place in load_settings(self._project, _KEY).items()
             if isinstance(place, list) and len(place) == 2 and all(isinstance(part, str) for part in place)
         }
 
@@ -46,7 +41,7 @@ class LayerPlaces:
                 found[name] = place
         if found != self._places:
             self._places = found
-            self._project.writeEntry(_SCOPE, _KEY, json.dumps(found))
+            save_settings(self._project, _KEY, found)
 
     def found_again(self, inputs: Inputs) -> Inputs:
         """The inputs, with layers of the same place instead of those that are not in the project any more."""

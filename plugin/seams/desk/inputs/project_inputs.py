@@ -1,7 +1,6 @@
 """What the inspection desk works on, remembered in the project."""
 from __future__ import annotations
 
-import json
 from dataclasses import asdict, dataclass
 from functools import partial
 from typing import Any, Callable
@@ -9,12 +8,13 @@ from typing import Any, Callable
 from qgis.core import QgsProject
 
 from ....imagery import limits as imagery_limits
+from ....toolkit.project_settings import load_settings, save_settings
 from ...measure import limits
 from ...measure.inspection import REFERENCES
 from ...measure.scan.scan_settings import DENSITIES
 from ...picture_stretch import Stretch
 
-_SCOPE, _KEY = "SeamInspector", "inputs"
+_KEY = "inputs"
 
 
 @dataclass(frozen=True)
@@ -55,19 +55,13 @@ class Inputs:
 
 def load_inputs(project: QgsProject) -> Inputs:
     """The project's inputs; the defaults where it has none or they can't be understood."""
-    text, known = project.readEntry(_SCOPE, _KEY)
-    try:
-        stored = json.loads(text) if known and text else {}
-    except ValueError:
-        stored = {}
-    if not isinstance(stored, dict):
-        return Inputs()
+    stored = load_settings(project, _KEY)
     return Inputs(**{name: value for name, read in _READERS.items() if (value := read(stored.get(name))) is not None})
 
 
 def save_inputs(project: QgsProject, inputs: Inputs) -> None:
     """Write the inputs into the project, which is saved by its user."""
-    project.writeEntry(_SCOPE, _KEY, json.dumps(asdict(inputs)))
+    save_settings(project, _KEY, asdict(inputs))
 
 
 def _text(value: object) -> str | None:

@@ -1,12 +1,13 @@
 """How windows are judged, and where one was, remembered in the project."""
 from __future__ import annotations
 
-import json
 from dataclasses import asdict, dataclass, fields
 
 from qgis.core import QgsProject
 
-_SCOPE, _KEY = "SeamInspector", "judging"
+from ....toolkit.project_settings import load_settings, save_settings
+
+_KEY = "judging"
 
 
 @dataclass(frozen=True)
@@ -29,13 +30,7 @@ class JudgingSettings:
 
 def load_judging(project: QgsProject) -> JudgingSettings:
     """The project's; the defaults where it has none, or they are another kind of thing."""
-    text, known = project.readEntry(_SCOPE, _KEY)
-    try:
-        stored = json.loads(text) if known and text else {}
-    except ValueError:
-        stored = {}
-    if not isinstance(stored, dict):
-        return JudgingSettings()
+    stored = load_settings(project, _KEY)
     values = {
         one.name: stored[one.name] for one in fields(JudgingSettings) if type(stored.get(one.name)) is type(one.default)
     }
@@ -44,6 +39,4 @@ def load_judging(project: QgsProject) -> JudgingSettings:
 
 def save_judging(project: QgsProject, settings: JudgingSettings) -> None:
     """Write them into the project, which is saved by its user."""
-    text = json.dumps(asdict(settings))
-    if project.readEntry(_SCOPE, _KEY)[0] != text:
-        project.writeEntry(_SCOPE, _KEY, text)
+    save_settings(project, _KEY, asdict(settings))

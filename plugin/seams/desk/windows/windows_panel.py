@@ -1,26 +1,22 @@
 """The windows as a sortable, filterable table whose selection is the window layer's."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
 from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsApplication
 from qgis.gui import QgsFilterLineEdit
 from qgis.PyQt.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
-    QAction,
     QApplication,
     QComboBox,
     QFileDialog,
     QHBoxLayout,
     QLabel,
-    QMenu,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -30,9 +26,10 @@ from ....toolkit.desk.timers import single_shot
 from ....toolkit.message_bar import bar_level
 from ....toolkit.translation import sentence, tr
 from ...measure import messages
-from ...measure.observers import FIRST, INVISIBLE, UNSURE, VISIBLE
+from ...measure.observers import FIRST, UNSURE
 from ...verdict_words import VERDICTS, verdict_word
 from ..judging.window_orders import ORDERS, TABLE, WindowOrder, operators_disagree, tool_and_observer_disagree
+from .rows_menu import rows_menu
 from .table_export import copied_rows, write_csv
 from .verdict_chips import verdict_chip
 from .windows_filter import WindowsFilter
@@ -86,7 +83,10 @@ class WindowsPanel(QWidget):
         )
         self.table.setAccessibleName(tr("Windows"))
         self._set_up_filter()
-        self._menu = self._make_menu()
+        self._menu = rows_menu(
+            self, zoom=self._zoom, inspect=self._inspect, judge=self._judge, copy=self.copy,
+            save_csv=self._ask_for_csv, remove=self._remove,
+        )
         self._lay_out()
 
         self._search.textChanged.connect(self._filter)
@@ -344,45 +344,6 @@ class WindowsPanel(QWidget):
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
 
-    def _make_menu(self) -> QMenu:
-        """The menu of the selected rows. Its shortcuts are only told there: the table takes the keys itself."""
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        for entry in (
-            (tr("Zoom to window"), "mActionZoomToSelected", self._zoom,
-             tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
-            (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows anew."), None),
-            None,
-            (tr("Judge visible"), "mActionShowAllLayers", partial(self._judge, VISIBLE),
-             tr("The loss of detail can be seen at 2x magnification."), None),
-            (tr("Judge invisible"), "mActionHideAllLayers", partial(self._judge, INVISIBLE),
-             tr("The loss of detail can't be seen at 2x magnification."), None),
-            (tr("Judge not sure"), "mActionHelpContents", partial(self._judge, UNSURE),
-             tr("It can't be said. The window counts as not judged in all results."), None),
-            (tr("Take judgement back"), "mActionUndo", partial(self._judge, ""),
-             tr("The selected windows are not judged yet."), None),
-            None,
-            (tr("Copy rows"), "mActionEditCopy", self.copy,
-             tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
-            (tr("Save as CSV ..."), "mActionFileSaveAs", self._ask_for_csv,
-             tr("All windows that are shown, with all of their numbers."), None),
-            None,
-            (tr("Remove"), "mActionDeleteSelected", self._remove,
-             tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
-        ):
-            if entry is None:
-                menu.addSeparator()
-                continue
-            text, icon, slot, tip, key = entry
-            action = QAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text, menu)
-            action.setToolTip(tip)
-            if key is not None:
-                action.setShortcut(QKeySequence(key))
-                action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-            action.triggered.connect(slot if not isinstance(slot, partial) else partial(_without_state, slot))
-            menu.addAction(action)
-        return menu
-
     def _is_not_judged(self, row: WindowRecord) -> bool:
         return not getattr(row, self.operator.observer)
 
@@ -392,7 +353,3 @@ class WindowsPanel(QWidget):
 
 def _has_verdict(verdict: str, row: WindowRecord) -> bool:
     return row.verdict == verdict
-
-
-def _without_state(slot: Callable[[], None], _checked: bool = False) -> None:
-    slot()

@@ -1,0 +1,26 @@
+"""Plain values that the plugin keeps in the project, by key."""
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from qgis.core import QgsProject
+
+_SCOPE = "SeamInspector"
+
+
+def load_settings(project: QgsProject, key: str) -> dict[str, Any]:
+    """What the project keeps under a key; empty where it keeps nothing, or what can't be understood."""
+    text, known = project.readEntry(_SCOPE, key)
+    try:
+        stored = json.loads(text) if known and text else {}
+    except ValueError:
+        return {}
+    return stored if isinstance(stored, dict) else {}
+
+
+def save_settings(project: QgsProject, key: str, values: dict[str, Any]) -> None:
+    """Write them into the project, which is saved by its user; the same again is no change."""
+    text = json.dumps(values)
+    if project.readEntry(_SCOPE, key)[0] != text:
+        project.writeEntry(_SCOPE, key, text)
