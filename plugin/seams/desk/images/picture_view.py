@@ -3,14 +3,12 @@ from __future__ import annotations
 
 from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import (
-    QColor,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPalette,
-    QPen,
     QResizeEvent,
     QWheelEvent,
 )
@@ -22,6 +20,7 @@ from ....toolkit.translation import tr
 from ...clip_pictures import ClipPicture
 from .loss_image import LossImage
 from .picture_images import PictureImages
+from .picture_marks import paint_cross, paint_frame, paint_outline
 from .picture_title import paint_title, short_name
 from .viewport import Viewport
 
@@ -167,9 +166,9 @@ class PictureView(QWidget):
         if not self._is_reading:
             self._paint_marker(painter)
         if self._is_flipped_now():
-            self._frame(painter, rect, palette.color(QPalette.ColorRole.Highlight))
+            paint_frame(painter, rect, palette.color(QPalette.ColorRole.Highlight))
         elif self.hasFocus():
-            self._frame(painter, rect, palette.color(QPalette.ColorRole.WindowText))
+            paint_frame(painter, rect, palette.color(QPalette.ColorRole.WindowText))
 
     def _paint_picture(self, painter: QPainter, images: PictureImages) -> None:
         """The part that is seen, in the screen's own pixels, so that an image pixel is the same square everywhere."""
@@ -199,15 +198,7 @@ class PictureView(QWidget):
         x, y = left + inside.column * scale, top + inside.row * scale
         box = QRectF(x / ratio, y / ratio, inside.width * scale / ratio, inside.height * scale / ratio)
         box.translate(self.image_rect().topLeft())
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        for margin, colour in ((1.5, QColor(0, 0, 0, 170)), (0.5, QColor(255, 255, 255, 230))):
-            painter.setPen(QPen(colour, 1))
-            painter.drawRect(box.adjusted(-margin, -margin, margin, margin))
-
-    def _frame(self, painter: QPainter, rect: QRect, colour: QColor) -> None:
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(colour, 3))
-        painter.drawRect(rect.adjusted(1, 1, -2, -2))
+        paint_outline(painter, box)
 
     # The linked cursor
 
@@ -227,18 +218,9 @@ class PictureView(QWidget):
             self.update(rect.adjusted(-2, -2, 2, 2))
 
     def _paint_marker(self, painter: QPainter) -> None:
-        """An open cross, dark under light, that leaves the pixels around the place free."""
         self._marker = self._marker_rect()
-        if self._marker.isNull():
-            return
-        middle, arm = self._marker.center(), self._marker.width() // 2
-        gap = arm // 3
-        for colour, width in ((QColor(0, 0, 0, 150), 3), (QColor(255, 255, 255, 230), 1)):
-            pen = QPen(colour, width)
-            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-            painter.setPen(pen)
-            for dx, dy in _ARROWS.values():
-                painter.drawLine(middle + QPoint(dx, dy) * gap, middle + QPoint(dx, dy) * arm)
+        if not self._marker.isNull():
+            paint_cross(painter, self._marker)
 
     # Mouse and keyboard
 
