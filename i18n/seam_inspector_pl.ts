@@ -1309,7 +1309,7 @@
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="259"/>
+        <location filename="../plugin/seams/desk/session.py" line="203"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>

@@ -184,6 +184,7 @@ class JudgeBar(QWidget):
         """
         self._progress.setMinimumWidth(self._progress.fontMetrics().horizontalAdvance(self._progress.text() + "n"))
         self._position.show()
+        self._moving.invalidate()  # a layout within another hears late of its widgets' new sizes
         self._position.setVisible(self.width() >= self._moving.minimumSize().width())
         row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
         sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
