@@ -799,12 +799,12 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
@@ -874,52 +874,52 @@
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>The selected windows are not judged yet.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -1109,7 +1109,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="117"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="116"/>
         <source>{name} (resampled)</source>
         <translation>{name} (przepróbkowany)</translation>
     </message>
@@ -6709,7 +6709,7 @@
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>It can&apos;t be said. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
@@ -6734,7 +6734,7 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="219"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="220"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -6899,22 +6899,22 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="103"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="102"/>
         <source>Space: {name}</source>
         <translation>Spacja: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="116"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="115"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="310"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="292"/>
         <source>Drag to move, turn the wheel to zoom.</source>
         <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="312"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="294"/>
         <source>Hold Space to see {name} here.</source>
         <translation>Przytrzymaj spację, aby zobaczyć tu {name}.</translation>
     </message>
@@ -7389,7 +7389,7 @@
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="83"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="80"/>
         <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
@@ -7424,27 +7424,27 @@
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Judge not sure</source>
         <translation>Strata niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>Save as CSV ...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="351"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
         <source>All windows that are shown, with all of their numbers.</source>
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
