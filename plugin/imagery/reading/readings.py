@@ -1,8 +1,8 @@
 """Who reads the rasters of a window: one after the other here, or threads that keep them open, side by side."""
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Callable, Protocol, TypeVar
+from collections.abc import Callable, Iterable
+from typing import Protocol, TypeVar
 
 from ..errors import RasterError
 from ..open_raster import OpenRaster

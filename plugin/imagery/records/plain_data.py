@@ -14,7 +14,7 @@ import typing
 from collections.abc import Mapping
 from enum import Enum
 from functools import cache
-from typing import Any, Union
+from typing import Any
 
 import numpy as np
 
@@ -77,15 +77,22 @@ def _word(value: object, arrays: dict[str, np.ndarray]) -> Any:
     return _plain(value, arrays) if known else str(value)
 
 
+@dataclasses.dataclass(frozen=True)
+class _OneOf:
+    """Not typing's Union, which remembers our classes and so keeps all of the plugin when it is unloaded."""
+
+    kinds: tuple[Any, ...]
+
+
 class _Reader:
     def __init__(self, arrays: Mapping[str, np.ndarray], sentences: Mapping[str, Message]) -> None:
         self._arrays, self._sentences = arrays, sentences
 
     def read(self, kind: Any, plain: Any) -> Any:
         """Raises NotUnderstoodError, or whatever the data is not fit for."""
+        if isinstance(kind, _OneOf):
+            return self._one_of(kind.kinds, plain)
         origin, inner = typing.get_origin(kind), typing.get_args(kind)
-        if origin is Union:
-            return self._one_of(inner, plain)
         if origin is tuple:
             kinds = [inner[0]] * len(plain) if len(inner) == 2 and inner[1] is ... else list(inner)
             return tuple(self._list(kinds, plain))
@@ -160,7 +167,8 @@ def _kind(node: ast.expr, names: Mapping[str, Any]) -> Any:
     if isinstance(node, ast.Constant):
         return type(None) if node.value is None else node.value
     if isinstance(node, ast.BinOp):
-        return Union[_kind(node.left, names), _kind(node.right, names)]
+        left = _kind(node.left, names)
+        return _OneOf((*(left.kinds if isinstance(left, _OneOf) else (left,)), _kind(node.right, names)))
     if isinstance(node, ast.Tuple):
         return tuple(_kind(one, names) for one in node.elts)
     if isinstance(node, ast.Subscript):

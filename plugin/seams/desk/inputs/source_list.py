@@ -1,8 +1,9 @@
 """The checkable list of the project's rasters as sources."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Callable, Optional
+from typing import Optional
 
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
@@ -28,7 +29,7 @@ _ID, _REASON = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
 _FEWEST_ROWS = 4  # seen without scrolling
 
 Sources = tuple[str, ...]
-Standings = Callable[[str], Optional[Suitability]]
+Standings = Callable[[str], Optional["Suitability"]]
 
 
 @dataclass(frozen=True)

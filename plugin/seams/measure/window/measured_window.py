@@ -1,10 +1,10 @@
 """The first half of an inspection: the clips of a window, their curves, and the paper's verdict."""
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Callable, Union
+from typing import TYPE_CHECKING, Union
 
 from ....imagery import limits as imagery_limits
 from ....imagery.band_curves import measure_clip, measure_directions
@@ -60,7 +60,7 @@ class MeasuredWindow:
         return bool(self.judged) and self.mosaic.curves[self.band].variance > 0 and not has_no_detail
 
 
-Measured = Union[MeasuredWindow, Message, None]
+Measured = Union["MeasuredWindow", "Message", None]
 """A window, or why there is none, as its request or its mosaic has it."""
 
 MeasureWindow = Callable[["WindowRequest"], Measured]

@@ -152,7 +152,7 @@ class WindowResult:
         return len(self.explanation.changes) - 1  # the last is against the composite
 
 
-WindowCurves = Union[WindowClips, WindowResult]
+WindowCurves = Union["WindowClips", "WindowResult"]
 """What a chart draws of a window: the curves that are there first, or with all else."""
 
 
