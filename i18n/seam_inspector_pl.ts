@@ -6755,8 +6755,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/agreement_box.py" line="38"/>
-        <source>Both used one word only, so agreement can&apos;t be told from chance.</source>
-        <translation>Obaj użyli tylko jednego słowa, więc zgodności nie da się odróżnić od przypadku.</translation>
+        <source>One of them said one word only, so agreement can&apos;t be told from chance.</source>
+        <translation>Jeden z nich użył tylko jednego słowa, więc zgodności nie da się odróżnić od przypadku.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/agreement_box.py" line="39"/>

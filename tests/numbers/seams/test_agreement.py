@@ -52,3 +52,15 @@ def test_only_what_both_judged_counts() -> None:
 def test_no_number_where_there_is_none(words: list[tuple[str, str]]) -> None:
     """Nobody can tell agreement from chance where one word was all that was said."""
     assert agreement(words).kappa is None
+
+
+def test_one_word_alone_tells_nothing_about_agreement() -> None:
+    for table in ([[1, 0], [1, 0]], [[0, 1], [0, 0]], [[99, 1], [0, 0]]):
+        assert cohen_kappa(np.array(table)) is None
+
+
+def test_no_agreement_at_all_is_not_certain_either() -> None:
+    found = cohen_kappa(np.array([[0, 1], [1, 0]]))
+    assert found is not None
+    assert found.value == found.low == -1
+    assert found.high > 0  # two windows say little

@@ -35,7 +35,7 @@ def agreement_sentences(found: Agreement) -> list[str]:
         ),
     ]
     if found.kappa is None:
-        return [*said, tr("Both used one word only, so agreement can't be told from chance.")]
+        return [*said, tr("One of them said one word only, so agreement can't be told from chance.")]
     kappa = tr("Cohen's kappa: {value} ({low} to {high} by 95 %), {word}.")
     values = (shown_number(value) for value in (found.kappa.value, found.kappa.low, found.kappa.high))
     value, low, high = values

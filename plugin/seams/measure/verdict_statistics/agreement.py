@@ -22,7 +22,7 @@ class Agreement:
     """Where the first one alone saw a loss."""
     second_alone: int
     kappa: Interval | None
-    """1: always agreed, 0: as often as by chance. None where one word was all that was said."""
+    """1: always agreed, 0: as often as by chance. None where one of them said one word only."""
 
     @property
     def count(self) -> int:
@@ -49,23 +49,25 @@ def cohen_kappa(table: np.ndarray) -> Interval | None:
     """Cohen's kappa of a square table of counts (first's word, second's word), with its 95 % interval.
 
     Cohen 1960 (Educational and Psychological Measurement 20, 37-46); the standard error is that of Fleiss, Cohen and
-    Everitt 1969 (Psychological Bulletin 72, 323-327). It is zero where all agree, however few they are; the lower end
-    is then the kappa of as many disagreements as the score interval of none in n allows (Wilson 1927). None where
-    agreement by chance is certain, and for an empty table.
+    Everitt 1969 (Psychological Bulletin 72, 323-327). It is zero where all agree or none, however few they are; the
+    other end is then the kappa of as many exceptions as the score interval of none in n allows (Wilson 1927). None for
+    an empty table, and where one observer used one word only: kappa is 0 then whatever the other one said.
     """
     count = float(table.sum())
     if count == 0:
         return None
     shares = table / count
     rows, columns = shares.sum(axis=1), shares.sum(axis=0)
-    by_chance = float(rows @ columns)
-    if by_chance >= 1:
+    if rows.max() == 1 or columns.max() == 1:
         return None
+    by_chance = float(rows @ columns)
     agreed = float(np.trace(shares))
     kappa = (agreed - by_chance) / (1 - by_chance)
+    exceptions = NORMAL_95**2 / (count + NORMAL_95**2)
     if agreed == 1:
-        fewest = 1 - NORMAL_95**2 / (count + NORMAL_95**2)
-        return Interval(1.0, (fewest - by_chance) / (1 - by_chance), 1.0)
+        return Interval(1.0, (1 - exceptions - by_chance) / (1 - by_chance), 1.0)
+    if agreed == 0:
+        return Interval(kappa, kappa, (exceptions - by_chance) / (1 - by_chance))
     reach = NORMAL_95 * _standard_error(shares, rows, columns, kappa, by_chance) / math.sqrt(count)
     return Interval(kappa, max(kappa - reach, -1.0), min(kappa + reach, 1.0))
 
