@@ -36,8 +36,8 @@ class ClippedLabel(QWidget):
             self.update()
 
     def sizeHint(self) -> QSize:
-        metrics = self.fontMetrics()
-        return QSize(30 * metrics.averageCharWidth(), self._height(metrics))
+        metrics, margins = self.fontMetrics(), self.contentsMargins()
+        return QSize(30 * metrics.averageCharWidth(), self._height(metrics) + margins.top() + margins.bottom())
 
     def minimumSizeHint(self) -> QSize:
         return QSize(10 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
@@ -50,7 +50,7 @@ class ClippedLabel(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setPen(readable_palette(self).color(self.foregroundRole()))
-        painter.drawText(self.rect(), _WRAPPED, self._fitting(self.fontMetrics()))
+        painter.drawText(self.contentsRect(), _WRAPPED, self._fitting(self.fontMetrics()))
         painter.end()
 
     def _fitting(self, metrics: QFontMetrics) -> str:
@@ -67,8 +67,9 @@ class ClippedLabel(QWidget):
         return self._text[:shortest].rstrip() + "…"
 
     def _fits(self, metrics: QFontMetrics, text: str) -> bool:
-        needed = metrics.boundingRect(0, 0, self.width(), 10000, _WRAPPED, text)
-        return needed.height() <= self._height(metrics) and needed.width() <= self.width()
+        width = self.contentsRect().width()
+        needed = metrics.boundingRect(0, 0, width, 10000, _WRAPPED, text)
+        return needed.height() <= self._height(metrics) and needed.width() <= width
 
     def _height(self, metrics: QFontMetrics) -> int:
         lines = "\n".join("X" * self._lines)

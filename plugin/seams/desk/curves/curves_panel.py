@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSplitter, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QToolButton, QWidget
 
 from ....toolkit.band_titles import BAND_ORDER, band_title
 from ....toolkit.charts.chart_loader import chart_missing
 from ....toolkit.desk.chart_panel import ChartPanel
+from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve, significance_limit
@@ -83,10 +84,8 @@ class CurvesPanel(ChartPanel):
         self._splitter.setChildrenCollapsible(False)
         self._splitter.splitterMoved.connect(self._on_border_moved)
         self._pages.addWidget(self._splitter)
-        self._status = QLabel()
-        self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._status.setTextFormat(Qt.TextFormat.PlainText)
-        self._status.setMargin(self.fontMetrics().height() // 6)
+        self._status = ClippedLabel(1)
+        self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         tools = QHBoxLayout()
         tools.addWidget(self._bands)
         tools.addWidget(self._logarithmic)
@@ -289,11 +288,10 @@ class CurvesPanel(ChartPanel):
         point = self._chart.point if self._chart else None
         if chart is None or point is None or self._pages.currentWidget() is not self._splitter:
             self._status.setText(self._idle_text)
-            self._status.setToolTip(self._idle_text)
             return
         name, words = point_words(chart.curves, *point)
         metrics = self._status.fontMetrics()
-        width = self._status.width() - 2 * self._status.margin()
+        width = self._status.contentsRect().width()
         room = max(width - metrics.horizontalAdvance(words + " "), metrics.horizontalAdvance("0" * 7))
         self._status.setText(metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room) + words)
         self._status.setToolTip(name + words)
