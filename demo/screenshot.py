@@ -2,54 +2,81 @@
 
     python -m demo.screenshot --block output/demo/block --output output/demo
 
-Leaves desk.png and desk_images.png in the output folder. Where there is no virtual screen it says so, and that is all.
+Leaves desk.png and its kin in the output folder: everything the desk shows, then the desk on a small screen, in a dark
+theme, at 200 % and in Polish. Where there is no virtual screen it says so, and that is all.
 """
 from __future__ import annotations
 
 import argparse
-import shutil
-import subprocess
+import io
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
+
+from PIL import Image
 
 from .desktop import REPOSITORY, play, why_not
 
-SCENARIO = REPOSITORY / "tests" / "desktop" / "scenarios" / "demo.py"
-PICTURES = ("desk.png", "desk_images.png")
+SCENARIO = REPOSITORY / "tests" / "desktop" / "scenarios" / "pictures.py"
+STARTS: dict[str, dict[str, Any]] = {
+    "": {"screen": "1500x950"},
+    "desk_small": {"screen": "1366x768"},
+    "desk_dark": {"screen": "1366x850", "theme": "Night Mapping"},
+    "desk_200": {"screen": "2800x1800", "scale": 2},
+    "desk_polish": {"screen": "1366x850", "locale": "pl"},
+}
+"""How QGIS is started for a picture; without a name, for all that the desk shows."""
+MOST_BYTES = 300_000
+COLOURS = (256, 128, 64, 32)
+_OCTREE, _NO_DITHER = 2, 0  # the median cut, Pillow's default, gives a chart's colours away for more greens of a meadow
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--block", type=Path, required=True, help="folder with mosaic.tif, orthoimages and seamlines")
     parser.add_argument("--output", type=Path, required=True, help="folder for the pictures")
-    parser.add_argument("--side", type=float, default=100.0, help="window side in metres (100)")
+    parser.add_argument("--mosaic", default="mosaic", help="name of the mosaic in that folder (mosaic)")
+    parser.add_argument("--side", type=float, default=50.0, help="window side in metres (50)")
+    parser.add_argument("--small-side", type=float, default=12.8, help="the same where there are many (12.8)")
     arguments = parser.parse_args()
     reason = why_not()
     if reason:
         print(f"No pictures of the desk: {reason}.")
         return 0
-    print("Playing the same in the real QGIS, for pictures of the desk")
-    with tempfile.TemporaryDirectory() as folder:
-        shots = Path(folder) / "screenshots"
-        parameters = {"block": str(arguments.block.resolve()), "side_m": arguments.side, "screenshots": str(shots)}
-        run = play(SCENARIO, Path(folder), parameters, screen="1500x950")
+    print("Playing the same in the real QGIS, for pictures of the desk; it takes some minutes")
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    parameters = {
+        "block": str(arguments.block.resolve()),
+        "mosaic": arguments.mosaic,
+        "side_m": arguments.side,
+        "spacing_m": 2 * arguments.side,
+        "small_side_m": arguments.small_side,
+        "screenshots": str(arguments.output.resolve()),
+    }
+    for name, options in STARTS.items():
+        with tempfile.TemporaryDirectory() as folder:
+            run = play(SCENARIO, Path(folder), {**parameters, "name": name}, seconds=500, **options)
+        pictures = [Path(path) for path in run.report.get("screenshots", [])]
+        for picture in pictures:
+            shrink(picture)
         if run.status != "passed":
-            print(f"No pictures of the desk: {run.status.strip().splitlines()[-1]}")
-            return 0
-        arguments.output.mkdir(parents=True, exist_ok=True)
-        for name in PICTURES:
-            shrink(shots / name)
-            shutil.copy(shots / name, arguments.output / name)
-    print(f"Pictures of the desk are in {arguments.output}: {', '.join(PICTURES)}")
+            print(f"Not all pictures of the desk: {run.status.strip().splitlines()[-1]}")
+        else:
+            print(f"Pictures of the desk are in {arguments.output}: {', '.join(one.name for one in pictures)}")
     return 0
 
 
 def shrink(picture: Path) -> None:
-    """To fewer colours, where pngquant is there: the README shows them."""
-    if shutil.which("pngquant"):
-        options = ["--nofs", "--force", "--ext", ".png", "--skip-if-larger"]
-        subprocess.run(["pngquant", "128", *options, str(picture)], check=False)
+    """To fewer colours, as many as a page can carry."""
+    with Image.open(picture) as opened:
+        image = opened.convert("RGB")
+    for colours in COLOURS:
+        written = io.BytesIO()
+        image.quantize(colours, method=_OCTREE, dither=_NO_DITHER).save(written, "PNG", optimize=True)
+        if written.tell() <= MOST_BYTES:
+            break
+    picture.write_bytes(written.getvalue())
 
 
 if __name__ == "__main__":

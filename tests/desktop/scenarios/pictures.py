@@ -1,0 +1,227 @@
+"""Pictures of the desk for its page in docs and for `make demo`; nothing is measured here.
+
+Parameters: ``block`` (folder), ``mosaic`` (its name), ``side_m``, ``spacing_m``, ``small_side_m`` (of dense windows),
+``screenshots`` (folder), ``name``: empty for all pictures, else the one of the desk as it looks in this QGIS.
+"""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from osgeo import gdal
+from qgis.core import QgsApplication, QgsRectangle
+from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QApplication, QWidget
+from qgis.utils import iface
+
+from demo.desk import Desk
+
+WIDE_PX, NARROW_PX = 640, 420  # of the dock: charts side by side where the screen has room for it
+JUDGED = (Qt.Key.Key_V, Qt.Key.Key_V, Qt.Key.Key_I, Qt.Key.Key_V, Qt.Key.Key_U)
+POINTED = 0.3  # of the chart's width, from the seam
+
+
+def play(desk: Desk) -> None:
+    """One picture after the other."""
+    shots, name = Path(desk.parameters["screenshots"]), desk.parameters["name"]
+    if name:
+        set_up(desk, NARROW_PX)
+        inspect_all(desk)
+        show_loss(desk, worst(desk))
+        desk.screenshot(shots / f"{name}.png")
+        return
+    inputs(desk, shots)
+    set_up(desk, WIDE_PX)
+    draw(desk, shots)
+    inspect_all(desk)
+    curves(desk, shots)
+    images(desk, shots)
+    swipe(desk, shots)
+    judge(desk, shots)
+    dense(desk, shots)
+    desk.new_project()
+    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
+
+
+def inputs(desk: Desk, shots: Path) -> None:
+    """Which rasters of a project are taken for sources, and why the others are not."""
+    block, mosaic = Path(desk.parameters["block"]), desk.parameters["mosaic"]
+    half, copy = desk.folder / f"{mosaic}_half.tif", desk.folder / f"{mosaic}_copy.vrt"
+    gdal.Translate(str(half), str(block / f"{mosaic}.tif"), widthPct=50, heightPct=50, resampleAlg="average")
+    gdal.Translate(str(copy), str(block / f"{mosaic}.tif"))
+    *_, top = desk.load_rasters([half, copy, *sorted(block.glob("*.tif")), block / f"{mosaic}.tif"])
+    desk.load_seamlines(block / "seamlines.gpkg")
+    desk.open_dock()
+    panel = desk.dock.inputs
+    panel.mosaic.setLayer(top)
+    panel.mosaic.activated.emit(panel.mosaic.currentIndex())
+    desk.wait(lambda: not panel.suggesting.sources.is_looking, 60, "rasters looked at")
+    panel.side.setValue(float(desk.parameters["side_m"]))
+    desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic open")
+    panel.box.setCollapsed(False)
+    arrange(desk, WIDE_PX)
+    desk.show_all(top.extent())
+    panel.sources.list.scrollToBottom()
+    desk.screenshot(shots / "desk_inputs.png")
+    panel.box.setCollapsed(True)
+    desk.new_project()
+
+
+def set_up(desk: Desk, width: int) -> None:
+    """The block on the map, and the dock beside it."""
+    side_m, spacing_m = float(desk.parameters["side_m"]), float(desk.parameters["spacing_m"])
+    desk.set_up(Path(desk.parameters["block"]), side_m, spacing_m, mosaic=desk.parameters["mosaic"])
+    arrange(desk, width)
+
+
+def draw(desk: Desk, shots: Path) -> None:
+    """Curve and profile of the window under the mouse, before it is there."""
+    session, side_m = desk.session, float(desk.parameters["side_m"])
+    middle = session.mosaic_layer().extent().center()
+    desk.dock.draw.trigger()
+    desk.wait(lambda: session.seam_point_near(middle.x(), middle.y(), 1e6), 20, "seams found")
+    x, y = session.seam_point_near(middle.x(), middle.y(), 1e6)
+    desk.canvas.setExtent(QgsRectangle(x, y, x, y).buffered(0.7 * side_m))
+    desk.canvas.refresh()
+    desk.wait_for_map()
+    for step in range(5):
+        desk.move((x + step * desk.canvas.mapUnitsPerPixel(), y))
+    desk.wait(lambda: session.live is not None and session.live.profile is not None, 30, "live profile")
+    desk.wait(lambda: not session.coverage(session.live.window).unread, 30, "sources counted")
+    desk.pause(0.3)
+    desk.screenshot(shots / "desk_live.png")
+    desk.dock.draw.trigger()
+    desk.rest_mouse()
+
+
+def inspect_all(desk: Desk) -> None:
+    """Windows along the seams, the worst first."""
+    desk.dock.place.trigger()
+    desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
+    desk.dock.inspect.trigger()
+    desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
+    desk.wait_for_work()
+    desk.dock.judging.model.change(order="worst")
+    desk.rest_mouse()
+
+
+def curves(desk: Desk, shots: Path) -> None:
+    """Curve and profile beside the map, with the lost detail and with one distance from the seam."""
+    fid = worst(desk)
+    show_loss(desk, fid)
+    desk.screenshot(shots / "desk.png")
+    desk.session.loss_view.show(False)
+    seamlines = desk.project.layerTreeRoot().findLayer(desk.session.inputs.seamlines)
+    seamlines.setItemVisibilityChecked(False)  # of nearly the colour that marks the distance
+    chart = desk.dock.panels["curves"].profile.chart
+    QTest.mouseMove(chart, QPoint(int(POINTED * chart.width()), chart.height() // 2))
+    desk.wait(lambda: chart.pointed_bin is not None, 5, "distance pointed at")
+    desk.wait_for_map()
+    desk.screenshot(shots / "desk_profile.png")
+    seamlines.setItemVisibilityChecked(True)
+    desk.rest_mouse()
+
+
+def images(desk: Desk, shots: Path) -> None:
+    """The clips of the worst window as they were delivered, and where detail was lost in them."""
+    fid = worst(desk)
+    desk.session.select([fid])
+    desk.show_tab(1)
+    panel = desk.dock.panels["images"]
+    desk.wait(lambda: desk.session.pictures(fid), 30, "pictures")
+    panel.strip.buttons[0].click()
+    desk.wait(lambda: "Space" in panel.large.hint, 30, "composite")
+    desk.rest_mouse()
+    desk.screenshot(shots / "desk_images.png")
+    desk.session.loss_view.show(True)
+    desk.wait_for_map()
+    desk.screenshot(shots / "desk_loss.png")
+    desk.session.loss_view.show(False)
+    desk.show_tab(0)
+
+
+def swipe(desk: Desk, shots: Path) -> None:
+    """The mosaic against its hard-cut composite, at 2x."""
+    fid = worst(desk)
+    desk.session.select([fid])
+    desk.dock.zoom_to(fid)
+    desk.wait_for_map()
+    swiping = desk.dock.swiping
+    swiping.start(swiping.choices()[-1])
+    desk.canvas.refresh()
+    desk.pause(1)
+    desk.wait(lambda: not swiping.swipe.is_drawing and not desk.canvas.isDrawing(), 60, "swipe drawn")
+    desk.rest_mouse()
+    desk.screenshot(shots / "desk_swipe.png")
+    swiping.swipe.stop()
+
+
+def judge(desk: Desk, shots: Path) -> None:
+    """The worst windows, by keys alone."""
+    desk.session.select([worst(desk)])
+    for key in JUDGED:
+        press(desk, desk.canvas, key)
+    desk.rest_mouse()
+    desk.wait_for_map()
+    desk.wait(lambda: desk.curves_of(desk.session.selected()[0]), 30, "chart drawn")
+    desk.screenshot(shots / "desk_judging.png")
+
+
+def dense(desk: Desk, shots: Path) -> None:
+    """As many small windows as the seams have room for."""
+    desk.new_project()
+    side_m = float(desk.parameters["small_side_m"])
+    desk.set_up(Path(desk.parameters["block"]), side_m, 1.15 * side_m, mosaic=desk.parameters["mosaic"])
+    desk.session.set_inputs(replace(desk.session.inputs, reference="sources"))
+    desk.dock.place.trigger()
+    desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
+    desk.dock.inspect.trigger()
+    desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
+    desk.wait_for_work()
+    rows = desk.session.windows()
+    for place, observer in enumerate(("visible", "invisible", "unsure")):
+        desk.session.judge([row.fid for row in rows[place::6]], observer)
+    desk.session.select([row.fid for row in rows[:12:3]])
+    arrange(desk, NARROW_PX)
+    desk.rest_mouse()
+    desk.wait_for_map()
+    desk.screenshot(shots / "desk_dense.png")
+
+
+# What all of them need
+
+
+def arrange(desk: Desk, width: int) -> None:
+    """The dock at the right, the list of layers no wider than it has to be."""
+    layers = desk.window.findChild(QWidget, "Layers")
+    desk.window.resizeDocks([layers, desk.dock], [200, width], Qt.Orientation.Horizontal)
+    desk.pause(0.5)
+
+
+def show_loss(desk: Desk, fid: int) -> None:
+    """A window on the map, wholly, with its lost detail, its curve and its profile."""
+    desk.session.select([fid])
+    extent = QgsRectangle(*desk.session.row(fid).extent)
+    desk.canvas.setExtent(extent.buffered(0.03 * extent.width()))
+    desk.canvas.refresh()
+    desk.session.loss_view.show(True)
+    iface.messageBar().clearWidgets()
+    desk.wait(lambda: desk.curves_of(fid), 30, "chart drawn")
+    desk.rest_mouse()
+    desk.wait_for_map()
+
+
+def worst(desk: Desk) -> int:
+    """The window that kept least."""
+    rows = [row for row in desk.session.windows() if row.kept_1 is not None]
+    return int(min(rows, key=lambda row: row.kept_1).fid)
+
+
+def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:
+    """A key where a widget has the focus."""
+    desk.window.activateWindow()
+    widget.setFocus()
+    desk.wait(lambda: QApplication.focusWidget() is not None, 5, "focus in the main window")
+    QTest.keyClick(QApplication.focusWidget(), key)
+    desk.pause(0.1)
