@@ -126,9 +126,11 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
         said.append(text.format(**values) + _whole(row.sharpness))
     if row.reason and row.reason not in said:
         said.append(row.reason)
-    if row.explained is not None and row.explained < 1 - _UNEXPLAINED:
+    missing = 0.0 if row.explained is None else 1 - row.explained
+    is_told = f"{100 * missing:.0f} %" in row.reason  # VERDICT_OF_THE_REST says how many, too, in whatever language
+    if missing > _UNEXPLAINED and not is_told:
         text = tr("{percent} % of the pixels are from none of the given sources and took no part.")
-        said.append(text.format(percent=percent(1 - row.explained)))
+        said.append(text.format(percent=percent(missing)))
     return said
 
 

@@ -14,12 +14,14 @@ from seam_inspector.plugin.seams.judged_value import judged_kept
 from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.changes import Change
 from seam_inspector.plugin.seams.measure.explanation import Explanation
+from seam_inspector.plugin.seams.measure.messages import VERDICT_OF_THE_REST
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.window_summary import cause_numbers, explanation_of, window_sentence
+from seam_inspector.plugin.toolkit.translation import sentence
 
 from tests.qgis.seams.desk.windows_session import window
 
@@ -263,6 +265,12 @@ def test_pixels_that_took_no_part_are_told(qgis_app: QgsApplication) -> None:
     told = "17 % of the pixels are from none of the given sources and took no part."
     assert told in window_sentence(seam_row(explained=0.83))
     assert "took no part" not in window_sentence(seam_row(explained=0.999))
+
+
+def test_pixels_that_took_no_part_are_told_once(qgis_app: QgsApplication) -> None:
+    """The reason of a verdict of the rest names them already."""
+    reason = sentence(VERDICT_OF_THE_REST(share=9.98))
+    assert window_sentence(seam_row(explained=0.9002, reason=reason)).count("took no part") == 1
 
 
 def test_by_the_seam_the_main_cause_has_its_number(qgis_app: QgsApplication) -> None:
