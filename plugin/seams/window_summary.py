@@ -19,6 +19,9 @@ _APART = 0.05  # a ratio to the composite that differs by less from the one to t
 _AS_SHARP = 0.03  # of the sharpness: less is not told
 _THIN = 0.6  # a strip takes less than this part of its own loss from the window
 _UNEXPLAINED = 0.005  # of the pixels
+_ALL_KEPT = 0.97  # less is said to be less, though the interval holds 1
+_TONES = ("dodging", "gamma", "balanced", "clipping", "narrowed histogram")
+"""Causes that change what share of all variance the finest detail is."""
 _TOLD_BEFORE = ("", "none", "missing source")  # causes that have no sentence of their own beside the seam's
 _NOT_COMPARABLE = "not_comparable"
 LOSSES = ("significant", "reduced")
@@ -123,6 +126,9 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
     else:
         values = {"kept": percent(kept), "low": percent(low), "high": percent(high)}
         text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
+        if kept < _ALL_KEPT:
+            text = tr("Along the seam no loss can be told from chance: {kept} % of the finest detail is left "
+                      "({low} to {high} %)")
         said.append(text.format(**values) + _whole(row.sharpness))
     if row.reason and row.reason not in said:
         said.append(row.reason)
@@ -144,15 +150,22 @@ def by_the_paper(row: WindowRecord) -> list[str]:
         return []
     milder = _SEVERITY.index(row.paper_verdict) - _SEVERITY.index(row.verdict)
     content = ratio / composite if composite else None
+    has_other_tones = not set(row.causes.split("; ")).isdisjoint(_TONES)
+    change = (row.sharpness or 1) - 1
     reasons = []
-    if content and (row.sources or 0) > 1:
+    if content and (row.sources or 0) > 1 and not has_other_tones:
         if milder > 0 and content > 1 + _APART:
             text = tr("another source has more detail here: cut hard, the window would have {percent} %")
             reasons.append(text.format(percent=percent(content)))
         if milder < 0 and content < 1 - _APART:
             text = tr("the sources differ here: cut hard, the window would have no more than {percent} %")
             reasons.append(text.format(percent=percent(content)))
-    if milder > 0 and kept is not None and composite and row.band_width and 1 - composite < _THIN * (1 - kept):
+    if has_other_tones and milder:
+        reasons.append(tr("it takes detail as a share of all variance, and the tones were changed"))
+    if abs(change) > _APART and (change > 0) == (milder > 0) and milder:
+        text = tr("it takes the window as a whole, which has {percent} % of the sharpness of its sources")
+        reasons.append(text.format(percent=percent(1 + change)))
+    elif milder > 0 and kept is not None and composite and row.band_width and _is_thin(composite, kept):
         text = tr("the strip is thin in the window, all of which has {percent} % of a hard cut's")
         reasons.append(text.format(percent=percent(composite)))
     if not reasons and (row.paper_verdict in LOSSES) == (row.verdict in LOSSES):
@@ -160,6 +173,11 @@ def by_the_paper(row: WindowRecord) -> list[str]:
     text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source")
     said = text.format(verdict=verdict_word(row.paper_verdict), percent=percent(ratio))
     return ["; ".join([said, *reasons]) + "."]
+
+
+def _is_thin(composite: float, kept: float) -> bool:
+    """Whether what a strip lost hardly shows in the whole window."""
+    return abs(1 - composite) < _THIN * (1 - kept)
 
 
 def _whole(sharpness: float | None) -> str:

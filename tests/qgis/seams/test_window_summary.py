@@ -222,6 +222,19 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
             ("By the paper's rule it is reduced, with 80 % of the detail of the least detailed source; the sources "
             "differ here: cut hard, the window would have no more than 80 %."),
         ),
+        (  # sharpened as a whole: the strip is not the reason
+            {"paper_verdict": "preserved", "ratios": (2.04,), "composite_ratios": (1.89,), "sharpness": 1.9,
+             "sources": 1},
+            ("By the paper's rule it is preserved, with 204 % of the detail of the least detailed source; it takes the "
+            "window as a whole, which has 190 % of the sharpness of its sources."),
+        ),
+        (  # other tones: what a hard cut would have is not known in them
+            {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0,
+             "paper_verdict": "reduced", "ratios": (0.58,), "composite_ratios": (0.7,), "cause": "dodging",
+             "causes": "dodging"},
+            ("By the paper's rule it is reduced, with 58 % of the detail of the least detailed source; it takes detail "
+            "as a share of all variance, and the tones were changed."),
+        ),
         (  # two limits, no more
             {"paper_verdict": "reduced", "ratios": (0.6,), "composite_ratios": (0.6,)}, "Images are feathered.",
         ),
