@@ -104,7 +104,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="76"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="77"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -599,7 +599,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="41"/>
+        <location filename="../plugin/seams/window_summary.py" line="44"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -719,7 +719,7 @@
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="167"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="168"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -1074,17 +1074,17 @@
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="69"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="70"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="74"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="75"/>
         <source>log</source>
         <translation>log</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="75"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="76"/>
         <source>Logarithmic axis, which shows the fine levels; off: linear axis</source>
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
@@ -1094,17 +1094,17 @@
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="71"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="72"/>
         <source>Check no raster; missing ones are removed</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="84"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="168"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="169"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -4889,52 +4889,52 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="55"/>
+        <location filename="../plugin/seams/window_summary.py" line="58"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="57"/>
+        <location filename="../plugin/seams/window_summary.py" line="60"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="61"/>
+        <location filename="../plugin/seams/window_summary.py" line="64"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="63"/>
+        <location filename="../plugin/seams/window_summary.py" line="66"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="64"/>
+        <location filename="../plugin/seams/window_summary.py" line="67"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="67"/>
+        <location filename="../plugin/seams/window_summary.py" line="70"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="69"/>
+        <location filename="../plugin/seams/window_summary.py" line="72"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="71"/>
+        <location filename="../plugin/seams/window_summary.py" line="74"/>
         <source>the sources lie {length} px apart</source>
         <translation>ortoobrazy są od siebie odsunięte o {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="74"/>
+        <location filename="../plugin/seams/window_summary.py" line="77"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="76"/>
+        <location filename="../plugin/seams/window_summary.py" line="79"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
@@ -4944,22 +4944,22 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="91"/>
+        <location filename="../plugin/seams/window_summary.py" line="94"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="93"/>
+        <location filename="../plugin/seams/window_summary.py" line="96"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="95"/>
+        <location filename="../plugin/seams/window_summary.py" line="98"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="97"/>
+        <location filename="../plugin/seams/window_summary.py" line="100"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -5414,47 +5414,47 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="109"/>
+        <location filename="../plugin/seams/window_summary.py" line="112"/>
         <source>There is no seam in the window to be judged.</source>
         <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="111"/>
+        <location filename="../plugin/seams/window_summary.py" line="114"/>
         <source>The window has {percent} % of the sharpness of its sources.</source>
         <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="116"/>
+        <location filename="../plugin/seams/window_summary.py" line="119"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="121"/>
+        <location filename="../plugin/seams/window_summary.py" line="124"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="125"/>
+        <location filename="../plugin/seams/window_summary.py" line="128"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="130"/>
+        <location filename="../plugin/seams/window_summary.py" line="138"/>
         <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="168"/>
+        <location filename="../plugin/seams/window_summary.py" line="188"/>
         <source>; the rest is as sharp as its sources.</source>
         <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="169"/>
+        <location filename="../plugin/seams/window_summary.py" line="189"/>
         <source>; the whole window has {percent} % of the sharpness of its sources.</source>
         <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="180"/>
+        <location filename="../plugin/seams/window_summary.py" line="200"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -6524,22 +6524,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="148"/>
+        <location filename="../plugin/seams/window_summary.py" line="158"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="151"/>
+        <location filename="../plugin/seams/window_summary.py" line="161"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="154"/>
+        <location filename="../plugin/seams/window_summary.py" line="169"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="158"/>
+        <location filename="../plugin/seams/window_summary.py" line="173"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -7509,17 +7509,17 @@
         <translation>Sprawdź ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="68"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="69"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="68"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="69"/>
         <source>Check the rasters that may be sources of this mosaic, and no others</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="72"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="73"/>
         <source>The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the same. Uncheck a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -7762,6 +7762,21 @@
         <location filename="../plugin/seams/desk/windows/windows_columns.py" line="105"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="130"/>
+        <source>Along the seam no loss can be told from chance: {kept} % of the finest detail is left ({low} to {high} %)</source>
+        <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszego detalu ({low}–{high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="164"/>
+        <source>it takes detail as a share of all variance, and the tones were changed</source>
+        <translation>bierze ona detal jako udział w całej wariancji, a tony zostały zmienione</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="166"/>
+        <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
+        <translation>bierze ona całe okno, które ma {percent} % ostrości swoich ortoobrazów</translation>
     </message>
 </context>
 </TS>
