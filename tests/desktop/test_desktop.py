@@ -7,7 +7,6 @@ from typing import Any
 import pytest
 
 from demo.desktop import play
-from demo.screenshot import MOST_BYTES, shrink
 from tests.desktop.conftest import SCENARIOS, check, say
 
 SIDE_M = 100.0  # 1024 px of the whole block
@@ -58,23 +57,6 @@ def test_dangers(small_block: Path, tmp_path: Path) -> None:
     assert after == before
     assert run.report["busy_at_exit"]
     assert run.seconds_to_exit < 60  # a few seconds on a machine of its own
-
-
-def test_pictures(small_block: Path, tmp_path: Path) -> None:
-    """Those that `make demo` leaves and the docs show; each is small enough for a page."""
-    shots = tmp_path / "pictures"
-    parameters = {
-        "block": str(small_block), "mosaic": "mosaic", "side_m": SMALL_SIDE_M, "spacing_m": SMALL_SIDE_M,
-        "small_side_m": 6.4, "screenshots": str(shots), "name": "",
-    }  # fmt: skip
-    run = play(SCENARIOS / "pictures.py", tmp_path, parameters, screen="1500x950", seconds=500)
-    say("pictures", run.seconds, run.report)
-    check(run)
-    pictures = [Path(path) for path in run.report["screenshots"]]
-    assert {"desk.png", "desk_loss.png", "desk_swipe.png"} <= {one.name for one in pictures}
-    for picture in pictures:
-        shrink(picture)
-        assert picture.stat().st_size <= MOST_BYTES, picture.name
 
 
 @pytest.mark.parametrize(

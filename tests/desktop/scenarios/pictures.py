@@ -218,9 +218,8 @@ def show_loss(desk: Desk, fid: int) -> None:
 
 
 def worst(desk: Desk) -> int:
-    """The window that kept least."""
-    rows = [row for row in desk.session.windows() if row.kept_1 is not None]
-    return int(min(rows, key=lambda row: row.kept_1).fid)
+    """The first window of the order that begins with the worst."""
+    return int(desk.dock.windows.ordered_fids()[0])
 
 
 def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:
