@@ -17,10 +17,10 @@ SAMPLE_PX = 2
 """A coefficient of the finest level stands for so many pixels either way."""
 _EDGE = 4  # samples at the window's edge, in which periodic wavelets show what lies at the other one
 _SMOOTH_CELLS = 1.0  # standard deviation: with less, sound ground shows spots; with more, a narrow feather fades
-_SMOOTH_ROUGH_CELLS = 2.0
+_SMOOTH_ROUGH_CELLS = 2.5
 """Where the ground itself is rough, as compression leaves it."""
 _ROUGH = 0.04  # scatter of log kept over the ground: 0.00 as cut, 0.02 with noise of 5 DN, 0.1 and more after JPEG
-_SURE = 1.645  # standard deviations of that scatter below which the ground around lies in 95 % of its cells
+_SURE = 1.645  # standard deviations of that scatter: less far below 1, a cell may have kept all
 _LEAST_EXPLAINED = 0.5  # of a cell, for it to be told
 
 
@@ -29,7 +29,7 @@ class LossPicture:
     """kept_1 of every cell of a window."""
 
     kept: np.ndarray
-    """The most that each cell may have kept, by what the ground around scatters: what is low has lost detail for sure.
+    """At least 1 where what seems lost may be the scatter of the ground around, which compression leaves rough.
     (rows, columns) float32 from the window's upper left, NaN where nothing can be told. Where the window is no
     multiple of the cell, the last row and column reach beyond it."""
     cell_px: int = LOSS_CELL_PX
@@ -58,7 +58,8 @@ def loss_picture(finest: np.ndarray, labels: np.ndarray, cells: DetailCells) -> 
     kept, scatter = _smooth_kept(own, expected, is_told, ground, _SMOOTH_CELLS)
     if scatter > _ROUGH:
         kept, scatter = _smooth_kept(own, expected, is_told, ground, _SMOOTH_ROUGH_CELLS)
-    kept *= np.float32(np.exp(_SURE * scatter))
+    may_be_all = kept * np.exp(_SURE * scatter) >= 1
+    kept[may_be_all] = np.maximum(kept[may_be_all], 1)
     return LossPicture(kept, seam=np.argwhere(seam_samples(labels)).astype(np.uint16))
 
 

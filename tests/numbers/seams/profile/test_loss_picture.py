@@ -96,12 +96,12 @@ def test_what_was_done_to_the_whole_mosaic_leaves_it_even() -> None:
 
 
 def test_ground_that_compression_left_rough_is_not_called_lost() -> None:
-    """Where some cells lose all and others nothing, what is shown is what they have lost for sure."""
+    """Where some cells lose all and others nothing, what is shown is more than their scatter."""
     made = blend(0)
     rng = np.random.default_rng(12)
     left = np.exp(0.35 * rng.standard_normal((SIDE // 8, SIDE // 8))).repeat(8, axis=0).repeat(8, axis=1)
     rough = 120 + (made.hard - 120) * left
-    assert (kept_of(made, rough) <= 0.9).mean() < 0.08
+    assert (kept_of(made, rough) <= 0.9).mean() < 0.1
     feathered = 120 + (blend(66).made - 120) * left
     assert (kept_of(blend(66), feathered) <= 0.9)[made.distance[4::8, 4::8] < 6].mean() > 0.5
 
