@@ -1304,7 +1304,7 @@
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="161"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="175"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -1314,7 +1314,7 @@
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="211"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="225"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -7564,22 +7564,22 @@
         <translation>QGIS zakończył działanie, zanim zapisano projekt z oknami; są one w {path}. Otwórz jego rastry, a potem okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="21"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="24"/>
         <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
         <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany okien ({count}) w {name}. Zapisz warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="24"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="27"/>
         <source>What is judged is safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
         <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="27"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="30"/>
         <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows are measured again after the project was closed.</source>
         <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="32"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="35"/>
         <source>The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
@@ -7777,6 +7777,11 @@
         <location filename="../plugin/seams/window_summary.py" line="166"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona całe okno, które ma {percent} % ostrości swoich ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="21"/>
+        <source>{name} beside this project holds {count} windows that the project does not know.</source>
+        <translation>Plik {name} obok tego projektu zawiera okna ({count}), których projekt nie zna.</translation>
     </message>
 </context>
 </TS>

@@ -15,14 +15,15 @@ from .desk_parts import DeskParts
 from .inputs.inputs_watch import InputsWatch
 from .inputs.layer_places import LayerPlaces
 from .inputs.project_inputs import Inputs, load_inputs, save_inputs
+from .keeping import messages
 
 
 class ProjectFollower(QObject):
     """Leads the desk's parts after the project."""
 
     inputsChanged = pyqtSignal()
-    windowsFound = pyqtSignal(object)
-    """Path of windows of a project that was never saved, as QGIS ended before."""
+    windowsFound = pyqtSignal(object, object)
+    """Path of windows that the project lacks, and the Message that says so."""
     told = pyqtSignal(object)
 
     def __init__(self, parts: DeskParts, parent: QObject) -> None:
@@ -36,9 +37,10 @@ class ProjectFollower(QObject):
         parts.block.opened.connect(self._opened)
         parts.watch.replaced.connect(self._windows_replaced)
         self._searcher = single_shot(self, self._find_left)  # the project is still being read when it tells so
+        self._is_read = True
         self._connections: list[tuple[Any, Callable[..., None]]] = [
             (parts.project.readProject, self._load),
-            (parts.project.cleared, self._load),
+            (parts.project.cleared, self._cleared),
             (parts.project.writeProject, self._save),
             (parts.project.layersAdded, self._layers_added),
             (parts.project.layersWillBeRemoved, self._forget_layers),
@@ -81,7 +83,12 @@ class ProjectFollower(QObject):
 
     # What the project tells
 
+    def _cleared(self) -> None:
+        self._load()
+        self._is_read = False
+
     def _load(self, *_: object) -> None:
+        self._is_read = True
         self._parts.live.leave()
         self._parts.live.let_go()
         self._parts.inputs_background.abandon()
@@ -94,11 +101,17 @@ class ProjectFollower(QObject):
         self._searcher.start()
 
     def _find_left(self) -> None:
-        """Windows of this project that were never saved with it, as QGIS ended before; or of one without a file."""
-        if self._parts.watch.layer is not None or (path := self._parts.keeping.left_in(self._parts.project)) is None:
+        """Windows that the project lacks, as it was never saved with them or QGIS ended before."""
+        keeping, project = self._parts.keeping, self._parts.project
+        if self._parts.watch.layer is not None or (project.fileName() and not self._is_read):
+            return  # a project that is being read lacks layers yet
+        if (path := keeping.left_in(project)) is None:
+            if (beside := keeping.beside(project)) is not None:
+                path, count = beside
+                self.windowsFound.emit(path, messages.WINDOWS_BESIDE(name=path.name, count=count))
             return
-        if not self._parts.project.fileName():
-            self.windowsFound.emit(path)
+        if not project.fileName():
+            self.windowsFound.emit(path, messages.WINDOWS_FOUND(path=path))
             return
         try:
             self.open_windows(path)

@@ -44,8 +44,8 @@ class Session(QObject):
     picturesArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
     messageRaised = pyqtSignal(str, int)
-    windowsFound = pyqtSignal(object)
-    """Path of windows of a project that was never saved, as QGIS ended before."""
+    windowsFound = pyqtSignal(object, object)
+    """Path of windows that the project lacks, and the Message that says so."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -5,6 +5,8 @@ QGIS's own.
 """
 from __future__ import annotations
 
+import contextlib
+import sqlite3
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, count
 from pathlib import Path
@@ -41,6 +43,8 @@ from .result_tables import WINDOW_COLUMNS, window_fields
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
 _LAYER_NAME = "windows"
+_OURS = {"window_id", "verdict", "observer"}  # fields that every version has written
+_BUSY_S = 0.05  # at most, for one that another program is writing
 _SHAPEFILE = "ESRI Shapefile"
 _SHAPEFILE_NAME = 10  # letters at most, so it goes without background_ratio
 _SHAPEFILE_LENGTHS = {"integer": (9, 0), "real": (20, 15), "text": (254, 0)}  # and decimals
@@ -68,6 +72,16 @@ def open_window_layer(path: Path) -> QgsVectorLayer:
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=path.parent))
     load_style(layer, "windows")
     return layer
+
+
+def count_windows(path: Path) -> int:
+    """How many windows a file holds; 0 for one that the desk did not make, or that can't be read now."""
+    try:
+        with contextlib.closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", _BUSY_S, uri=True)) as file:
+            names = {row[1] for row in file.execute(f"PRAGMA table_info({_LAYER_NAME})")}
+            return file.execute(f"SELECT count(*) FROM {_LAYER_NAME}").fetchone()[0] if names >= _OURS else 0
+    except (OSError, sqlite3.Error):
+        return 0
 
 
 def holds_windows(layer: QgsMapLayer | None) -> bool:

@@ -1,4 +1,4 @@
-"""Windows of a project that was never saved, in QGIS's message bar, with the button that opens them."""
+"""Windows that a project lacks, in QGIS's message bar, with the button that opens them."""
 from __future__ import annotations
 
 from functools import partial
@@ -9,9 +9,9 @@ from qgis.core import Qgis
 from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtCore import QObject
 
+from ....imagery.message import Message
 from ....toolkit.desk.bar_question import BarQuestion
 from ....toolkit.translation import sentence, tr
-from . import messages
 
 
 class FoundMessage(BarQuestion):
@@ -22,11 +22,15 @@ class FoundMessage(BarQuestion):
         self._open = open_windows
         self._offered: set[Path] = set()
 
-    def show(self, path: Path) -> None:
+    def show(self, path: Path, message: Message) -> None:
         """Say where they are."""
         if path not in self._offered:
             self._offered.add(path)
             self.ask(
-                sentence(messages.WINDOWS_FOUND(path=path)), Qgis.MessageLevel.Warning, tr("Open the windows"),
-                tr("Adds the layer of these windows and brings back what was not saved."), partial(self._open, path),
+                sentence(message), Qgis.MessageLevel.Warning, tr("Open the windows"),
+                tr("Adds the layer of these windows and brings back what was not saved."), partial(self._go, path),
             )  # fmt: skip
+
+    def _go(self, path: Path) -> None:
+        self._offered.discard(path)  # the project may be left without saving once more
+        self._open(path)

@@ -12,6 +12,7 @@ from ....imagery.errors import SeamInspectorError, WindowLayerError
 from ....toolkit import layers
 from ...measure.window.window_result import WindowResult
 from ...measure.window_records import WindowRecord
+from ...tables import window_layer
 from ..windows.window_watch import WindowWatch
 from . import messages
 from .kept_results import KeptResults
@@ -80,12 +81,23 @@ class Keeping(QObject):
 
     def left_in(self, project: QgsProject) -> Path | None:
         """The file of windows that a project lacks, since QGIS ended before it was saved; it may have no file."""
-        there = {layers.layer_path(one) for one in project.mapLayers().values() if isinstance(one, QgsVectorLayer)}
+        there = _files_of(project)
         for path in sorted(home_of(project).glob(f"*.gpkg{UNSAVED}")):
             windows = path.with_suffix("")
             if str(windows) not in there and windows.is_file() and owner_of(path) == project.fileName():
                 return windows
         return None
+
+    def beside(self, project: QgsProject) -> tuple[Path, int] | None:
+        """The file of windows beside a project that was saved before them and lacks them, and how many there are."""
+        if not project.homePath() or (saved := _written(Path(project.fileName()))) is None:
+            return None
+        there, found = _files_of(project), []
+        for path in Path(project.homePath()).glob("windows*.gpkg"):
+            written = None if str(path) in there else _written(path)
+            if written is not None and written > saved and (count := window_layer.count_windows(path)):
+                found.append((written, path, count))
+        return max(found)[1:] if found else None
 
     def save(self, layer: QgsVectorLayer, project: QgsProject) -> None:
         """Save a layer with its project, beside it from the first time on; what is in the way is told."""
@@ -149,3 +161,14 @@ class Keeping(QObject):
         if what not in self._complained:
             self._complained.add(what)
             self.told.emit(message)
+
+
+def _files_of(project: QgsProject) -> set[str]:
+    """The paths of its vector layers."""
+    return {layers.layer_path(one) for one in project.mapLayers().values() if isinstance(one, QgsVectorLayer)}
+
+
+def _written(path: Path) -> float | None:
+    """When a file was last changed, which for a GeoPackage may be in the log beside it; None where none is."""
+    files = [one for one in (path, Path(f"{path}-wal")) if one.is_file()]
+    return max(one.stat().st_mtime for one in files) if files else None

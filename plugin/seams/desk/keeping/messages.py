@@ -18,6 +18,9 @@ WINDOWS_FOUND = Message(
     "QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.",
     WARNING,
 )
+WINDOWS_BESIDE = Message(
+    "{name} beside this project holds {count} windows that the project does not know.", WARNING
+)
 WINDOWS_RESTORED = Message(
     "QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.", WARNING
 )
