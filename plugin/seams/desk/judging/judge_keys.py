@@ -1,15 +1,17 @@
-"""Single keys that judge and step, wherever the focus is in the window that shows the desk."""
+"""Single keys that judge and step while the focus is in the desk, on the map, in the layer tree or a toolbar."""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from qgis.gui import QgsLayerTreeView, QgsMapCanvas
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
-from qgis.PyQt.QtWidgets import QApplication, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QToolBar, QWidget
 
 from ....toolkit.desk.keyboard import is_keyboard_free
 
 _KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
+_OURS = (QgsMapCanvas, QgsLayerTreeView, QToolBar)  # beside the desk and the main window itself
 _PLAIN = (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
 
 
@@ -18,8 +20,8 @@ class JudgeKeys(QObject):
 
     It listens while the desk is in sight, to the widget that has the focus: a filter of all of the application's
     events would make Python objects of receivers that are being deleted. Keys stay with a text field that has the
-    focus, with menus and dialogs, with other windows than QGIS's main one and the desk's, and with a tool of QGIS that
-    is editing on the map.
+    focus, with menus and dialogs, with other docks, whose lists find a row by its letter, with other windows than
+    QGIS's main one and the desk's, and with a tool of QGIS that is editing on the map.
     """
 
     def __init__(self, desk: QWidget, main_window: QWidget, is_editing: Callable[[], bool]) -> None:
@@ -80,4 +82,14 @@ class JudgeKeys(QObject):
     def _is_free(self) -> bool:
         focus = QApplication.focusWidget()
         window = focus.window() if focus is not None else QApplication.activeWindow()
-        return window in (self._main_window, self._desk.window()) and is_keyboard_free() and not self._is_editing()
+        is_ours = window in (self._main_window, self._desk.window()) and self._is_ours(focus)
+        return is_ours and is_keyboard_free() and not self._is_editing()
+
+    def _is_ours(self, focus: QWidget | None) -> bool:
+        """Whether nobody else's widget has the focus."""
+        if focus is None or focus is self._main_window:
+            return True
+        widget: QWidget | None = focus
+        while widget is not None and widget is not self._desk and not isinstance(widget, _OURS):
+            widget = widget.parentWidget()
+        return widget is not None

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from qgis.gui import QgsLayerTreeView, QgsMapCanvas
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtTest import QTest
@@ -11,11 +12,15 @@ from qgis.PyQt.QtWidgets import (
     QAction,
     QApplication,
     QDialog,
+    QDockWidget,
     QLineEdit,
+    QListWidget,
     QMainWindow,
     QPushButton,
     QSpinBox,
+    QTableWidget,
     QTextEdit,
+    QToolBar,
     QTreeWidget,
     QVBoxLayout,
     QWidget,
@@ -30,7 +35,7 @@ class _Desk:
 
     def __init__(self) -> None:
         self.window = QMainWindow()
-        body = QWidget()
+        self.body = body = QWidget()
         layout = QVBoxLayout(body)
         self.line, self.text, self.number = QLineEdit(), QTextEdit(), QSpinBox()
         self.button, self.tree = QPushButton("next"), QTreeWidget()
@@ -117,3 +122,34 @@ def test_other_keys_are_left_alone(desk: _Desk) -> None:
 def test_out_of_sight_it_takes_nothing(desk: _Desk) -> None:
     desk.keys.listen(False)
     assert "V" not in desk.press(desk.tree)
+
+
+@pytest.mark.parametrize("of_another", [QListWidget, QTableWidget])
+def test_lists_of_other_docks_keep_the_letters_that_find_a_row(desk: _Desk, of_another: type[QWidget]) -> None:
+    dock, found = QDockWidget("of another plugin"), of_another()
+    dock.setWidget(found)
+    desk.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
+    assert "V" not in desk.press(found)
+
+
+@pytest.mark.parametrize("kind", [QgsMapCanvas, QgsLayerTreeView, QListWidget])
+def test_keys_work_on_the_map_in_the_layer_tree_and_the_desk_s_own_lists(desk: _Desk, kind: type[QWidget]) -> None:
+    dock, found = QDockWidget("of QGIS"), kind()
+    if kind is QListWidget:
+        desk.body.layout().addWidget(found)
+        found.show()
+    else:
+        dock.setWidget(found)
+        desk.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
+    assert desk.press(found) == ["V"]
+
+
+def test_keys_work_where_a_toolbar_or_the_main_window_has_the_focus(desk: _Desk) -> None:
+    bar, button = QToolBar(), QPushButton("of a toolbar")
+    bar.addWidget(button)
+    desk.window.addToolBar(bar)
+    bar.show()
+    QApplication.processEvents()
+    desk.window.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    for widget in (button, desk.window):
+        assert desk.press(widget) == ["V"]
