@@ -11,6 +11,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...imagery.errors import SeamInspectorError
 from ...toolkit.desk.timers import single_shot
 from ..tables import window_layer
+from ..tables.window_looks import style_if_plain
 from .desk_parts import DeskParts
 from .inputs.inputs_watch import InputsWatch
 from .inputs.layer_places import LayerPlaces
@@ -142,6 +143,7 @@ class ProjectFollower(QObject):
             self._parts.forget_windows()
             self._parts.watch.watch(layer)
             if self._parts.watch.layer is not None:
+                style_if_plain(self._parts.watch.layer)
                 self._parts.keeping.follow(self._parts.watch.layer, self._inputs.levels)
         self._opened()
 

@@ -8,11 +8,15 @@ from qgis.core import (
     QgsExpressionContext,
     QgsExpressionContextUtils,
     QgsFeature,
+    QgsFillSymbol,
     QgsGeometry,
     QgsMapRendererParallelJob,
     QgsMapSettings,
     QgsProject,
     QgsRectangle,
+    QgsRenderContext,
+    QgsSingleSymbolRenderer,
+    QgsSymbol,
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QSize
@@ -20,7 +24,8 @@ from qgis.PyQt.QtGui import QColor, QImage
 from seam_inspector.plugin.seams.verdict_words import VERDICTS
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 
-from tests.qgis.seams.desk.session_desk import wait_until
+from tests.qgis.scenes import SHARP, windows
+from tests.qgis.seams.desk.session_desk import Desk, wait_until
 
 SELECTION = "#ff00ff"
 SIDE_M = 100.0
@@ -111,3 +116,43 @@ def test_outlines_are_thinner_where_windows_are_small(project: QgsProject) -> No
     around = 4 * 640 / 160 * SIDE_M, 4 * 640 / 8000 * SIDE_M
     colour = VERDICTS["preserved"].colour
     assert 0 < far[colour] / around[1] < 0.6 * near[colour] / around[0]
+
+
+# A layer that the desk takes for its windows
+
+
+def test_windows_removed_and_added_again_show_verdicts(desk: Desk) -> None:
+    desk.add()
+    made = desk.layer()
+    path = made.source()
+    assert made.commitChanges()
+    desk.project.removeMapLayer(made.id())
+    again = QgsVectorLayer(path, "windows", "ogr")
+    assert again.renderer().type() == "singleSymbol"
+    desk.project.addMapLayer(again)
+    assert desk.layer() is again
+    assert again.renderer().type() == "categorizedSymbol"
+    assert again.labelsEnabled()
+
+
+def test_a_layer_drawn_elsewhere_shows_windows_though_it_has_none_of_our_fields(desk: Desk) -> None:
+    outside = desk.use(windows(SHARP))
+    renderer, context = outside.renderer(), QgsRenderContext()
+    assert renderer.type() == "categorizedSymbol"
+    renderer.startRender(context, outside.fields())
+    assert renderer.originalSymbolForFeature(next(outside.getFeatures()), context) is not None
+    renderer.stopRender(context)
+
+
+def test_a_layer_that_its_user_styled_stays_as_it_is(desk: Desk) -> None:
+    outside = windows(SHARP)
+    outlines = QgsFillSymbol.createSimple({"style": "no", "outline_color": "red"})
+    outside.setRenderer(QgsSingleSymbolRenderer(outlines))
+    desk.use(outside)
+    assert outside.renderer().type() == "singleSymbol"
+    plain = windows(SHARP)
+    desk.use(plain)
+    plain.setRenderer(QgsSingleSymbolRenderer(QgsSymbol.defaultSymbol(plain.geometryType())))
+    desk.set(desk.inputs(windows=""))
+    desk.set(desk.inputs(windows=plain.id()))
+    assert plain.renderer().type() == "singleSymbol"  # so he wanted it
