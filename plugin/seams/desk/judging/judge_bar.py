@@ -17,7 +17,7 @@ from ...measure.observers import INVISIBLE, UNSURE, VISIBLE
 from ...window_summary import window_sentence
 from ..windows.verdict_chips import verdict_chip, window_tip, windows_sentence
 from .judging import Judging
-from .judging_progress import judging_progress
+from .judging_progress import JudgingProgress, judging_progress
 from .notes_row import NotesRow
 from .operator_button import OperatorButton
 
@@ -104,11 +104,11 @@ class JudgeBar(QWidget):
         chosen = set(self._session.selected())
         selected = [row for row in windows if row.fid in chosen]
         judging.follow()
-        self._say(selected, bool(windows))
+        progress = judging_progress(judging, windows)
+        self._say(selected, progress)
         for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
-        progress = judging_progress(judging, windows)
         self._progress.setText(progress.words())
         self._progress.setToolTip(rich_tip(progress.tip()))
         self._arrange()
@@ -130,7 +130,7 @@ class JudgeBar(QWidget):
             self._judging.take_back()
         self.refresh()  # the buttons show what was written, also when nothing could be
 
-    def _say(self, selected: Sequence[WindowRecord], any_windows: bool) -> None:
+    def _say(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
         tip, shows_chip = "", False
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
@@ -146,8 +146,10 @@ class JudgeBar(QWidget):
             self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
         elif selected:
             sentence = windows_sentence(selected)
+        elif progress.is_done:
+            sentence = tr("No window is left to judge. Select one to judge it again.")
         else:
-            sentence = tr("Select a window to judge it.") if any_windows else ""
+            sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)
         self._sentence.setText(sentence, tip)
         judging, position = self._judging, tr("{place} of {count}")

@@ -120,6 +120,7 @@ class Judging(QObject):
     def judge(self, word: str) -> bool:
         """Write the operator's word on the selected window, and go on. Of several at once he is asked first.
 
+        After the last one no window is selected, so that keys which come too late judge nothing again.
         Whether there was anything to do.
         """
         fids = self._session.selected()
@@ -130,12 +131,16 @@ class Judging(QObject):
                 self._session.judge(fids, word, self.operator)
             return True
         self.follow()
-        row, following = self._session.row(fids[0]), self._number(self._following())
+        row = self._session.row(fids[0])
+        following = self._number(self._after(row) if row is not None else None)
         self._session.judge(fids, word, self.operator)
         row = self._with_number(row.window_id) if row is not None else None
         if row is not None and self.word(row) == word:  # what could not be written is no reason to go on
             self._judged = [number for number in self._judged if number != row.window_id] + [row.window_id]
-            self._go_to_number(following)
+            if following is not None:
+                self._go_to_number(following)
+            else:
+                self._session.select([])
         return True
 
     def take_back(self) -> bool:
@@ -219,6 +224,16 @@ class Judging(QObject):
         """The next one to judge; where all are judged, as in a review, the one after this."""
         found = self.next_to_judge()
         return self.neighbour(1) if found is None else found
+
+    def _after(self, row: WindowRecord) -> int | None:
+        """Where a verdict on the selected window leads; only in a review, of windows judged before, to a judged one."""
+        found, below = self.next_to_judge(), self.neighbour(1)
+        if found is not None or self.is_to_judge(row):
+            return found
+        there = None if below is None else self._session.row(below)
+        if there is None:
+            return row.fid if self.word(row) else None
+        return below if self.word(row) or not self.word(there) else None
 
     def can_go_on(self) -> bool:
         """Whether there is another window to go on to."""

@@ -1,15 +1,16 @@
 """Puts judging together: the model, its bar and keys, the table that follows it, and what is hidden while blind."""
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject
-from qgis.PyQt.QtWidgets import QMessageBox, QWidget
+from qgis.PyQt.QtWidgets import QWidget
 
-from ....toolkit.translation import tr
+from ....toolkit.desk.confirmation import is_confirmed
 from ..windows.windows_panel import WindowsPanel
 from .agreement_box import agreement_of, ask_for_disagreements
 from .blind_style import hide_verdicts, show_verdicts
@@ -35,7 +36,7 @@ class JudgingDesk(QObject):
         self._canvas = canvas
         self._dock = dock
         self._hidden: QgsVectorLayer | None = None  # the layer whose verdicts are hidden
-        self.model = Judging(session, windows.ordered_fids, self._confirm, self)
+        self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self)
         self.bar = JudgeBar(session, self.model)
         self._keys = JudgeKeys(dock, main_window, self._is_editing)
         self._keys.set_keys(self.bar.keys(), self.bar.REPEATING_KEYS)
@@ -95,10 +96,6 @@ class JudgingDesk(QObject):
             self.model.judge(word)
         else:
             self.model.take_back()
-
-    def _confirm(self, question: str) -> bool:
-        yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
-        return bool(QMessageBox.question(self._dock, tr("Seam Inspector"), question, yes | no, no) == yes)
 
     def _is_editing(self) -> bool:
         """Whether a tool of QGIS is editing on the map: letters are its then."""

@@ -25,6 +25,11 @@ class JudgingProgress:
     left: int
     """To look at yet. The others can't be compared, or are not inspected."""
 
+    @property
+    def is_done(self) -> bool:
+        """Whether all were looked at that can be."""
+        return self.left == 0 < self.judged + self.unsure
+
     def words(self) -> str:
         """``38 of 109 judged, 21 to go``."""
         text = tr("{judged} of {count} judged, {left} to go")

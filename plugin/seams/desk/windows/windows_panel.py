@@ -1,7 +1,7 @@
 """The windows as a sortable, filterable table whose selection is the window layer's."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from operator import attrgetter
@@ -22,6 +22,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ....toolkit.desk.confirmation import is_confirmed
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.message_bar import bar_level
 from ....toolkit.translation import sentence, tr
@@ -62,9 +63,13 @@ class WindowsPanel(QWidget):
     told = pyqtSignal(str, int)
     """A sentence for the message bar, and its level."""
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, session: Session, parent: QWidget | None = None, confirm: Callable[[QWidget, str], bool] = is_confirmed
+    ) -> None:
+        """``confirm`` asks the operator before judged windows are removed."""
         super().__init__(parent)
         self._session = session
+        self._confirm = confirm
         self._is_following = False
         self.operator = FIRST
         """Whose verdicts the filter asks for."""
@@ -277,7 +282,10 @@ class WindowsPanel(QWidget):
 
     def _remove(self) -> None:
         fids = self.table.selected_fids()
-        if fids:
+        rows = [row for row in map(self._session.row, fids) if row is not None]
+        judged = sum(bool(row.observer or row.observer_2) for row in rows)
+        question = tr("Remove {count} windows, {judged} of them judged?").format(count=len(fids), judged=judged)
+        if fids and (judged < 2 or self._confirm(self, question)):
             self._session.remove(fids)
 
     def _show_menu(self, place: QPoint) -> None:

@@ -300,6 +300,23 @@ def test_del_removes_the_selected_windows(panel: WindowsPanel, session: WindowsS
     assert session.calls == [("remove", [2, 4])]
 
 
+@pytest.mark.parametrize("yes", [False, True])
+def test_del_asks_before_it_removes_several_judged_windows(session: WindowsSession, show: Show, yes: bool) -> None:
+    asked: list[str] = []
+
+    def confirm(_widget: object, question: str) -> bool:
+        asked.append(question)
+        return yes
+
+    panel = WindowsPanel(session, confirm=confirm)
+    show(panel)
+    select_row(panel, 2, 4, 10)
+    session.calls.clear()
+    QTest.keyClick(panel.table, Qt.Key.Key_Delete)
+    assert asked == ["Remove 3 windows, 2 of them judged?"]
+    assert session.calls == [("remove", [2, 4, 10])] * yes
+
+
 def test_del_in_the_filter_line_removes_letters_only(panel: WindowsPanel, session: WindowsSession) -> None:
     select_row(panel, 2)
     panel._search.setText("2")

@@ -7,6 +7,7 @@ import pytest
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
 from seam_inspector.plugin.seams.desk.judging.agreement_box import agreement_of, agreement_sentences
+from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging.judging import Judging
 from seam_inspector.plugin.seams.desk.judging.judging_settings import JudgingSettings, load_judging, save_judging
 from seam_inspector.plugin.seams.desk.judging.window_orders import ORDERS, order_named
@@ -52,6 +53,29 @@ def test_where_all_are_judged_a_verdict_goes_on_to_the_one_below(judging: Judgin
     session.select([5])
     judging.judge("invisible")
     assert session.selected() == [5]
+
+
+def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
+    judging: Judging, bar: JudgeBar, session: WindowsSession
+) -> None:
+    session.put([replace(row, observer="invisible" * (row.window_id != 3)) for row in five()])
+    session.select([3])
+    judging.judge("visible")
+    assert session.selected() == []
+    assert not judging.judge("unsure")
+    assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
+    assert bar.sentence() == "No window is left to judge. Select one to judge it again."
+    judging.take_back()
+    assert session.selected() == [3]
+
+
+def test_a_window_that_cant_be_compared_leads_to_no_judged_one(judging: Judging, session: WindowsSession) -> None:
+    session.put([window(1), window(2), window(3, observer="visible")])
+    session.select([1])
+    judging.judge("visible")
+    assert session.selected() == [2]
+    judging.judge("visible")
+    assert session.selected() == []
 
 
 def test_it_goes_on_where_a_judged_window_left_the_filter(
