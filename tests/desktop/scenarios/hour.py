@@ -118,7 +118,12 @@ def press(desk: Desk, key: Qt.Key) -> None:
 
 
 def is_followed(desk: Desk) -> bool:
-    """Whether the selected window is in the middle of the map, one image pixel on 2 x 2 of the screen's."""
+    """Whether the selected window is in the middle of the map, one image pixel on 2 x 2 of the screen's.
+
+    After the last one no window is selected.
+    """
+    if not desk.session.selected():
+        return not any(row.is_compared and not row.observer for row in desk.session.windows())
     extent, row = desk.canvas.extent(), desk.session.row(desk.session.selected()[0])
     middle = QgsRectangle(*row.extent).center()
     pixel = desk.session.mosaic_grid().pixel_width / 2
