@@ -7,6 +7,7 @@ import pytest
 from qgis.PyQt.QtWidgets import QFileDialog, QWidget
 from seam_inspector.plugin.seams.desk.report_writer import ReportWriter
 
+from tests.qgis.scenes import SHARP, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, wait_for_tasks
 
 
@@ -50,8 +51,13 @@ def test_the_report_tells_windows_curves_and_cause(desk: Desk, writer: Writer, t
         assert words in page, words
 
 
-def test_windows_of_an_earlier_session_have_no_curves(desk: Desk, writer: Writer, tmp_path: Path) -> None:
-    desk.add()
+def test_windows_of_an_earlier_session_have_no_curves_where_these_are_not_kept(
+    desk: Desk, writer: Writer, tmp_path: Path
+) -> None:
+    """Beside a layer that is in no file there is no place for them."""
+    desk.use(windows(SHARP))
+    desk.session.inspect_pending()
+    desk.wait()
     desk.session._results.forget()
     said = writer.write(tmp_path / "report.html")
     assert "1 of them have no curves" in said
