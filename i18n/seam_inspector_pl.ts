@@ -5439,22 +5439,22 @@
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="138"/>
+        <location filename="../plugin/seams/window_summary.py" line="142"/>
         <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="188"/>
+        <location filename="../plugin/seams/window_summary.py" line="192"/>
         <source>; the rest is as sharp as its sources.</source>
         <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="189"/>
+        <location filename="../plugin/seams/window_summary.py" line="193"/>
         <source>; the whole window has {percent} % of the sharpness of its sources.</source>
         <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="200"/>
+        <location filename="../plugin/seams/window_summary.py" line="204"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -6524,22 +6524,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="158"/>
+        <location filename="../plugin/seams/window_summary.py" line="162"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="161"/>
+        <location filename="../plugin/seams/window_summary.py" line="165"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="169"/>
+        <location filename="../plugin/seams/window_summary.py" line="173"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="173"/>
+        <location filename="../plugin/seams/window_summary.py" line="177"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -7769,12 +7769,12 @@
         <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszego detalu ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="164"/>
+        <location filename="../plugin/seams/window_summary.py" line="168"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detal jako udział w całej wariancji, a tony zostały zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="166"/>
+        <location filename="../plugin/seams/window_summary.py" line="170"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona całe okno, które ma {percent} % ostrości swoich ortoobrazów</translation>
     </message>
@@ -7782,6 +7782,11 @@
         <location filename="../plugin/seams/desk/keeping/messages.py" line="21"/>
         <source>{name} beside this project holds {count} windows that the project does not know.</source>
         <translation>Plik {name} obok tego projektu zawiera okna ({count}), których projekt nie zna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="133"/>
+        <source>The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.</source>
+        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
     </message>
 </context>
 </TS>

@@ -129,7 +129,11 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
         if kept < _ALL_KEPT:
             text = tr("Along the seam no loss can be told from chance: {kept} % of the finest detail is left "
                       "({low} to {high} %)")
-        said.append(text.format(**values) + _whole(row.sharpness))
+        if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
+            whole = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
+            said += [whole.format(percent=percent(row.sharpness)), text.format(**values) + "."]
+        else:
+            said.append(text.format(**values) + _whole(row.sharpness))
     if row.reason and row.reason not in said:
         said.append(row.reason)
     missing = 0.0 if row.explained is None else 1 - row.explained

@@ -172,6 +172,12 @@ def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None
             ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %); the "
             "rest is as sharp as its sources."),
         ),
+        (  # by the sharpness: what is left along the seam is no reason
+            {"verdict": "reduced", "kept": (1.07,), "kept_low": 0.88, "kept_high": 1.22, "band_width": 0.0,
+             "sharpness": 0.97, "cause": "none", "causes": "none"},
+            ("Reduced. The whole window has 97 % of the sharpness of its sources, less than a hard cut leaves. Along "
+            "the seam as much of the finest detail is left as around it (107 %, 88 to 122 %)."),
+        ),
         (
             {"kept": (1.04,), "kept_low": 0.99, "kept_high": 1.1, "band_width": 0.0, "sharpness": 0.79},
             "Significant loss. The window has 79 % of the sharpness of its sources. Images are feathered.",
