@@ -17,8 +17,8 @@ class RecordFile:
     """Made when it is not there. Of equal keys the last one counts; an empty payload stands for none.
 
     What was not written whole when the process died is dropped. A record that the disk damaged is as if it were not
-    there. For one thread. All methods raise OSError; the constructor SettingsError too, where another process has the
-    file open, or it is something else.
+    there, and stays in the file as it is. For one thread. All methods raise OSError; the constructor SettingsError too,
+    where another process has the file open, or it is something else.
     """
 
     def __init__(self, path: Path, magic: bytes, replaced: bytes | None = None) -> None:
@@ -52,10 +52,13 @@ class RecordFile:
         self._sizes: dict[str, int] = {}
         self._end, self.is_damaged = len(self._magic), False
         for key, place, length, end in record_ends(self._file, self._end, size):
+            self.is_damaged |= place != self._end
             self._note(key, place, length)
             self._end = end
-        self.is_damaged = not is_cut_off(self._file, self._end, size)
-        self._file.truncate(self._end)
+        if is_cut_off(self._file, self._end, size):
+            self._file.truncate(self._end)
+        else:
+            self.is_damaged, self._end = True, size
 
     @property
     def keys(self) -> list[str]:

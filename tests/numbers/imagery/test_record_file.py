@@ -52,6 +52,44 @@ def test_a_damaged_payload_is_as_if_it_were_not_there(tmp_path: Path) -> None:
     assert dict(RecordFile(path, MAGIC).items()) == {"a": b"third", "c": b"fourth"}
 
 
+def test_a_flipped_bit_costs_its_own_record_alone_and_cuts_nothing_off(tmp_path: Path) -> None:
+    path, keys = tmp_path / "records", [f"key {i}" for i in range(4)]
+    file, ends = RecordFile(path, MAGIC), [len(MAGIC)]
+    for i, key in enumerate(keys):
+        file.save(key, bytes([i]) * 36)
+        ends.append(file.size)
+    file.close()
+    whole = path.read_bytes()
+    for place in range(len(MAGIC), len(whole)):
+        hurt = next(i for i, end in enumerate(ends[1:]) if place < end)
+        for bit in range(8):
+            path.write_bytes(whole[:place] + bytes([whole[place] ^ 1 << bit]) + whole[place + 1 :])
+            file = RecordFile(path, MAGIC)
+            file.save("more", b"saved later")
+            file.close()
+            assert path.stat().st_size > len(whole) or hurt == 3  # as if it had not been written whole
+            file = RecordFile(path, MAGIC)
+            expected = {key: bytes([i]) * 36 for i, key in enumerate(keys) if i != hurt}
+            assert dict(file.items()) == {**expected, "more": b"saved later"}, (place, bit)
+            file.close()
+
+
+def test_records_behind_a_damaged_place_are_found_wherever_they_begin(tmp_path: Path) -> None:
+    path, ground = tmp_path / "records", bytes(range(256)) * 4096  # as much as is searched in one step
+    for length in (len(ground) - 40, len(ground) - 2, len(ground)):
+        file = RecordFile(path, MAGIC)
+        file.save("large", ground[:length])
+        file.save("next", b"behind it")
+        file.close()
+        content = bytearray(path.read_bytes())
+        content[len(MAGIC) : len(MAGIC) + 16] = b"\xff" * 16
+        path.write_bytes(content)
+        file = RecordFile(path, MAGIC)
+        assert dict(file.items()) == {"next": b"behind it"}
+        assert file.is_damaged
+        file.remove()
+
+
 def test_one_process_at_a_time_and_no_other_kind_of_file(tmp_path: Path) -> None:
     path, other = tmp_path / "records", tmp_path / "other"
     file = filled(path)

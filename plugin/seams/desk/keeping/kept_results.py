@@ -13,7 +13,7 @@ from ...measure.window_records import WindowRecord
 from ...window_summary import is_same
 
 _KIND = b"Seam Inspector: results of windows, "
-_MAGIC = _KIND + b"1\n"
+_MAGIC = _KIND + b"2\n"
 
 
 class KeptResults(QObject):

@@ -22,7 +22,7 @@ from ....toolkit.attribute_values import whole_number
 from ....toolkit.desk.timers import single_shot
 from .restoring import UnsavedWindow, kept_values
 
-_MAGIC = b"Seam Inspector: windows not saved yet, 1\n"
+_MAGIC = b"Seam Inspector: windows not saved yet, 2\n"
 _AT_ONCE = 25  # windows read and written in one step, some ms
 _NUMBER = "window_id"
 _OWNER, _NOBODY = "project", b"\0"

@@ -23,7 +23,7 @@ from .scan_fingerprint import what_changed
 MOST_LOST_SECONDS = 2.0
 """Of work, when the power fails: to wait for the disk at every block would take longer than to put the block there."""
 
-_MAGIC = b"Seam Inspector: journal of a scan, 1\n"
+_MAGIC = b"Seam Inspector: journal of a scan, 2\n"
 _SMALL = 65536  # a journal that was killed before its fingerprint was on the disk is no larger
 
 
