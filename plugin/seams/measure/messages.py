@@ -138,6 +138,7 @@ PAIRS_WITHOUT_CONTRAST = Message(
 TABLE_NOT_SAVED = Message("The table can't be saved as {path}: {error}.")
 FILTER_NOT_UNDERSTOOD = Message("The filter is not understood: {error}. Example: kept < 0.7 and cause = 'feathering'.")
 FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
+FILTER_HIDDEN = Message("'{word}' is hidden while judging blind, so it filters nothing; filter by {known}.", INFO)
 FIELD_NOT_HELD = Message(
     "The file of the layer {name} can't hold a field '{field}': save the windows as a GeoPackage and use that layer."
 )

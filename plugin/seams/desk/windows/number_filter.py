@@ -2,12 +2,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsFeature, QgsFields
 
 from ....imagery.errors import SettingsError
+from ....imagery.message import Message
 from ....toolkit.version_differences import field
 from ...cause_words import cause_word
 from ...measure import messages
@@ -38,8 +39,8 @@ def is_expression(text: str) -> bool:
     return bool(_EXPRESSION.search(text))
 
 
-def window_test(text: str, levels: int) -> Callable[[WindowRecord], bool]:
-    """What an expression says of a window.
+def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Callable[[WindowRecord], bool]:
+    """What an expression says of a window; ``own``: the only fields that it may ask for.
 
     The fields have their names in the layer and those in the table: ``kept`` is ``kept_1``, ``id`` is ``window_id``.
     Words of verdicts and causes need no quotes. Raises SettingsError with a sentence for an expression that is wrong.
@@ -47,11 +48,16 @@ def window_test(text: str, levels: int) -> Callable[[WindowRecord], bool]:
     expression = QgsExpression(text)
     if expression.hasParserError():
         raise SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=_first_line(expression.parserErrorString())))
-    reads = _reads(levels)
-    words = _words()
+    reads, words = _reads(levels), _words()
+    known_fields = set(reads)
+    if own is not None:
+        reads = {name: read for name, read in reads.items() if _FRIENDLY.get(name, name) in own}
+    hidden = {name.lower() for name in known_fields.difference(reads)}
     asked = [name for name in expression.referencedColumns() if name != "#!allattributes!#"]
     known = {name.lower(): name for name in (*reads, *words)}
     for name in asked:
+        if name.lower() in hidden:
+            raise SettingsError(hidden_message(name, own))
         if name.lower() not in known:
             raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=", ".join(_examples(reads))))
     fields = QgsFields()
@@ -76,6 +82,11 @@ def window_test(text: str, levels: int) -> Callable[[WindowRecord], bool]:
         return bool(found)
 
     return holds
+
+
+def hidden_message(word: str, own: Iterable[str] | None) -> Message:
+    """That the filter asks for what is hidden, and what it may ask for."""
+    return messages.FILTER_HIDDEN(word=word, known=", ".join(sorted(own or (), key=_SINGLE.index)))
 
 
 def _reads(levels: int) -> dict[str, _Read]:

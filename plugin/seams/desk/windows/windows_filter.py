@@ -9,8 +9,10 @@ from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
 from ....imagery.errors import SettingsError
 from ....imagery.message import Message
 from ...cause_words import cause_word
+from ...measure.messages import FILTER_HIDDEN
+from ...measure.observers import DECIDED, FIRST, UNSURE
 from ...verdict_words import observer_word, verdict_word
-from .number_filter import is_expression, window_test
+from .number_filter import hidden_message, is_expression, window_test
 from .windows_model import WindowsModel
 
 if TYPE_CHECKING:
@@ -27,6 +29,7 @@ class WindowsFilter(QSortFilterProxyModel):
         self._test: Callable[[WindowRecord], bool] | None = None  # of an expression
         self._passes: dict[WindowRecord, bool] = {}
         self._accepts: Callable[[WindowRecord], bool] | None = None
+        self._own: frozenset[str] | None = None  # the fields that are not hidden; None: all
         self._told: dict[tuple[str, str, str], list[str]] = {}
         self._fids: list[int] | None = None
         self._shown: list[WindowRecord] = []
@@ -58,19 +61,29 @@ class WindowsFilter(QSortFilterProxyModel):
         self.fids()
         return self._rows.get(fid, -1)
 
-    def set_filter(self, text: str, accepts: Callable[[WindowRecord], bool] | None) -> Message | None:
+    def set_filter(
+        self, text: str, accepts: Callable[[WindowRecord], bool] | None, own: frozenset[str] | None = None
+    ) -> Message | None:
         """Show the windows that match an expression, or all words of a text, and only those a test accepts.
 
+        ``own``: the only fields that a text may ask for, while others are hidden; one that asks for more is lifted.
         Returns what is wrong with an expression; the text before it stays in force then.
         """
         problem, rows = None, self._model.windows()
+        if own != self._own:
+            self._own, self._words, self._test = own, [], None
         try:
-            test = window_test(text, max((len(row.ratios) for row in rows), default=3)) if is_expression(text) else None
-            if test is not None and rows:
-                test(rows[0])  # what is wrong with its values shows only there
-            self._words, self._test = [] if test else text.casefold().split(), test
+            if is_expression(text):
+                test = window_test(text, max((len(row.ratios) for row in rows), default=3), own)
+                if rows:
+                    test(rows[0])  # what is wrong with its values shows only there
+                self._words, self._test = [], test
+            else:
+                self._words, self._test = self._allowed_words(text), None
         except SettingsError as error:
             problem = error.message
+            if problem.template == FILTER_HIDDEN.template:
+                self._words, self._test = [], None
         self._accepts = accepts
         self._passes = {}
         self._forget()
@@ -100,11 +113,24 @@ class WindowsFilter(QSortFilterProxyModel):
                 self._passes[row] = False
         return self._passes[row]
 
+    def _allowed_words(self, text: str) -> list[str]:
+        """Raises SettingsError for one that can be found only in what is hidden."""
+        words = text.casefold().split()
+        if self._own is not None:
+            spoken = " ".join(map(observer_word, (*DECIDED, UNSURE))).casefold().split()
+            for word in words:
+                if not word.isdigit() and not any(one.startswith(word) for one in spoken):
+                    raise SettingsError(hidden_message(word, self._own))
+        return words
+
     def _matches(self, row: WindowRecord, word: str) -> bool:
         """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
         anywhere in the reason, which names files. A number is a window's."""
         if word.isdigit():
             return str(row.window_id).startswith(word)
+        if self._own is not None:
+            said = row.observer if FIRST.observer in self._own else row.observer_2
+            return any(told.startswith(word) for told in observer_word(said).casefold().split())
         key = row.verdict, row.cause, row.observer
         if key not in self._told:
             words = verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer)

@@ -71,6 +71,8 @@ class WindowsPanel(QWidget):
         self._session = session
         self._confirm = confirm
         self._is_following = False
+        self._own: frozenset[str] | None = None  # the fields that are seen while others are hidden
+        self._lifted = ""  # the kind of windows that is shown again when nothing is hidden
         self.operator = FIRST
         """Whose verdicts the filter asks for."""
         self._windows = WindowsModel(self, session.result)
@@ -129,19 +131,28 @@ class WindowsPanel(QWidget):
         for box, telling in ((self._verdicts, self._telling_kinds), (self._orders, self._telling_orders)):
             for place in telling:
                 box.model().item(place).setEnabled(own is None)
-        if own is not None and self._verdicts.currentIndex() in self._telling_kinds:
-            self._verdicts.setCurrentIndex(0)
+        kind = self.filter()[1]
+        self._own = own
+        self._show_kind(kind)
+        self._filter()
 
     def filter(self) -> tuple[str, str]:
         """What is searched for, and the name of the kind of windows that is shown."""
         place = self._verdicts.currentIndex()
-        return self._search.text(), self._kinds[place] if place > 0 else ""
+        return self._search.text(), self._kinds[place] if place > 0 else self._lifted
 
     def set_filter(self, search: str, kind: str) -> None:
         """Filter as it was before."""
         if (search, kind) != self.filter():
             self._search.setText(search)
-            self._verdicts.setCurrentIndex(self._kinds.index(kind) if kind in self._kinds else 0)
+            self._show_kind(kind)
+
+    def _show_kind(self, kind: str) -> None:
+        """A kind that tells what is hidden is lifted until that is seen again."""
+        place = self._kinds.index(kind) if kind in self._kinds else 0
+        is_lifted = self._own is not None and place in self._telling_kinds
+        self._lifted = kind if is_lifted else ""
+        self._verdicts.setCurrentIndex(0 if is_lifted else place)
 
     def copy(self) -> None:
         """The selected rows to the clipboard."""
@@ -166,7 +177,7 @@ class WindowsPanel(QWidget):
 
     def _filter(self, *_: object) -> None:
         with self._following():
-            problem = self._shown.set_filter(self._search.text(), self._verdicts.currentData())
+            problem = self._shown.set_filter(self._search.text(), self._verdicts.currentData(), self._own)
         self._problem.setText("" if problem is None else sentence(problem))
         self._problem.setVisible(problem is not None)
         self._filter_time.start()

@@ -260,6 +260,59 @@ def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: Windows
     assert "verdict" in [column.title() for column in panel.table.visible_columns()]
 
 
+OWN = frozenset(("window_id", "observer", "confidence", "remark"))
+
+
+@pytest.mark.parametrize(
+    ("text", "choice", "fids"),
+    [
+        ("verdict = significant", "all", [2, 12]), ("kept < 0.95", "all", [1, 2]), ("significant", "all", [2, 12]),
+        ("observer_2 = visible", "all", [1]), ("west_12", "all", [4]), ("", "significant", [2, 12]),
+        ("", "operators differ", []),
+    ],
+)
+def test_a_filter_by_what_is_hidden_is_lifted_while_blind(
+    panel: WindowsPanel, session: WindowsSession, text: str, choice: str, fids: list[int]
+) -> None:
+    session.change(1, observer_2="visible")
+    everything = [row.fid for row in session.rows]
+    assert filter_to(panel, text, choice) == fids
+    before = panel.filter()
+    panel.set_blind(OWN)
+    assert panel.ordered_fids() == everything
+    assert panel.filter() == before  # as the project keeps it
+    panel.set_filter(*before)
+    assert filter_to(panel, text) == everything
+    assert ("hidden while judging blind" in panel._problem.text()) == bool(text)
+    panel.set_blind(None)
+    panel.set_filter(*before)
+    assert panel.ordered_fids() == fids
+    assert panel._problem.text() == ""
+
+
+@pytest.mark.parametrize(
+    ("text", "fids"),
+    [
+        ("2", [2]), ("visible", [2]), ("observer = visible", [2]), ("id > 3", [4, 10, 12]), ("sure > 50", [2]),
+        ("attribute('verdict') = 'significant'", []),
+    ],
+)
+def test_while_blind_windows_are_filtered_by_what_is_seen(
+    panel: WindowsPanel, session: WindowsSession, text: str, fids: list[int]
+) -> None:
+    session.change(2, confidence=60)
+    panel.set_blind(OWN)
+    assert filter_to(panel, text) == fids
+
+
+def test_while_blind_the_second_operator_filters_by_his_own_words(
+    panel: WindowsPanel, session: WindowsSession
+) -> None:
+    session.change(1, observer_2="visible")
+    panel.set_blind(frozenset(("window_id", "observer_2", "confidence_2", "remark_2")))
+    assert filter_to(panel, "visible") == [1]
+
+
 def test_no_order_tells_while_blind(judging: Judging) -> None:
     for order in ORDERS:
         judging.change(order=order.name, is_blind=True)
