@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class SwipeAction(QObject):
-    """Follows the selected window: its first source, until another one is chosen that covers it too."""
+    """Follows the selected window: what covers most of it, until a source is chosen that covers it too."""
 
     told = pyqtSignal(str, int)
     """A sentence for the user, and its level in the message bar."""
@@ -48,7 +48,8 @@ class SwipeAction(QObject):
         self.action.setCheckable(True)
         self.action.setMenu(self.menu)
         self.action.triggered.connect(self._toggle)
-        self._followed = [session.selectionChanged, session.inputsChanged]
+        self._is_chosen = False  # by the operator; else it is the source that covers most
+        self._followed = [session.selectionChanged, session.inputsChanged, session.picturesArrived]
         for signal in self._followed:
             signal.connect(self._follow)
         self._follow()
@@ -68,15 +69,29 @@ class SwipeAction(QObject):
         if place is None:
             return []
         found = [source for source in block.sources if extents_meet(source.extent, place)]
-        found.sort(key=lambda source: -_shared(source.extent, place))  # stable: else in the order of the inputs
-        choices = [SwipeChoice(source.ref.name, source.ref) for source in found]
         request = self._request()
+        covered = self._covered() if request is not None else None
+        if covered is not None:
+            found = [source for source in found if covered.get(source.ref.name)]
+            found.sort(key=lambda source: -covered[source.ref.name])  # stable: else in the order of the inputs
+        else:
+            found.sort(key=lambda source: -_shared(source.extent, place))
+        choices = [SwipeChoice(source.ref.name, source.ref) for source in found]
         if request is not None and choices:
             choices.append(SwipeChoice(tr("composite"), request=request))
         return choices
 
+    def _covered(self) -> dict[str, float] | None:
+        """In what share of the selected window each source has pixels; None until its pictures are read."""
+        pictures = self._session.pictures(self._session.selected()[0])
+        return {picture.raster: picture.covered for picture in pictures[1:]} if pictures else None
+
     def start(self, choice: SwipeChoice) -> None:
-        """Compare the mosaic with this."""
+        """Compare the mosaic with this, which the operator chose."""
+        self._is_chosen = True
+        self._compare(choice)
+
+    def _compare(self, choice: SwipeChoice) -> None:
         mosaic, block = self._session.mosaic_layer(), self._session.block()
         if mosaic is None or block is None:
             return
@@ -87,8 +102,9 @@ class SwipeAction(QObject):
 
     def _toggle(self, is_wanted: bool) -> None:
         choices = self.choices() if is_wanted else []
+        self._is_chosen = False
         if choices:
-            self.start(choices[0])
+            self._compare(choices[0])
         else:
             self.swipe.stop()
         if is_wanted and not choices:
@@ -107,10 +123,11 @@ class SwipeAction(QObject):
         if mosaic is None:
             self.swipe.stop()
         elif block is not None and (choices := self.choices()):
-            current = self.swipe.choice
+            current = self.swipe.choice if self._is_chosen else None
             if current is not None and current.ref is None:
                 current = choices[-1]  # of another window
-            self.start(current if current in choices else choices[0])
+            self._is_chosen = current in choices
+            self._compare(current if current is not None and current in choices else choices[0])
         elif problem is not None and problem != messages.MOSAIC_OPENING():
             self.swipe.stop()
 

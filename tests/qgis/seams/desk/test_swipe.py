@@ -33,7 +33,7 @@ from seam_inspector.plugin.seams.desk.swipe.swipe_handle import SwipeHandle
 from seam_inspector.plugin.seams.desk.swipe.swiped_layer import looks_alike
 
 from tests.numbers.synthetic import orthoimage, write_raster
-from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 SIZE = QSize(400, 300)
 MARGIN = 40  # px beside the handle, and below the names, that are not compared
@@ -256,6 +256,24 @@ def test_it_follows_the_selected_window_and_keeps_what_was_chosen(map_: Map) -> 
     map_.wait()
     assert map_.swipe.choice is not None
     assert map_.swipe.choice.title == "west.tif"
+
+
+def test_it_begins_with_the_source_that_has_most_pixels_in_the_window(map_: Map, tmp_path: Path) -> None:
+    """Footprints are larger than what lies in them; what the operator chose stays."""
+    desk = map_.desk
+    west = Path(desk.sources[0].source())
+    image = gdal.Open(str(west)).ReadAsArray()
+    image[..., 300:] = 0  # no data
+    half = desk.raster(Path(write_raster(tmp_path / "half.tif", image, nodata=0)))
+    desk.set(desk.inputs(sources=(half.id(), desk.sources[1].id())))
+    fid = desk.add(BLURRED_WINDOW)
+    desk.session.select([fid])
+    map_.start()
+    wait_until(lambda: desk.session.pictures(fid), "for the pictures")
+    map_.wait()
+    assert map_.swipe.choice is not None
+    assert map_.swipe.choice.title == "east.tif"
+    assert "half.tif" not in [choice.title for choice in map_.action.choices()]
 
 
 def test_the_composite_of_the_selected_window(map_: Map) -> None:
