@@ -809,67 +809,67 @@
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="150"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="159"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="153"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="162"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="236"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="241"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="239"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="237"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="242"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="292"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="300"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="295"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="303"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Windows without the observer&apos;s word.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="329"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="337"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="330"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="338"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
@@ -1429,7 +1429,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="293"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="301"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -6729,12 +6729,12 @@
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="137"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="144"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="220"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="229"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -6804,17 +6804,17 @@
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="158"/>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="186"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} okien?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="166"/>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="194"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} okien?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="168"/>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="196"/>
         <source>Take back what was said of {count} windows?</source>
         <translation>Wycofać opinie dla {count} okien?</translation>
     </message>
@@ -6849,7 +6849,7 @@
         <translation>Najpierw okna, w których zachowano najmniej detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
@@ -6859,7 +6859,7 @@
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
@@ -6869,12 +6869,12 @@
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="30"/>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="35"/>
         <source>{judged} of {count} judged, {left} to go</source>
         <translation>{judged} z {count}, zostało {left}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="36"/>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="41"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
@@ -7389,37 +7389,37 @@
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="85"/>
         <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="274"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="269"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="274"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="299"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="322"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="330"/>
         <source>In which order windows are shown and judged.</source>
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
@@ -7787,6 +7787,21 @@
         <location filename="../plugin/seams/window_summary.py" line="133"/>
         <source>The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="124"/>
+        <source>Window {number}: {percent} % sure</source>
+        <translation>Okno {number}: {percent} % pewności</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="157"/>
+        <source>No window is left to judge. Select one to judge it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="287"/>
+        <source>Remove {count} windows, {judged} of them judged?</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

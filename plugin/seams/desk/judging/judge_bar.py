@@ -79,7 +79,7 @@ class JudgeBar(QWidget):
 
         They set a judgement and never toggle it.
         """
-        judge, note = self._judging.judge, self._judging.note
+        judge, say_sure = self._judging.judge, self._judging.say_sure
         return {
             Qt.Key.Key_V: partial(judge, VISIBLE),
             Qt.Key.Key_I: partial(judge, INVISIBLE),
@@ -88,7 +88,7 @@ class JudgeBar(QWidget):
             Qt.Key.Key_P: partial(self._judging.step, -1),
             Qt.Key.Key_Backspace: self._judging.take_back,
             Qt.Key.Key_R: self.notes.begin_remark,
-            **{key: partial(note, confidence=tenths) for key, tenths in _TENTHS.items()},
+            **{key: partial(say_sure, tenths) for key, tenths in _TENTHS.items()},
         }
 
     REPEATING_KEYS = frozenset((Qt.Key.Key_N, Qt.Key.Key_P))
@@ -109,12 +109,19 @@ class JudgeBar(QWidget):
         for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
-        self._progress.setText(progress.words())
+        self._progress.setText(self._just_sure() or progress.words())
         self._progress.setToolTip(rich_tip(progress.tip()))
         self._arrange()
         self._back.setEnabled(judging.neighbour(-1) is not None)
         self._forth.setEnabled(judging.neighbour(1) is not None)
         self._next.setEnabled(judging.can_go_on())
+
+    def _just_sure(self) -> str:
+        """Whose a digit was that did not go to the selected window."""
+        if self._judging.just_sure is None:
+            return ""
+        number, sure = self._judging.just_sure
+        return tr("Window {number}: {percent} % sure").format(number=number, percent=sure)
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""

@@ -44,6 +44,10 @@ class Judging(QObject):
         self._project = QgsProject.instance()
         self._settings = load_judging(self._project)
         self._judged: list[int] = []  # numbers, the last one judged at the end
+        self._went_to: list[int] | None = None  # what the last judgement selected, by number; None once one left it
+        self._is_sure_said = False  # of the selected window, before its judgement
+        self.just_sure: tuple[int, int] | None = None
+        """Number of the window judged before this one, and how sure the operator said then that he was, percent."""
         self._fids: list[int] = []
         self._place = -1
         self._last_place = -1
@@ -51,6 +55,7 @@ class Judging(QObject):
             (self._project.readProject, self._load),
             (self._project.cleared, self._load),
             (self._project.writeProject, self._save),
+            (session.selectionChanged, self._leave_judged),
         ]
         for signal, slot in self._connections:
             signal.connect(slot)
@@ -90,11 +95,13 @@ class Judging(QObject):
         if changed != self._settings:
             self._settings = changed
             save_judging(self._project, changed)
+            self._went_to = self.just_sure = None
             self.changed.emit()
 
     def _load(self, *_: object) -> None:
         self._settings = load_judging(self._project)
         self._judged = []
+        self._went_to = self.just_sure = None
         self.changed.emit()
         row = next((row for row in self._session.windows() if row.window_id == self._settings.window), None)
         if row is not None and not self._session.selected():
@@ -137,6 +144,8 @@ class Judging(QObject):
         row = self._with_number(row.window_id) if row is not None else None
         if row is not None and self.word(row) == word:  # what could not be written is no reason to go on
             self._judged = [number for number in self._judged if number != row.window_id] + [row.window_id]
+            was_sure_said, self.just_sure = self._is_sure_said, None
+            self._went_to = None if was_sure_said else [] if following is None else [following]
             if following is not None:
                 self._go_to_number(following)
             else:
@@ -152,9 +161,23 @@ class Judging(QObject):
             last = self._last_judged()
             if last is None:
                 return False
+            self._judged.pop()
             self._go_to_number(last.window_id)
             rows = [last]
         self._session.judge([row.fid for row in rows], "", self.operator)
+        return True
+
+    def say_sure(self, percent: int) -> bool:
+        """Write how sure the operator is: of the window that he just judged, until he leaves where that led him.
+
+        Where he said it before he judged, or judged nothing just now, it is of the selected windows.
+        """
+        row = self._last_judged()
+        if row is None or self._selected_numbers() != self._went_to:
+            self._is_sure_said = True
+            return self.note(confidence=percent)
+        self.just_sure = row.window_id, percent
+        self._session.note([row.fid], {self.operator.confidence: percent})
         return True
 
     def note(self, **values: object) -> bool:
@@ -175,10 +198,17 @@ class Judging(QObject):
 
     def _last_judged(self) -> WindowRecord | None:
         while self._judged:
-            row = self._with_number(self._judged.pop())
+            row = self._with_number(self._judged[-1])
             if row is not None and self.word(row):
                 return row
+            self._judged.pop()
         return None
+
+    def _leave_judged(self) -> None:
+        """Somebody went elsewhere: what is said now is said of the window that is selected."""
+        if self._selected_numbers() != self._went_to:
+            self._went_to = self.just_sure = None
+        self._is_sure_said = False
 
     # Where the selected window stands
 
@@ -270,6 +300,9 @@ class Judging(QObject):
 
     def _with_number(self, number: int) -> WindowRecord | None:
         return next((row for row in self._session.windows() if row.window_id == number), None)
+
+    def _selected_numbers(self) -> list[int]:
+        return [row.window_id for row in map(self._session.row, self._session.selected()) if row is not None]
 
     def _selected_row(self) -> WindowRecord | None:
         fids = self._session.selected()

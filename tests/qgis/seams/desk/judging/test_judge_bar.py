@@ -11,7 +11,7 @@ from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.toolkit.translation import percent
 
 from tests.qgis.seams.desk.judging.conftest import Asked
-from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to
+from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to, window
 
 DESCENDING = Qt.SortOrder.DescendingOrder
 
@@ -119,6 +119,52 @@ def test_confidence_and_remark_are_written_where_the_operator_is(
     row = session.row(1)
     assert row is not None
     assert (row.confidence, row.confidence_2) == (85, 10)
+
+
+def test_a_digit_after_a_verdict_is_the_judged_window_s(bar: JudgeBar, session: WindowsSession) -> None:
+    keys = bar.keys()
+    session.select([1])
+    keys[Qt.Key.Key_V]()
+    assert session.selected() == [12]
+    keys[Qt.Key.Key_8]()
+    assert bar._progress.text() == "Window 1: 80 % sure"
+    keys[Qt.Key.Key_7]()  # corrected
+    assert _sure(session) == {1: 70}
+    assert session.selected() == [12]
+    session.select([2])
+    session.select([12])
+    assert bar._progress.text() == "3 of 6 judged, 1 to go"
+    keys[Qt.Key.Key_5]()
+    assert _sure(session) == {1: 70, 12: 50}
+
+
+def test_a_digit_given_before_the_verdict_is_the_selected_window_s(bar: JudgeBar, session: WindowsSession) -> None:
+    keys = bar.keys()
+    session.select([1])
+    for key in (Qt.Key.Key_6, Qt.Key.Key_V, Qt.Key.Key_9, Qt.Key.Key_I):
+        keys[key]()
+    assert _sure(session) == {1: 60, 12: 90}
+
+
+def test_after_a_step_a_digit_is_the_selected_window_s(bar: JudgeBar, session: WindowsSession) -> None:
+    keys = bar.keys()
+    session.select([1])
+    for key in (Qt.Key.Key_V, Qt.Key.Key_P, Qt.Key.Key_4):
+        keys[key]()
+    assert _sure(session) == {10: 40}
+
+
+def test_the_last_window_gets_its_digit_though_none_is_selected_then(bar: JudgeBar, session: WindowsSession) -> None:
+    keys = bar.keys()
+    session.put([window(1, "reduced")])
+    session.select([1])
+    for key in (Qt.Key.Key_V, Qt.Key.Key_3):
+        keys[key]()
+    assert _sure(session) == {1: 30}
+
+
+def _sure(session: WindowsSession) -> dict[int, int]:
+    return {row.window_id: row.confidence for row in session.rows if row.confidence is not None}
 
 
 def test_a_remark_takes_one_key_and_enter(bar: JudgeBar, session: WindowsSession) -> None:
