@@ -7802,6 +7802,9 @@
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="287"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation type="unfinished"></translation>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <source>What was found is hidden while you judge blind.</source>
+        <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
 </context>
 </TS>

@@ -21,6 +21,8 @@ LOSS_CLASSES: tuple[tuple[float, Rgba, str], ...] = (
 )
 """Share of the detail that is kept at most, its colour, its words, as in ``resources/styles/loss.qml``. What keeps more
 is even ground and has none."""
+LOSS_OPACITY = 0.6
+"""With which pictures of lost detail are painted: what lies beneath is what is judged."""
 _NO_COLOUR = (0, 0, 0, 0)
 
 

@@ -212,9 +212,11 @@ class InspectionDock(ToolDock):
         self.setWidget(self._body)
 
     def _hide_tabs(self) -> None:
-        """While the tool's verdict is hidden, so are the tabs that tell it."""
+        """While the tool's verdict is hidden, so are the tabs that tell it, and lost detail."""
+        is_blind = self.judging.model.is_blind
         for place, tab in enumerate(self._tabs):
-            self._tab_widget.setTabVisible(place, not (tab.tells_verdict and self.judging.model.is_blind))
+            self._tab_widget.setTabVisible(place, not (tab.tells_verdict and is_blind))
+        allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
 
     def _progress_row(self) -> QWidget:
         """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""

@@ -5,12 +5,10 @@ from qgis.PyQt.QtCore import QPointF, QRectF
 from qgis.PyQt.QtGui import QPainter
 
 from ....imagery.grids import PixelWindow
-from ...loss_colours import loss_rgba
+from ...loss_colours import LOSS_OPACITY, loss_rgba
 from ...measure.profile.loss_picture import LossPicture
 from ..map.picture_overlay import rgba_image
 from .viewport import Viewport
-
-_OPACITY = 0.6  # what lies beneath is what is judged
 
 
 class LossImage:
@@ -32,7 +30,7 @@ class LossImage:
         painter.translate(corner)
         painter.scale(1 / ratio, 1 / ratio)
         painter.setClipRect(QRectF(x, y, window.width * scale, window.height * scale) & QRectF(0, 0, *viewport.screen))
-        painter.setOpacity(_OPACITY)
+        painter.setOpacity(LOSS_OPACITY)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # as on the map
         painter.drawImage(QRectF(x, y, cell * self._image.width(), cell * self._image.height()), self._image)
         painter.restore()

@@ -86,7 +86,8 @@ class PictureStrip(QScrollArea):
         button.setFixedSize(self._size())
         button.setIconSize(QSize(self._side(), self._side()))
         button.setIcon(icon)
-        button.setText(self.fontMetrics().elidedText(label, Qt.TextElideMode.ElideMiddle, self._side()))
+        room = self._side() - 2 * button.fontMetrics().horizontalAdvance(" ")  # which Qt puts around it
+        button.setText(button.fontMetrics().elidedText(label, Qt.TextElideMode.ElideMiddle, room))
         button.setToolTip(rich_tip(tr("Compare the large picture with {name}").format(name=name)))
         button.setAccessibleName(name)
         button.clicked.connect(lambda _checked, key=key: self.chosen.emit(key))

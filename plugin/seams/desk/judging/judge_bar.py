@@ -215,8 +215,9 @@ class JudgeBar(QWidget):
         self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._buttons.addLayout(self._judging_row)
         self._buttons.addLayout(self._moving, 1)
-        QWidget.setTabOrder(self.operators, self._back)  # as they stand
-        QWidget.setTabOrder(self._back, self._forth)
+        standing = (self._next, self.notes.opener, self.operators, self._back, self._forth)
+        for before, after in zip(standing, standing[1:]):  # the remark comes after them
+            QWidget.setTabOrder(before, after)
         below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
         below.addLayout(self._buttons)
         below.addWidget(self.notes)

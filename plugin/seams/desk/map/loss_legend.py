@@ -8,9 +8,10 @@ from qgis.PyQt.QtGui import QColor, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QWidget
 
 from ....toolkit.translation import tr
-from ...loss_colours import loss_legend
+from ...loss_colours import LOSS_OPACITY, loss_legend
 
 _BACK, _TEXT = QColor(20, 20, 20, 215), QColor("#ffffff")
+_GROUND = QColor(128, 128, 128)  # beneath the colours, which are seen through
 
 
 class LossLegend(QWidget):
@@ -72,8 +73,11 @@ class LossLegend(QWidget):
         for number, text in enumerate(words, 1):
             base = (1.2 + 1.15 * number) * line
             if not self._is_empty:
-                colour = QColor(*loss_legend()[number - 1][1][:3])
-                painter.fillRect(QRectF(line / 2, base - 0.75 * line, 1.4 * line, 0.85 * line), colour)
+                colour = QColor(*loss_legend()[number - 1][1])
+                colour.setAlphaF(LOSS_OPACITY * colour.alphaF())
+                swatch = QRectF(line / 2, base - 0.75 * line, 1.4 * line, 0.85 * line)
+                painter.fillRect(swatch, _GROUND)
+                painter.fillRect(swatch, colour)
             painter.drawText(QPointF(line / 2 + (0 if self._is_empty else 1.8 * line), base), text)
         painter.end()
 

@@ -10,7 +10,7 @@ from qgis.PyQt.QtGui import QImage
 
 from ....imagery.grids import Grid, PixelWindow
 from ....toolkit.desk.timers import single_shot
-from ...loss_colours import loss_rgba
+from ...loss_colours import LOSS_OPACITY, loss_rgba
 from .loss_legend import LossLegend
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
@@ -28,7 +28,7 @@ class LossOverlay(QObject):
     def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._overlay = PictureOverlay(canvas)
+        self._overlay = PictureOverlay(canvas, opacity=LOSS_OPACITY)
         self._legend = LossLegend(canvas)
         self._images: dict[int, tuple[LossPicture, QImage | None]] = {}
         self._timer = single_shot(self, self._refresh, _TOGETHER_MS)

@@ -41,8 +41,8 @@ def rgba_image(rgba: np.ndarray) -> QImage:
 class PictureOverlay:
     """The one owner of the canvas item, which is made when something is first shown; ``close`` takes it off."""
 
-    def __init__(self, canvas: QgsMapCanvas, smooth: bool = True, above: float = 0.0) -> None:
-        self._canvas, self._smooth, self._above = canvas, smooth, above
+    def __init__(self, canvas: QgsMapCanvas, smooth: bool = True, above: float = 0.0, opacity: float = 1.0) -> None:
+        self._canvas, self._smooth, self._above, self._opacity = canvas, smooth, above, opacity
         self._item: _PictureItem | None = None
 
     @property
@@ -56,6 +56,7 @@ class PictureOverlay:
             if not pictures:
                 return
             self._item = _PictureItem(self._canvas, self._smooth)
+            self._item.setOpacity(self._opacity)
             self._item.setZValue(_BELOW_BANDS + self._above)
         self._item.put(tuple(pictures), crs)
 

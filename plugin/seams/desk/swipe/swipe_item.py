@@ -75,19 +75,17 @@ class SwipeItem(QgsMapCanvasItem):
         painter.restore()
 
     def _paint_label(self, painter: QPainter, side: QRectF, text: str, is_before: bool) -> None:
-        """Beside the handle at the end of a side's upper edge, where there is room."""
+        """Beside the handle at the end of a side's lower edge, where there is room: QGIS's messages lie at the top."""
         painter.setFont(self._canvas.font())
         metrics = painter.fontMetrics()
         gap = metrics.height() / 3
         box = QRectF(0, 0, metrics.horizontalAdvance(text) + 2 * gap, metrics.height() + gap)
         if not text or side.width() < box.width() + 4 * gap or side.height() < box.height() + 2 * gap:
             return
-        if not self.is_upright:
-            box.moveTopLeft(side.topLeft() + QPointF(2 * gap, gap))
-        elif is_before:
-            box.moveTopRight(side.topRight() + QPointF(-2 * gap, gap))
+        if self.is_upright and is_before:
+            box.moveBottomRight(side.bottomRight() - QPointF(2 * gap, gap))
         else:
-            box.moveTopLeft(side.topLeft() + QPointF(2 * gap, gap))
+            box.moveBottomLeft(side.bottomLeft() + QPointF(2 * gap, -gap))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(_LABEL_BOX)

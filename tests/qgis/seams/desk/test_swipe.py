@@ -36,7 +36,7 @@ from tests.numbers.synthetic import orthoimage, write_raster
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 SIZE = QSize(400, 300)
-MARGIN = 40  # px beside the handle, and below the names, that are not compared
+MARGIN = 40  # px beside the handle, and above the names, that are not compared
 
 
 class Map:
@@ -96,7 +96,7 @@ class Map:
 
     def sides(self, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         at = round(self.swipe._share * SIZE.width())
-        return image[MARGIN:, : at - MARGIN], image[MARGIN:, at + MARGIN :]
+        return image[:-MARGIN, : at - MARGIN], image[:-MARGIN, at + MARGIN :]
 
 
 def pixels(image: QImage) -> np.ndarray:
@@ -383,8 +383,8 @@ def test_twofold_desktop_scaling(repository: Path) -> None:
         "made = t.Map(desk); made.start()\n"
         "seen, west = made.seen(), made.alone(Path(desk.sources[0].source()))\n"
         "assert seen.shape == west.shape and seen.shape[1] == 2 * made.canvas.viewport().width(), seen.shape\n"
-        "assert t.same(seen[80:, 480:], west[80:, 480:])\n"
-        "assert t.same(seen[80:, :320], made.alone(Path(desk.mosaic.source()))[80:, :320])\n"
+        "assert t.same(seen[:-80, 480:], west[:-80, 480:])\n"
+        "assert t.same(seen[:-80, :320], made.alone(Path(desk.mosaic.source()))[:-80, :320])\n"
         "print('same', flush=True); import os; os._exit(0)\n"
     )
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "QT_SCALE_FACTOR": "2"}
