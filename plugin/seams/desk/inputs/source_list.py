@@ -7,6 +7,7 @@ from typing import Optional
 
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QPalette
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
@@ -21,11 +22,13 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....toolkit.desk.layer_box import missing_text
+from ....toolkit.desk.theme import blended, readable_on, readable_palette
 from ....toolkit.translation import sentence, tr
 from ...measure.inputs.raster_facts import Suitability
 from .raster_layers import file_rasters
 
-_ID, _REASON = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
+_ID, _REASON, _FAINT = (Qt.ItemDataRole.UserRole + place for place in range(3))
+_FAINT_SHARE = 0.65  # of the words' colour, where a raster is no source
 _FEWEST_ROWS = 4  # seen without scrolling
 
 Sources = tuple[str, ...]
@@ -45,12 +48,20 @@ class _Entry:
 
 
 class _Names(QStyledItemDelegate):
-    """Cuts long names in their middle, as they often differ at their end only, and reasons at their end."""
+    """Cuts long names in their middle, as they often differ at their end only, and reasons at their end.
+
+    What is no source is faint, and can be read all the same in whatever theme QGIS has.
+    """
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         super().initStyleOption(option, index)
         has_reason = bool(index.data(_REASON))
         option.textElideMode = Qt.TextElideMode.ElideRight if has_reason else Qt.TextElideMode.ElideMiddle
+        palette = readable_palette(self.parent())
+        text, back = palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base)
+        if index.data(_FAINT):
+            text = readable_on(back, blended(text, back, _FAINT_SHARE))
+        option.palette.setColor(QPalette.ColorRole.Text, text)
 
 
 class SourceList(QWidget):
@@ -114,8 +125,7 @@ class SourceList(QWidget):
                 is_source = item.data(_ID) in chosen
                 item.setCheckState(Qt.CheckState.Checked if is_source else Qt.CheckState.Unchecked)
                 is_plain = is_source or not item.data(_REASON)
-                faint = self.palette().placeholderText()
-                item.setForeground(self.palette().text() if is_plain and not item.font().italic() else faint)
+                item.setData(_FAINT, not is_plain or item.font().italic())
         finally:
             self._is_following = False
         is_fit = any(not entry.is_missing and not entry.reason for entry in entries)

@@ -10,9 +10,11 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtWidgets import QApplication, QLineEdit
+from qgis.PyQt.QtGui import QColor, QPalette
+from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QStyleOptionViewItem
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.toolkit.desk.theme import contrast
 
 from tests.numbers.synthetic import ORIGIN, write_raster
 from tests.qgis.scenes import PIXEL, Scene, layer, line, outline, whole
@@ -371,3 +373,21 @@ def test_close_lets_go_of_everything(desk: Desk) -> None:
     desk.panel.close()
     desk.set_all()
     assert desk.panel.mosaic.currentText() == "choose the mosaic"
+
+
+def test_names_can_be_read_in_a_theme_of_style_sheets(desk: Desk) -> None:
+    """As Night Mapping is: its colours are not in the palette of widgets of no kind that it knows."""
+    desk.set_all()
+    desk.check("east", False)
+    sources = desk.panel.sources
+    dark = QPalette(sources.palette())
+    for role in (QPalette.ColorRole.Text, QPalette.ColorRole.PlaceholderText):
+        dark.setColor(role, QColor("#222222"))
+    sources.setPalette(dark)
+    sources.setStyleSheet("QAbstractScrollArea { color: #aaaaaa; background-color: #323232; }")
+    desk.panel.show()
+    desk.set_all()
+    for row in range(sources.list.count()):
+        option = QStyleOptionViewItem()
+        sources.list.itemDelegate().initStyleOption(option, sources.list.model().index(row, 0))
+        assert contrast(option.palette.color(QPalette.ColorRole.Text), QColor("#323232")) >= 3
