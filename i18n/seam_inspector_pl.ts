@@ -819,57 +819,57 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="252"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="255"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="242"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="253"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="300"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="311"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="303"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="314"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Windows without the observer&apos;s word.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="337"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="348"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="338"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="349"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
@@ -1429,7 +1429,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="301"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="312"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -2994,57 +2994,57 @@
         <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="157"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="167"/>
+        <location filename="../plugin/seams/measure/messages.py" line="173"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/messages.py" line="169"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/messages.py" line="177"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="175"/>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="181"/>
+        <location filename="../plugin/seams/measure/messages.py" line="187"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="180"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -5764,7 +5764,7 @@
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="188"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -6579,27 +6579,27 @@
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="125"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="142"/>
         <source>Compare the mosaic with {name}</source>
         <translation>Porównaj ortofotomapę z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="129"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="146"/>
         <source>No source here</source>
         <translation>Nie ma tu ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="131"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="148"/>
         <source>Exchange the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="133"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="150"/>
         <source>Lying handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="134"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="151"/>
         <source>Compare above and below instead of left and right</source>
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
@@ -6849,7 +6849,7 @@
         <translation>Najpierw okna, w których zachowano najmniej detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
@@ -6859,7 +6859,7 @@
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
@@ -7389,37 +7389,37 @@
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="85"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="87"/>
         <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="274"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="274"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="330"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="341"/>
         <source>In which order windows are shown and judged.</source>
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
@@ -7594,12 +7594,12 @@
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = 'feathering'.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="140"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o '{name}', a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola '{field}': zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -7799,12 +7799,32 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="298"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation type="unfinished"></translation>
         <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="140"/>
+        <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
+        <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <source>{name} is a share: write {share:g} for {percent:g} %.</source>
+        <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="142"/>
+        <source>The filter knows no geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
+        <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

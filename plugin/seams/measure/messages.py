@@ -137,6 +137,11 @@ PAIRS_WITHOUT_CONTRAST = Message(
 )
 TABLE_NOT_SAVED = Message("The table can't be saved as {path}: {error}.")
 FILTER_NOT_UNDERSTOOD = Message("The filter is not understood: {error}. Example: kept < 0.7 and cause = 'feathering'.")
+FILTER_DECIMALS = Message("Write decimals in the filter with a point: kept < 0.7.")
+FILTER_SHARE = Message("{name} is a share: write {share:g} for {percent:g} %.")
+FILTER_GEOMETRY = Message(
+    "The filter knows no geometry; use 'Select Features by Expression' on the window layer instead."
+)
 FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
 FILTER_HIDDEN = Message("'{word}' is hidden while judging blind, so it filters nothing; filter by {known}.", INFO)
 FIELD_NOT_HELD = Message(

@@ -5,7 +5,18 @@ import re
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsFeature, QgsFields
+from qgis.core import (
+    QgsExpression,
+    QgsExpressionContext,
+    QgsExpressionContextUtils,
+    QgsExpressionNode,
+    QgsExpressionNodeBinaryOperator,
+    QgsExpressionNodeColumnRef,
+    QgsExpressionNodeLiteral,
+    QgsExpressionNodeUnaryOperator,
+    QgsFeature,
+    QgsFields,
+)
 
 from ....imagery.errors import SettingsError
 from ....imagery.message import Message
@@ -14,6 +25,8 @@ from ...cause_words import cause_word
 from ...measure import messages
 from ...measure.causes import Cause
 from ...verdict_words import VERDICTS, observer_word, verdict_word
+from .more_columns import JUDGING_COLUMNS, all_columns
+from .windows_columns import columns_of
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
@@ -32,6 +45,14 @@ _FRIENDLY = {"id": "window_id", "paper": "paper_verdict", "band": "band_width", 
 _OTHER_NAMES = {"contrast": "contrast_1", "sharpness": "sharpness_1", "added": "added_1"}
 _TEXTS = ("verdict", "reason", "observer", "remark", "observer_2", "remark_2", "cause", "causes", "reference",
           "paper_verdict", "paper")  # fmt: skip
+_SHARES = ("kept", "sharpness", "added", "explained", "unclear_share")  # and what begins so: kept_1, kept_low
+_MOST = 2.0  # a share that is compared with more is meant in percent
+_COMPARED = (
+    QgsExpressionNodeBinaryOperator.boLT, QgsExpressionNodeBinaryOperator.boLE, QgsExpressionNodeBinaryOperator.boGT,
+    QgsExpressionNodeBinaryOperator.boGE, QgsExpressionNodeBinaryOperator.boEQ, QgsExpressionNodeBinaryOperator.boNE,
+)  # fmt: skip
+_QUOTED = re.compile(r"""('[^']*'|"[^"]*")""")
+_DECIMAL_COMMA = re.compile(r"\d,\d")
 
 
 def is_expression(text: str) -> bool:
@@ -42,16 +63,18 @@ def is_expression(text: str) -> bool:
 def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Callable[[WindowRecord], bool]:
     """What an expression says of a window; ``own``: the only fields that it may ask for.
 
-    The fields have their names in the layer and those in the table: ``kept`` is ``kept_1``, ``id`` is ``window_id``.
-    Words of verdicts and causes need no quotes. Raises SettingsError with a sentence for an expression that is wrong.
+    The fields have their names in the layer and those in the table: ``kept`` is ``kept_1``, ``id`` is ``window_id``,
+    ``ratio 1`` is ``ratio_1``. Words of verdicts and causes need no quotes. Raises SettingsError with a sentence for an
+    expression that is wrong.
     """
-    expression = QgsExpression(text)
-    if expression.hasParserError():
-        raise SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=_first_line(expression.parserErrorString())))
     reads, words = _reads(levels), _words()
+    headings = {heading: name for heading, name in _headings(levels).items() if heading not in reads}
+    expression = _parsed(text, [name for name in headings if not name.isidentifier()])
+    field_of = {**headings, **_FRIENDLY}
+    reads.update((heading, reads[name]) for heading, name in headings.items())
     known_fields = set(reads)
     if own is not None:
-        reads = {name: read for name, read in reads.items() if _FRIENDLY.get(name, name) in own}
+        reads = {name: read for name, read in reads.items() if field_of.get(name, name) in own}
     hidden = {name.lower() for name in known_fields.difference(reads)}
     asked = [name for name in expression.referencedColumns() if name != "#!allattributes!#"]
     known = {name.lower(): name for name in (*reads, *words)}
@@ -60,9 +83,10 @@ def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Ca
             raise SettingsError(hidden_message(name, own))
         if name.lower() not in known:
             raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=", ".join(_examples(reads))))
+    _check_shares(expression.rootNode(), headings)
     fields = QgsFields()
     for name in reads:
-        fields.append(field(name, "text" if name in _TEXTS else "real"))
+        fields.append(field(name, "text" if field_of.get(name, name) in _TEXTS else "real"))
     for word in words:
         fields.append(field(word, "text"))
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(None))
@@ -87,6 +111,55 @@ def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Ca
 def hidden_message(word: str, own: Iterable[str] | None) -> Message:
     """That the filter asks for what is hidden, and what it may ask for."""
     return messages.FILTER_HIDDEN(word=word, known=", ".join(sorted(own or (), key=_SINGLE.index)))
+
+
+def _headings(levels: int) -> dict[str, str]:
+    """The field behind each heading of the table, in small letters; a mere number is none."""
+    judging = frozenset(column.name for column in JUDGING_COLUMNS)
+    columns = all_columns(columns_of(levels), judging)
+    shown = ((title, column.field) for column in columns for title in (column.title(), column.title(short=True)))
+    return {
+        name.lower(): field_name
+        for title, field_name in shown for name in (title, title.rstrip(".")) if not title.isdigit()
+    }  # fmt: skip
+
+
+def _parsed(text: str, quoted: list[str]) -> QgsExpression:
+    """``quoted``: names that need quotes and may come without. Raises SettingsError for what can't be understood."""
+    expression = QgsExpression(_with_quotes(text, quoted))
+    if expression.hasParserError():
+        if any(_DECIMAL_COMMA.search(part) for part in _QUOTED.split(text)[::2]):
+            raise SettingsError(messages.FILTER_DECIMALS())
+        raise SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=_first_line(expression.parserErrorString())))
+    if expression.needsGeometry():
+        raise SettingsError(messages.FILTER_GEOMETRY())
+    return expression
+
+
+def _with_quotes(text: str, names: list[str]) -> str:
+    """The text with quotes around names that have a blank or a dot, where it has none yet."""
+    any_name = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
+    name = re.compile(rf"(?<![\w.])({any_name})(?!\w)", re.IGNORECASE)
+    parts = _QUOTED.split(text)  # every other one is quoted
+    parts[::2] = [name.sub(r'"\1"', part) for part in parts[::2]]
+    return "".join(parts)
+
+
+def _check_shares(node: QgsExpressionNode | None, headings: dict[str, str]) -> None:
+    """Raise SettingsError where a share is compared with what must be percent, as the table shows it."""
+    if isinstance(node, QgsExpressionNodeUnaryOperator):
+        _check_shares(node.operand(), headings)
+    if not isinstance(node, QgsExpressionNodeBinaryOperator):
+        return
+    sides = node.opLeft(), node.opRight()
+    for side, other in (sides, sides[::-1]):
+        _check_shares(side, headings)
+        if node.op() in _COMPARED and isinstance(side, QgsExpressionNodeColumnRef):
+            name = side.name().lower()
+            value = other.value() if isinstance(other, QgsExpressionNodeLiteral) else None
+            is_share = headings.get(name, name).startswith(_SHARES)
+            if is_share and isinstance(value, (int, float)) and value > _MOST:
+                raise SettingsError(messages.FILTER_SHARE(name=side.name(), share=value / 100, percent=value))
 
 
 def _reads(levels: int) -> dict[str, _Read]:

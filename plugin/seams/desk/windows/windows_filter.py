@@ -9,7 +9,6 @@ from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
 from ....imagery.errors import SettingsError
 from ....imagery.message import Message
 from ...cause_words import cause_word
-from ...measure.messages import FILTER_HIDDEN
 from ...measure.observers import DECIDED, FIRST, UNSURE
 from ...verdict_words import observer_word, verdict_word
 from .number_filter import hidden_message, is_expression, window_test
@@ -67,7 +66,7 @@ class WindowsFilter(QSortFilterProxyModel):
         """Show the windows that match an expression, or all words of a text, and only those a test accepts.
 
         ``own``: the only fields that a text may ask for, while others are hidden; one that asks for more is lifted.
-        Returns what is wrong with an expression; the text before it stays in force then.
+        Returns what is wrong with an expression, which leaves no window out then.
         """
         problem, rows = None, self._model.windows()
         if own != self._own:
@@ -81,9 +80,7 @@ class WindowsFilter(QSortFilterProxyModel):
             else:
                 self._words, self._test = self._allowed_words(text), None
         except SettingsError as error:
-            problem = error.message
-            if problem.template == FILTER_HIDDEN.template:
-                self._words, self._test = [], None
+            problem, self._words, self._test = error.message, [], None
         self._accepts = accepts
         self._passes = {}
         self._forget()

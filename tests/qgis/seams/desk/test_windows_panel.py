@@ -373,6 +373,9 @@ def test_context_menu(panel: WindowsPanel, session: WindowsSession) -> None:
         ("ratio_2 >= 0.7", [1, 10, 12]), ("observer = visible", [2]), ("verdict = 'significant' or id = 1", [1, 2, 12]),
         ("Sources > 2", [1, 10]), ("cause is null", [1, 3, 4, 12]), ("observer <> invisible", [2]),
         ("reason like '%west%'", [4]), ("ratio / composite_ratio < 0.7", [2]),
+        ("ratio 1 < 0.5", [2, 12]), ('"ratio 1" < 0.5', [2, 12]), ("src. > 2", [1, 10]), ("src > 2", [1, 10]),
+        ("Kept from > 0.8 and sources = 3", [1]), ("reason = 'ratio 1'", []), ("100 * kept < 70", [2]),
+        ("round(kept, 1) > 0.95", [10]),
     ],
 )
 def test_filter_by_an_expression(panel: WindowsPanel, text: str, fids: list[int]) -> None:
@@ -382,11 +385,16 @@ def test_filter_by_an_expression(panel: WindowsPanel, text: str, fids: list[int]
 
 @pytest.mark.parametrize(
     ("text", "said"),
-    [("kept <", "not understood"), ("sharp < 0.7", "'sharp'"), ("kept < )", "not under"), ("abs(1, 2) > 1", "under")],
+    [("kept <", "not understood"), ("sharp < 0.7", "'sharp'"), ("kept < )", "not under"), ("abs(1, 2) > 1", "under"),
+     ("kept < 0,7", "Write decimals in the filter with a point"), ("$area > 10", "no geometry"),
+     ("geom_to_wkt($geometry) <> ''", "no geometry"), ("kept < 55", "kept is a share: write 0.55 for 55 %."),
+     ("not (70.5 <= kept from) or id = 1", "write 0.705 for 70.5 %"), ("sharpness > 90", "sharpness is a share")],
 )
-def test_a_wrong_expression_gets_a_sentence_and_changes_nothing(panel: WindowsPanel, text: str, said: str) -> None:
+def test_a_wrong_expression_gets_a_sentence_and_leaves_no_window_out(
+    panel: WindowsPanel, text: str, said: str
+) -> None:
     filter_to(panel, "kept < 0.7")
-    assert filter_to(panel, text) == [2]
+    assert filter_to(panel, text) == [1, 2, 3, 4, 10, 12]
     assert said in panel._problem.text()
     assert not panel._problem.isHidden()
     assert filter_to(panel, "") == [1, 2, 3, 4, 10, 12]

@@ -267,6 +267,7 @@ OWN = frozenset(("window_id", "observer", "confidence", "remark"))
     ("text", "choice", "fids"),
     [
         ("verdict = significant", "all", [2, 12]), ("kept < 0.95", "all", [1, 2]), ("significant", "all", [2, 12]),
+        ("kept from < 0.9", "all", [1, 2]),
         ("observer_2 = visible", "all", [1]), ("west_12", "all", [4]), ("", "significant", [2, 12]),
         ("", "operators differ", []),
     ],
