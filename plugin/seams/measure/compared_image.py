@@ -24,6 +24,8 @@ class MeasuredClip:
     clip: Clip
     curves: dict[str, Curve]
     coarse: dict[str, np.ndarray]
+    grey_factor: float = 1.0
+    """What the file's values were multiplied by."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -246,6 +246,33 @@ def test_causes_do_not_depend_on_how_many_grey_values_there_are(
     assert many.judgement.verdict is few.judgement.verdict
 
 
+@pytest.mark.parametrize("factor", [1 / 255, 1e-3 / 255, 1e4])
+def test_floating_point_of_any_scale_is_measured_as_8_bit_is(
+    make_raster: MakeRaster, sources: list[np.ndarray], factor: float
+) -> None:
+    """Reflectance from 0 to 1: verdict, causes and what is kept; variances and tones stay in the file's values."""
+    image = blended(sources, 40)
+    scaled = [(one * factor).astype(np.float32) for one in (image, *sources[:2])]
+    few, many = inspected(make_raster, image, sources[:2]), inspected(make_raster, scaled[0], scaled[1:])
+    assert many.judgement.verdict is few.judgement.verdict
+    assert many.causes == few.causes
+    assert many.explained == pytest.approx(few.explained, abs=1e-3)
+    assert many.profile is not None
+    assert few.profile is not None
+    assert many.profile.kept == pytest.approx(few.profile.kept, abs=1e-3)
+    assert many.judgement.ratios.detail == pytest.approx(few.judgement.ratios.detail, abs=1e-3)
+    for ours, theirs in zip(many.with_composite, few.with_composite):
+        variances = [curve.variance / factor**2 for curve in ours.curves.values()]
+        assert variances == pytest.approx([curve.variance for curve in theirs.curves.values()], rel=1e-3)
+    for ours, theirs in zip(many.pairs, few.pairs):
+        assert ours.change is not None
+        assert theirs.change is not None
+        assert ours.change.tone is not None
+        assert theirs.change.tone is not None
+        assert ours.change.tone.gain == pytest.approx(theirs.change.tone.gain, abs=1e-3)
+        assert ours.change.tone.bias / factor == pytest.approx(theirs.change.tone.bias, abs=0.1)
+
+
 def in_16_bit(bands: np.ndarray) -> np.ndarray:
     return np.clip(np.rint(200 * bands), 1, 65535).astype(np.uint16)
 

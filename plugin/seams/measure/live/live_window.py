@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from ....imagery.band_curves import judged_plane
-from ....imagery.clips import Clip, read_clip
+from ....imagery.clips import Clip
 from ....imagery.errors import RasterError
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
@@ -16,6 +16,7 @@ from ....imagery.wavelets import Curve, clip_curves, detail_components
 from ..compared_image import ComparedImage, MeasuredClip
 from ..following.hard_cut import expected_cut, is_unclear
 from ..following.placed_sources import follow_sources
+from ..inputs.grey_values import read_grey_clip
 from ..inspection import WindowRequest
 from ..profile.detail_cells import detail_cells
 from ..profile.seam_profile import SeamProfile, seam_profile
@@ -98,7 +99,7 @@ def _read(request: WindowRequest, band: str, is_source: int, raster: OpenRaster)
     assert request.window is not None
     if raster.raster.judged_band != band:
         return None
-    clip = read_clip(raster, request.mosaic, request.window, partly=bool(is_source))
+    clip, _ = read_grey_clip(raster, request.mosaic, request.window, partly=bool(is_source))
     plane = judged_plane(clip.bands, clip.raster.band_names)
     if clip.valid is not None:
         return clip, plane, None

@@ -17,7 +17,7 @@ from ..explanation import Explanation, explain
 from ..seam_cells import UNKNOWN, cell_labels
 from ..verdicts import Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
 from ..window_records import COMPOSITE, SEAM
-from .measured_window import MeasuredWindow
+from .measured_window import MeasuredWindow, in_file_values
 from .window_result import PairResult, WindowResult
 
 if TYPE_CHECKING:
@@ -43,6 +43,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
         for one in judged
         if one.clip.valid is not None
     ]
+    found = _in_file_values(found, mosaic.grey_factor, [one.grey_factor for one in judged])
     pairs = [pair for one, changes in zip(judged, found.changes) for pair in _pairs(mosaic, one, changes)]
     pairs += [pair for one in measured.only_shown for pair in _pairs(mosaic, one, {})]
     judgement = _judged(paper, mosaic.curves[band], found, band, request)
@@ -54,6 +55,28 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
         request.window_id, request.window, judgement, paper.verdict, clips, tuple(pairs), found,
         tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
     )
+
+
+def _in_file_values(found: Explanation, own: float, factors: Sequence[float]) -> Explanation:
+    """What stands in grey values, for the files' own instead of those that were multiplied by ``own`` and ``factors``.
+
+    The composite is in the mosaic's values.
+    """
+    if own == 1 and all(factor == 1 for factor in factors):
+        return found
+    changes = tuple(
+        {name: _change_in_file_values(change, own, factor) for name, change in changed.items()}
+        for changed, factor in zip(found.changes, (*factors, own))
+    )
+    return replace(found, curves=in_file_values(found.curves, own), changes=changes)
+
+
+def _change_in_file_values(change: Change, own: float, factor: float) -> Change:
+    gain, tone = factor / own, change.tone
+    if tone is not None:
+        tone = replace(tone, gain=tone.gain * gain, bias=tone.bias / own)
+    contrast = tuple(None if one is None else one * gain for one in change.contrast)
+    return replace(change, tone=tone, contrast=contrast)
 
 
 def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.ndarray | None:

@@ -1,7 +1,7 @@
 """The first half of an inspection: the clips of a window, their curves, and the paper's verdict."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Union
@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Union
 from ....imagery import limits as imagery_limits
 from ....imagery.band_curves import measure_clip, measure_directions
 from ....imagery.band_names import measured_bands
-from ....imagery.clips import read_clip
 from ....imagery.errors import NotCoveredError, RasterError
 from ....imagery.message import Message
 from ....imagery.open_raster import OpenRaster
 from ....imagery.reading.readings import ReadEach, one_by_one
+from ....imagery.wavelets import Curve
 from .. import messages
 from ..compared_image import MeasuredClip
+from ..inputs.grey_values import read_grey_clip
 from ..verdicts import Judgement, Verdict, judge
 from .window_result import ClipResult, WindowClips
 
@@ -94,16 +95,22 @@ def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> 
 
 def _measured(raster: OpenRaster, request: WindowRequest, partly: bool) -> MeasuredClip:
     assert request.window is not None
-    clip = read_clip(raster, request.mosaic, request.window, partly)
+    clip, factor = read_grey_clip(raster, request.mosaic, request.window, partly)
     if clip.valid is not None:
-        return MeasuredClip(clip, {}, {})
-    return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels))
+        return MeasuredClip(clip, {}, {}, factor)
+    return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels), factor)
+
+
+def in_file_values(curves: Mapping[str, Curve], factor: float) -> dict[str, Curve]:
+    """Curves of values that were multiplied, with the variance that the file's have."""
+    return {name: replace(curve, variance=curve.variance / factor**2) for name, curve in curves.items()}
 
 
 def _clip_result(measured: MeasuredClip, role: str, settings: InspectionSettings) -> ClipResult:
     clip = measured.clip
     directions = measure_directions(clip, settings.wavelet, settings.levels) if settings.directions else {}
-    return ClipResult(clip.raster.ref.name, role, measured.curves, directions)
+    curves = in_file_values(measured.curves, measured.grey_factor)
+    return ClipResult(clip.raster.ref.name, role, curves, directions)
 
 
 def _comparable(

@@ -36,7 +36,7 @@ def window_composite(request: WindowRequest) -> WindowComposite | Message:
     cut = cut_hard(measured.mosaic, measured.judged, request.settings.levels, known_labels(request, measured.judged))
     if cut.is_unclear:
         return messages.COMPOSITE_UNCLEAR()
-    kind, levelled = cut.mosaic.bands.dtype, cut.composite.levelled
+    kind, levelled = cut.mosaic.bands.dtype, cut.composite.levelled / measured.mosaic.grey_factor
     if kind.kind != "f":
         ends = np.iinfo(kind)
         levelled = np.clip(np.rint(levelled), ends.min, ends.max)

@@ -15,9 +15,9 @@ from .....imagery.grids import PixelWindow
 from .....imagery.message import Message
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster, RasterRef
+from ...inputs.grey_values import factor_of
 from .. import messages
 from .block_grid import UNIT_PX
-from .grey_values import factor_of
 
 _Pick = Callable[[np.ndarray], np.ndarray]
 """Of pixels (..., rows, columns) those that are wanted, as an image of their own."""

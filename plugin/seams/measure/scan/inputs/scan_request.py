@@ -12,6 +12,7 @@ from .....imagery.errors import SettingsError
 from .....imagery.grids import PixelWindow
 from .....imagery.message import Message
 from .....imagery.rasters import Raster
+from ...inputs.grey_values import grey_factor
 from ...inputs.mosaic_copies import leave_out_copies
 from ...limits import FULL
 from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX
@@ -20,7 +21,6 @@ from ...source_images import Source
 from ...source_tree import SourceTree
 from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey
-from ..blocks.grey_values import grey_factor
 from ..blocks.scan_block import BlockRequest
 from ..blocks.seam_squares import SeamSquares
 from ..lines.given_seams import GivenSeams, NamedSeam

@@ -17,9 +17,9 @@ from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster
 from .....imagery.records.array_records import packed, unpacked
 from .....imagery.remote_files import remote_settings
+from ...inputs.grey_values import grey_factor
 from ..block_runs import ScanStep
 from ..blocks.block_grid import BlockGrid, BlockKey
-from ..blocks.grey_values import grey_factor
 from ..blocks.rectangles import rectangles
 from ..blocks.seam_squares import SeamSquares
 from ..journal.journaled import BlockLook, Clock, Crew, held, journaled
