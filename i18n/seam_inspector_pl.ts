@@ -7802,6 +7802,8 @@
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="298"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
         <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
