@@ -5,7 +5,11 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QBoxLayout, QSplitter, QToolBar, QVBoxLayout, QWidget
 
 from ...toolkit.desk.scroll_body import ScrollBody
+from .judging.judge_bar import JudgeBar
+from .windows.windows_panel import WindowsPanel
 
+_HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence
+_FEWEST_ROWS = 4  # of windows, there
 _SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
 
 
@@ -13,7 +17,8 @@ class DockBody(QWidget):
     """Inputs, toolbar, windows and tabs, which scroll on a low screen; judgement and progress, always in sight."""
 
     def __init__(
-        self, inputs: QWidget, toolbar: QToolBar, windows: QWidget, tabs: QWidget, judge: QWidget, progress: QWidget
+        self, inputs: QWidget, toolbar: QToolBar, windows: WindowsPanel, tabs: QWidget, judge: JudgeBar,
+        progress: QWidget,
     ) -> None:
         super().__init__()
         self._head = QBoxLayout(QBoxLayout.Direction.TopToBottom)
@@ -38,7 +43,7 @@ class DockBody(QWidget):
         layout.addLayout(self._head)
         layout.addWidget(self._splitter, 1)
         self.scroll = ScrollBody(upper)
-        self._judge, self._whole = judge, QVBoxLayout(self)
+        self._windows, self._judge, self._whole = windows, judge, QVBoxLayout(self)
         self._whole.setContentsMargins(4, 2, 4, 4)
         self._whole.setSpacing(3)
         self._whole.addWidget(self.scroll, 1)
@@ -47,6 +52,9 @@ class DockBody(QWidget):
 
     def arrange(self, is_wide: bool) -> None:
         """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
+        is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
+        self._windows.table.set_fewest_rows(_FEWEST_ROWS if is_high else 0)
+        self._judge.set_high(is_high)
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation == self._splitter.orientation():
             return

@@ -11,6 +11,7 @@ from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from ....toolkit.desk.clipped_label import ClippedLabel
+from ....toolkit.desk.timers import single_shot
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.translation import tr
 from ...measure.observers import INVISIBLE, UNSURE, VISIBLE
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
-_SENTENCE_LINES = 3
+_LINES, _HIGH_LINES = (2, 3), (3, 4)  # of the sentence, and where the dock is high
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 _TENTHS = {key: 10 * digit or 100 for digit, key in enumerate(range(Qt.Key.Key_0, Qt.Key.Key_9 + 1))}
 
@@ -41,8 +42,10 @@ class JudgeBar(QWidget):
         self._session = session
         self._judging = judging
         self._asked = 0
+        self._arranger = single_shot(self, self._arrange)  # when its widgets have their new sizes
         self._chip = QLabel(self)
-        self._sentence = ClippedLabel(_SENTENCE_LINES, self)
+        self._sentence = ClippedLabel(_LINES[0], self)
+        self.set_high(False)
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
             tr("The loss of detail can be seen at 2x magnification."),
@@ -94,6 +97,10 @@ class JudgeBar(QWidget):
     REPEATING_KEYS = frozenset((Qt.Key.Key_N, Qt.Key.Key_P))
     """That go on while they are held."""
 
+    def set_high(self, is_high: bool) -> None:
+        """Whether there is room for most of a long sentence."""
+        self._sentence.set_lines(*(_HIGH_LINES if is_high else _LINES))
+
     def sentence(self) -> str:
         """What is said about the selected windows."""
         return self._sentence.text()
@@ -112,6 +119,7 @@ class JudgeBar(QWidget):
         self._progress.setText(self._just_sure() or progress.words())
         self._progress.setToolTip(rich_tip(progress.tip()))
         self._arrange()
+        self._arranger.start()
         self._back.setEnabled(judging.neighbour(-1) is not None)
         self._forth.setEnabled(judging.neighbour(1) is not None)
         self._next.setEnabled(judging.can_go_on())

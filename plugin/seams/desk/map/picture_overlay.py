@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCsException, QgsPointXY, QgsProject
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QPointF, QRectF
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QImage, QPainter, QPainterPath, QPolygonF, QTransform
 from qgis.PyQt.QtWidgets import QStyleOptionGraphicsItem, QWidget
 
@@ -55,8 +55,7 @@ class PictureOverlay:
         if self._item is None:
             if not pictures:
                 return
-            self._item = _PictureItem(self._canvas, self._smooth)
-            self._item.setOpacity(self._opacity)
+            self._item = _PictureItem(self._canvas, self._smooth, self._opacity)
             self._item.setZValue(_BELOW_BANDS + self._above)
         self._item.put(tuple(pictures), crs)
 
@@ -75,9 +74,9 @@ class PictureOverlay:
 class _PictureItem(QgsMapCanvasItem):
     """Covers the canvas, and follows it."""
 
-    def __init__(self, canvas: QgsMapCanvas, smooth: bool) -> None:
+    def __init__(self, canvas: QgsMapCanvas, smooth: bool, opacity: float) -> None:
         super().__init__(canvas)
-        self._canvas, self._smooth = canvas, smooth
+        self._canvas, self._smooth, self._opacity = canvas, smooth, opacity
         self.pictures: tuple[PlacedPicture, ...] = ()
         self._crs = QgsCoordinateReferenceSystem()
 
@@ -97,6 +96,20 @@ class _PictureItem(QgsMapCanvasItem):
     ) -> None:
         if not self.pictures:
             return
+        if self._opacity == 1:
+            self._paint_pictures(painter)
+            return
+        ratio = painter.device().devicePixelRatioF()  # where pictures overlap they are seen through as elsewhere
+        together = QImage(self._canvas.size() * ratio, QImage.Format.Format_ARGB32_Premultiplied)
+        together.setDevicePixelRatio(ratio)
+        together.fill(Qt.GlobalColor.transparent)
+        on_image = QPainter(together)
+        self._paint_pictures(on_image)
+        on_image.end()
+        painter.setOpacity(self._opacity)
+        painter.drawImage(QPointF(), together)
+
+    def _paint_pictures(self, painter: QPainter) -> None:
         transform = QgsCoordinateTransform(
             self._crs, self._canvas.mapSettings().destinationCrs(), QgsProject.instance()
         )

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from ..session import Session
 
 _WIDE_CHARACTERS = 75  # a tab wider than that has room for two charts side by side
+_SPARE_LINES = 1  # that the dock's sentence may be longer for another window, without the charts moving to and fro
 
 
 class CurvesAndProfile(QWidget):
@@ -73,4 +74,5 @@ class CurvesAndProfile(QWidget):
             return False
         others = scroll.widget().minimumSizeHint().height() - self.minimumSizeHint().height()
         stacked = sum(panel.minimumSizeHint().height() for panel in (self.curves, self.profile))
-        return bool(scroll.viewport().height() - others < stacked + self._splitter.handleWidth())
+        spare = _SPARE_LINES * self.fontMetrics().height() if self.is_side_by_side else 0
+        return bool(scroll.viewport().height() - others < stacked + self._splitter.handleWidth() + spare)

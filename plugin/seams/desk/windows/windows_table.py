@@ -108,6 +108,11 @@ class WindowsTable(QTableView):
         sections = (header.logicalIndex(place) for place in range(header.count()))
         return [columns[section] for section in sections if not self.isColumnHidden(section)]
 
+    def set_fewest_rows(self, rows: int) -> None:
+        """Show at least so many; 0: as few as there is room for."""
+        around = self.horizontalHeader().sizeHint().height() + 2 * self.frameWidth()
+        self.setMinimumHeight(around + rows * self.verticalHeader().defaultSectionSize() if rows else 0)
+
     def set_blind(self, own: frozenset[str] | None) -> None:
         """Show no other columns than these, by their fields, whatever was chosen; None: all that were chosen."""
         if own != self._blind:
