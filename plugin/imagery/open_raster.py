@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator
+from contextlib import suppress
 from functools import cached_property, reduce
 from typing import NamedTuple
 
@@ -205,6 +206,20 @@ def describe_placed(ref: RasterRef) -> Raster:
 def describe_mosaic(ref: RasterRef) -> Raster:
     """Like ``describe``, for the raster whose grid the windows lie on: north-up and on the map."""
     return _with_grid(describe_placed(ref))
+
+
+def check_readable(ref: RasterRef) -> None:
+    """Raise RasterError for a VRT whose files are gone: it opens, but not one of nine pixels all over it is there."""
+    opened = OpenRaster(ref)
+    if opened.dataset.GetDriver().ShortName != "VRT":
+        return
+    thirds = (1, 3, 5)
+    places = [(opened.columns * x // 6, opened.rows * y // 6) for y in thirds for x in thirds]
+    for column, row in places[:-1]:
+        with suppress(RasterError):
+            opened.read(PixelWindow(column, row, 1, 1))
+            return
+    opened.read(PixelWindow(*places[-1], 1, 1))
 
 
 def placed(raster: Raster) -> Raster:

@@ -16,7 +16,7 @@ from qgis.core import (
 )
 
 from ....imagery.errors import RasterError, SeamInspectorError, SettingsError
-from ....imagery.open_raster import describe_mosaic
+from ....imagery.open_raster import check_readable, describe_mosaic
 from ....imagery.rasters import Raster, RasterRef
 from ....toolkit import layers
 from ....toolkit.background_task import Cancelled, Job
@@ -90,6 +90,7 @@ def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
 
     def opened() -> OpenedFiles:
         mosaic = describe_mosaic(files.mosaic)
+        check_readable(files.mosaic)
         crs = layers.mosaic_crs(mosaic)
         indexed: list[Source] = []
         known: list[Cell] = []

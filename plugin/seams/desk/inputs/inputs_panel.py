@@ -17,6 +17,7 @@ from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import filled, sentence, tr
+from ...measure import messages
 from ...measure.inputs.source_use import source_doubts
 from ...measure.placing.window_sides import fitting_side_m, window_side_px
 from ...tables.source_index import LOCATION_FIELD
@@ -189,10 +190,12 @@ class InputsPanel(QWidget):
         parts = [""]
         if problem is not None and problem.level is WARNING:
             parts.append(tr("opening ..."))
-        elif problem is not None and count:  # it is not the sources that are missing
+        is_unusable = len(parts) == 1 and problem is not None and problem != messages.NO_SOURCES_GIVEN()
+        if is_unusable:  # it is not the sources that are missing
             parts.append(tr("can't be used"))
         counted = tr("1 source") if count == 1 else tr("{count} sources").format(count=count)
-        parts.append(self._missing() or counted)
+        if count or not is_unusable:
+            parts.append(self._missing() or counted)
         if count < len(inputs.sources):
             parts.append(tr("{count} missing").format(count=len(inputs.sources) - count))
         if project.mapLayer(inputs.source_index) is not None:

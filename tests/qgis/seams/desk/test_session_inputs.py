@@ -9,9 +9,10 @@ from threading import Event
 
 import numpy as np
 import pytest
+from osgeo import gdal
 from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer
 from seam_inspector.plugin.imagery import messages as imagery_messages
-from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
@@ -201,6 +202,29 @@ def test_dangers_while_the_mosaic_is_opened(desk: Desk, gate: Event, danger: str
     wait_for_tasks()
     assert desk.session.mosaic_grid() is None
     assert desk.messages == []
+
+
+@pytest.mark.parametrize("with_sources", [False, True])
+def test_a_mosaic_whose_files_are_gone_is_not_blamed_on_its_sources(
+    desk: Desk, tmp_path: Path, with_sources: bool
+) -> None:
+    panel = InputsPanel(desk.session)
+    gone, mosaic = tmp_path / "gone.tif", tmp_path / "mosaic.vrt"
+    gdal.Translate(str(gone), desk.mosaic.source())
+    gdal.BuildVRT(str(mosaic), [str(gone)])
+    gone.unlink()
+    found = desk.raster(mosaic)
+    desk.set(desk.inputs(mosaic=found.id(), **({} if with_sources else {"sources": ()})))
+    problem = desk.session.problem()
+    assert problem == imagery_messages.NOT_READABLE(name="mosaic.vrt")  # the reason on every grey button
+    with pytest.raises(SettingsError, match=r"mosaic\.vrt"):
+        desk.session.scan_order()
+    _, said, why = panel._summary()
+    assert "can't be used" in said
+    assert ("2 sources" in said) == with_sources
+    assert "check the sources" not in said
+    assert "mosaic.vrt" in why
+    panel.close()
 
 
 def test_a_mosaic_that_cant_be_used_is_told_and_another_one_can_be_chosen(
