@@ -100,6 +100,7 @@ class ImagesPanel(QWidget):
         selected = self._session.selected()
         self._fid = selected[0] if selected else None
         if self._fid is None:
+            self.bar.status.setText("")
             self._say(tr("Select a window, in the table or on the map, to see its pictures."))
             return
         pictures = self._session.pictures(self._fid)

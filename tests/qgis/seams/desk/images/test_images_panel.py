@@ -32,6 +32,15 @@ def test_hint_when_nothing_is_selected(desk: QWidget, session: Session) -> None:
     assert session.asked == []
 
 
+def test_the_window_that_was_selected_is_not_named_any_more(desk: QWidget, session: Session) -> None:
+    panel = desk.findChild(ImagesPanel)
+    session.select([1])
+    assert "Window" in panel.bar.status.text()
+    session.select([])
+    assert "Select a window" in text(panel)
+    assert panel.bar.status.text() == ""
+
+
 def test_reading_until_the_pictures_arrive(desk: QWidget, session: Session) -> None:
     panel = desk.findChild(ImagesPanel)
     session.select([2])
