@@ -26,6 +26,7 @@ from .picture_stretch import (
     Stretch,
     brightness,
     cut_range,
+    largest_of,
     ranges_with,
     thinned,
     to_bytes,
@@ -166,7 +167,7 @@ def _shown_bands(clip: Clip) -> np.ndarray:
 
 def _largest(clip: Clip) -> float:
     """Filled pixels hold a mean and do no harm."""
-    return float(_shown_bands(clip).max())
+    return largest_of(np.concatenate([thinned(band) for band in _shown_bands(clip)]))
 
 
 def _own_ranges(

@@ -14,6 +14,7 @@ from ..imagery.open_raster import OpenRaster
 from ..imagery.value_ranges import is_range_known, value_range
 
 DARKEST, BRIGHTEST = 2.0, 98.0  # percentiles that become black and white: QGIS's own cumulative cut
+_MOST_OF_ALL = 99.99  # percent of the values, by which a range of 16 bit is told
 _MOST_SAMPLES = 1 << 18  # of one band: the percentiles of every fourth pixel of 1024 x 1024 are as good
 _SAMPLED_SIDE = 1024  # of a whole raster, px
 _MOST_DECODED = 16_000_000  # pixels of a raster that are decoded at once to sample it; beyond, pieces are read
@@ -42,7 +43,8 @@ def ranges_with(known: GreyRanges, stretch: Stretch, sources: Iterable[tuple[Ope
     """The ranges known so far in a project, with those of more rasters, the mosaic's first.
 
     ``sources``: open rasters, each with the largest value seen in it. A range grows when a larger value is seen, so
-    that nothing that was delivered is cut off; all other ranges stay as the first raster of their type gave them.
+    that what was delivered is not cut off, but for the few that ``largest_of`` passes over;
+    all other ranges stay as the first raster of their type gave them.
     """
     found = dict(known)
     for source, largest in sources:
@@ -53,11 +55,16 @@ def ranges_with(known: GreyRanges, stretch: Stretch, sources: Iterable[tuple[Ope
                 found[kind] = cut_range([raster_sample(source)])
         elif largest > high or kind not in found:
             if kind not in found and not is_range_known(source.raster):
-                largest = max(largest, float(raster_sample(source).max(initial=0)))
+                largest = max(largest, largest_of(raster_sample(source)))
             own = value_range(source.raster, largest)
             assert own is not None  # both types have one
             found[kind] = own[0], max(own[1], high)
     return found
+
+
+def largest_of(values: np.ndarray) -> float:
+    """What 99.99 % of the values do not exceed: a single hot pixel would make all others dark. 0 without any."""
+    return float(np.percentile(values, _MOST_OF_ALL)) if values.size else 0.0
 
 
 def cut_range(samples: Sequence[np.ndarray]) -> GreyRange:
