@@ -4,11 +4,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from qgis.core import QgsMapLayer, QgsMapRendererParallelJob, QgsMapSettings
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QImage, QTransform
 
 _under_way: set[QgsMapRendererParallelJob] = set()
 """Cancelled jobs too, until they have ended: to let one go before would wait for it."""
+
+
+def _job_ended() -> None:
+    """It is in the midst of telling so, and must live until it has."""
+    QTimer.singleShot(0, _let_go_of_ended)
+
+
+def _let_go_of_ended() -> None:
+    _under_way.difference_update([job for job in _under_way if not job.isActive()])
 
 
 class MapPicture(QObject):
@@ -39,7 +48,7 @@ class MapPicture(QObject):
         settings.setLayers(list(layers))
         job = QgsMapRendererParallelJob(settings)
         job.finished.connect(self._finished)
-        job.finished.connect(lambda job=job: _under_way.discard(job))
+        job.finished.connect(_job_ended)
         _under_way.add(job)
         self._job = job
         job.start()
