@@ -104,7 +104,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="77"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="88"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -614,52 +614,52 @@
         <translation>Liczba zaznaczonych okien: {count} ({verdicts}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
         <source>{count} sources</source>
         <translation>źródła: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="200"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="201"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
         <source>{pixels} px, {metres:.1f} m</source>
         <translation>{pixels} px, {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -669,57 +669,57 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="247"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="252"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="254"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="257"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="259"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="168"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="178"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -744,7 +744,7 @@
         <translation>Liczba okien: {count}, średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="239"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="242"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
@@ -784,17 +784,17 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="46"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="49"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="50"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="53"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="57"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="60"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
@@ -809,12 +809,12 @@
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="159"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="167"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="162"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="170"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
@@ -979,7 +979,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="279"/>
+        <location filename="../plugin/seams/desk/dock.py" line="281"/>
         <source>{done} of {asked} windows</source>
         <translation>Okna: {done} z {asked}</translation>
     </message>
@@ -1094,17 +1094,17 @@
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="72"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
         <source>Check no raster; missing ones are removed</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="84"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="95"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="169"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="179"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -1229,32 +1229,32 @@
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="103"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="104"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="107"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="108"/>
         <source>Choose the mosaic under Inputs to see the pictures of this window.</source>
         <translation>Wybierz ortofotomapę w danych wejściowych, aby zobaczyć obrazy tego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="111"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
         <source>No picture: neither the mosaic nor a source can be read in this window.</source>
         <translation>Brak obrazu: w tym oknie nie można odczytać ani ortofotomapy, ani ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="144"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="145"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="232"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="235"/>
         <source>{window}: reading ...</source>
         <translation>{window}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="234"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="237"/>
         <source>{window}: no source covers it</source>
         <translation>{window}: bez pokrycia źródłami</translation>
     </message>
@@ -1414,12 +1414,12 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
         <source>opening ...</source>
         <translation>otwieranie ...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -6704,7 +6704,7 @@
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="54"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="57"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
@@ -6714,27 +6714,27 @@
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="57"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="60"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="61"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="64"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="64"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="67"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="144"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="152"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="229"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="238"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -6924,7 +6924,7 @@
         <translation>kompozycja z ostrym cięciem: każdy piksel z ortoobrazu, z którego pochodzi ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="90"/>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="91"/>
         <source>Compare the large picture with {name}</source>
         <translation>Porównaj duży obraz z {name}</translation>
     </message>
@@ -6974,12 +6974,12 @@
         <translation>Jak wyświetlane są odcienie; nigdy kanał po kanale, więc barwy pozostają bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="192"/>
         <source>composite: reading ...</source>
         <translation>kompozycja: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="192"/>
         <source>no source explains it</source>
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
@@ -7124,17 +7124,17 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="258"/>
+        <location filename="../plugin/seams/desk/dock.py" line="260"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="264"/>
+        <location filename="../plugin/seams/desk/dock.py" line="266"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="268"/>
+        <location filename="../plugin/seams/desk/dock.py" line="270"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -7229,12 +7229,12 @@
         <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/loss_legend.py" line="47"/>
+        <location filename="../plugin/seams/desk/map/loss_legend.py" line="48"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/loss_legend.py" line="48"/>
+        <location filename="../plugin/seams/desk/map/loss_legend.py" line="49"/>
         <source>Detail kept (L hides it)</source>
         <translation>Zachowane detale (L ukrywa)</translation>
     </message>
@@ -7474,32 +7474,32 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="164"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="165"/>
         <source>looking for sources ...</source>
         <translation>szukanie ortoobrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="164"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="165"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
         <source>{asked:.1f} m is too small for this mosaic</source>
         <translation>{asked:.1f} m to za mało dla tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
         <source>{asked:.1f} m is too large for this mosaic</source>
         <translation>{asked:.1f} m to za dużo dla tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="259"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
@@ -7509,17 +7509,17 @@
         <translation>Sprawdź ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="69"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="80"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="69"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="80"/>
         <source>Check the rasters that may be sources of this mosaic, and no others</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="73"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="84"/>
         <source>The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the same. Uncheck a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -7789,19 +7789,19 @@
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="124"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="132"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="157"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="165"/>
         <source>No window is left to judge. Select one to judge it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="298"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
-        <translation type="unfinished"></translation>
+        <translation>Usunąć okna ({count}), w tym ocenione ({judged})?</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/dock.py" line="219"/>
@@ -7826,7 +7826,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="146"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
 </context>
 </TS>
