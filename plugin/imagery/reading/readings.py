@@ -31,4 +31,5 @@ def read_one(
     try:
         return work(opened(ref))
     except RasterError as error:
-        return error
+        error.__context__ = None  # that and where it was raised would keep the file open as long as it is remembered
+        return error.with_traceback(None)
