@@ -67,6 +67,7 @@ class ProjectFollower(QObject):
         """Change the inputs and remember them in the project."""
         before = self._inputs
         if before == inputs:
+            self._parts.block.inputs = inputs  # the same, but chosen by whoever sets them now
             return
         if before.windows != inputs.windows:
             self._parts.results.write()  # into the layer they are of

@@ -8,7 +8,7 @@ from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject
 
 from .likely_layers import with_likely_mosaic, with_likely_vectors
-from .project_inputs import load_inputs
+from .project_inputs import Inputs, load_inputs
 from .source_suggestions import Sources, SourceSuggestions
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ class Suggesting(QObject):
         self.sources.changed.connect(self.follow)
         self._suggested: Sources = ()  # when it was looked last
         self._mosaic = ""  # for which
+        self._set: Sources | None = None  # the very tuple that was set here: what others set is theirs, and stays
         self.forget_choices()
 
     def forget_choices(self) -> None:
@@ -33,16 +34,16 @@ class Suggesting(QObject):
         self._is_mosaic_chosen = self._are_seamlines_chosen = False
 
     def follow(self) -> None:
-        """Inputs, layers or suggestions may be others: sources that were the suggested ones are so again."""
+        """Inputs, layers or suggestions may be others: sources that were set here become what is suggested now."""
         inputs, project = self._session.inputs, QgsProject.instance()
-        before, is_same = set(self._suggested), inputs.mosaic == self._mosaic
+        is_same = inputs.mosaic == self._mosaic
         self._note(inputs.mosaic)
-        if project.mapLayer(inputs.mosaic) is None or not is_same:
+        if project.mapLayer(inputs.mosaic) is None or not is_same or not self._is_ours(inputs):
             return
         missing = tuple(source for source in inputs.sources if project.mapLayer(source) is None)
-        are_ours = set(inputs.sources).difference(missing) == before.difference(missing)
-        if are_ours and (before or not inputs.source_index) and before.difference(missing) != set(self._suggested):
-            self._session.set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
+        is_index_enough = not inputs.sources and bool(inputs.source_index)
+        if not is_index_enough and set(inputs.sources).difference(missing) != set(self._suggested):
+            self._set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
 
     def choose_mosaic(self, layer_id: str) -> None:
         """The operator's choice. Another mosaic of the same block keeps its sources, a new block gets the suggested."""
@@ -53,7 +54,11 @@ class Suggesting(QObject):
         self._note(layer_id)
         kept = tuple(source for source in inputs.sources if source != layer_id)
         is_kept = not layer_id or bool(set(kept) & set(self._suggested))
-        self._session.set_inputs(replace(inputs, mosaic=layer_id, sources=kept if is_kept else self._suggested))
+        chosen = replace(inputs, mosaic=layer_id, sources=kept if is_kept else self._suggested)
+        if is_kept and not self._is_ours(inputs):
+            self._session.set_inputs(chosen)
+        else:
+            self._set_inputs(chosen)
         self.suggest_layers()
 
     def choose_seamlines(self, layer_id: str) -> None:
@@ -64,7 +69,7 @@ class Suggesting(QObject):
     def take_suggested(self) -> None:
         """The operator wants the suggested sources."""
         self._note(self._session.inputs.mosaic)
-        self._session.set_inputs(replace(self._session.inputs, sources=self._suggested))
+        self._set_inputs(replace(self._session.inputs, sources=self._suggested))
 
     def suggest_layers(self) -> None:
         """Mosaic and seamlines where the project has one candidate each, and the operator has said nothing of them."""
@@ -75,10 +80,19 @@ class Suggesting(QObject):
         if found.mosaic != inputs.mosaic:
             self._note(found.mosaic)
             found = replace(found, sources=self._suggested)
+            self._set = found.sources
         if not self._are_seamlines_chosen:
             found = with_likely_vectors(found)
         if found != inputs:
             self._session.set_inputs(found)
+
+    def _is_ours(self, inputs: Inputs) -> bool:
+        """By identity: the same sources set by the operator, the project or a script are theirs."""
+        return inputs.sources is self._set
+
+    def _set_inputs(self, inputs: Inputs) -> None:
+        self._set = inputs.sources
+        self._session.set_inputs(inputs)
 
     def _note(self, mosaic_id: str) -> None:
         self.sources.follow(mosaic_id)

@@ -33,6 +33,7 @@ from .mosaic_copies import (
     is_made_of,
 )
 from .raster_facts import SUGGESTED, Suitability, left_out
+from .turning import Comparison, Origin, Rival, origin_of, put_together_from
 
 SIDE_PX = 64  # of a patch
 PLACES, PLACES_OF_ALL = 5, 10  # along each side of what a raster shares with the mosaic; of one that covers it all
@@ -42,6 +43,7 @@ COARSE_PX = 8  # side of the means that tell whether two patches show the same t
 LEAST_SAME_CONTENT = 0.3  # median correlation of those
 SINGLE_SHARE = 0.9  # of places that one other candidate explains: it is the same image, and none put together
 SAME_IMAGE_PLACE = 0.98  # of each of two images, that the other covers
+MOST_TURNING = 36  # places at which it is seen whether one turns with the mosaic
 MOST_COMPARED = 8  # places at which a raster is compared with other candidates
 
 Cancelled = Callable[[], bool]
@@ -126,6 +128,7 @@ class _Look:
         self._known = {id(one.source): one for one in known}
         self._parts = [one.source for one in known if not one.is_whole]
         self._wholes = [one.source for one in known if one.is_whole]
+        self._names = {one.candidate.key: one.candidate.name for one in known}
         self._pool = pool
 
     def standing(self, one: _Placed) -> Suitability:
@@ -151,16 +154,20 @@ class _Look:
             return messages.MAY_BE_MOSAIC() if one.is_whole else None
         likes = np.array([patch.like for patch in patches])
         if likes.min() >= LEAST_LIKE and np.median(likes) >= MEDIAN_LIKE:
-            if one.is_whole:
-                return messages.MOSAIC_AGAIN()
-            explained = [bool(self._explainers(patch, one)) for patch in patches[:MOST_COMPARED]]
-            return messages.MOSAIC_PART_AGAIN() if 2 * sum(explained) >= len(explained) else None
+            return self._against_alike(one, patches)
         if not (likes >= MEDIAN_LIKE).any():
             if one.is_whole:
                 return messages.NOT_FOLLOWED()
             if np.median([patch.coarse for patch in patches]) < LEAST_SAME_CONTENT:
                 return messages.OTHER_CONTENT()
         return self._against_others(one, patches)
+
+    def _against_alike(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
+        """Of one that is like the mosaic everywhere."""
+        origin = origin_of([self._compared(patch, one) for patch in patches[:MOST_TURNING]])
+        if origin is Origin.MOSAIC:
+            return messages.MOSAIC_AGAIN() if one.is_whole else messages.MOSAIC_PART_AGAIN()
+        return messages.MOSAIC_OR_ITS_SOURCE() if one.is_whole and origin is Origin.UNKNOWN else None
 
     def _against_others(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
         """Whether it is put together from other candidates: they explain it where the mosaic is not like it."""
@@ -172,8 +179,11 @@ class _Look:
             counts = Counter(name for names in explained for name in names)
             first, most = counts.most_common(1)[0]
             if most < SINGLE_SHARE * len(explained):
-                second = next(names[0] for names in explained if first not in names)
-                return messages.ANOTHER_MOSAIC(first=first, second=second)
+                if one.is_whole:
+                    second = next(names[0] for names in explained if first not in names)
+                    return messages.ANOTHER_MOSAIC(first=first, second=second)
+                pair = put_together_from([self._compared(patch, one) for patch in patches])
+                return pair and messages.ANOTHER_MOSAIC(first=self._names[pair[0]], second=self._names[pair[1]])
             if self._is_same_image(one, first):
                 return messages.SAME_IMAGE(name=first)
         return messages.MAY_BE_MOSAIC() if one.is_whole and not unlike else None
@@ -188,6 +198,13 @@ class _Look:
                 return min(covered_share(here, there), covered_share(there, here)) > SAME_IMAGE_PLACE
         return False
 
+    def _compared(self, patch: _Patch, one: _Placed) -> Comparison:
+        """With all others there, those that cover the mosaic among them unless they would have to be warped."""
+        extent = self._mosaic.grid.window_extent(patch.window)
+        wholes = [source for source in self._wholes if self._pool.open(source.ref).raster.wkt == self._mosaic.wkt]
+        others = [source for source in sources_in([*self._parts, *wholes], extent) if source is not one.source]
+        return Comparison(patch.like, self._rivals(patch, others))
+
     def _others(self, patch: _Patch, one: _Placed) -> list[Source]:
         """Candidates at a place; those that cover the mosaic explain each other, and only where there are no others."""
         extent = self._mosaic.grid.window_extent(patch.window)
@@ -198,16 +215,22 @@ class _Look:
 
     def _explainers(self, patch: _Patch, one: _Placed) -> list[str]:
         """Names of the other candidates that this one is like at a place."""
-        found = []
-        for source in self._others(patch, one):
+        rivals = self._rivals(patch, self._others(patch, one))
+        return [self._names[key] for key, rival in rivals.items() if rival.like_one >= MEDIAN_LIKE]
+
+    def _rivals(self, patch: _Patch, others: Sequence[Source]) -> dict[str, Rival]:
+        """Other candidates at a place, by their keys, where there is enough to see."""
+        ours = self._pool.open(self._mosaic.ref).read(patch.window)
+        mosaic, found = ours.bands[:1].astype(np.float64), {}
+        for source in others:
             try:
                 bands, valid = self._read(source, patch.window)
             except RasterError:
                 continue
-            both = patch.valid & valid
-            can_tell = both.mean() >= LEAST_VALID and _has_content(patch.bands, bands, both)
-            if can_tell and correlation_of(patch.bands, bands, both) >= MEDIAN_LIKE:
-                found.append(self._known[id(source)].candidate.name)
+            both = patch.valid & valid & ours.valid
+            if both.mean() >= LEAST_VALID and _has_content(patch.bands, bands, both):
+                likes = (correlation_of(other, bands, both) for other in (mosaic, patch.bands))
+                found[self._known[id(source)].candidate.key] = Rival(*likes)
         return found
 
     def _patch(self, source: Source, window: PixelWindow) -> _Patch | None:

@@ -14,6 +14,10 @@ OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a 
 # by its pixels
 BEING_LOOKED_AT = Message("Covers the whole mosaic: being compared with it ...", INFO)
 MOSAIC_AGAIN = Message("The mosaic again: alike wherever they were compared. It would hide every loss.", INFO)
+MOSAIC_OR_ITS_SOURCE = Message(
+    "Like the mosaic wherever they were compared: the mosaic again, or the one orthoimage that it was made from; check "
+    "it if it is that.", INFO
+)
 MOSAIC_PART_AGAIN = Message(
     "A part of the mosaic again: alike wherever they were compared, though other sources lie there.", INFO
 )

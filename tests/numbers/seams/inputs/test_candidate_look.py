@@ -18,6 +18,7 @@ from seam_inspector.plugin.seams.measure.inputs.raster_facts import (
     suitable_by_header,
 )
 
+from demo.block import make_block
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import ORIGIN, orthoimage
 
@@ -157,4 +158,12 @@ def test_relatives_of_brighton(data_folder: Path, tmp_path: Path, name: str) -> 
     assert found["linked"] == messages.MADE_OF_MOSAIC.template
     assert found["block"] == messages.ANOTHER_MOSAIC.template
     for one in ("rgba", "deep", "degrees", "jpeg"):
-        assert found[one] == messages.MOSAIC_AGAIN.template
+        assert found[one] in (messages.MOSAIC_AGAIN.template, messages.MOSAIC_OR_ITS_SOURCE.template)
+
+
+def test_well_registered_sources_stay_and_crops_of_their_mosaic_do_not(tmp_path: Path) -> None:
+    block = make_block(tmp_path, extent_m=(120.0, 100.0))
+    crop = str(tmp_path / "crop.tif")
+    gdal.Translate(crop, str(block.mosaic), srcWin=[240, 200, 720, 600])
+    found = reasons(str(block.mosaic), crop, *map(str, block.sources))
+    assert found == {"crop": messages.MOSAIC_PART_AGAIN.template, **{path.stem: "" for path in block.sources}}

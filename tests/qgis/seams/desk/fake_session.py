@@ -38,8 +38,8 @@ class FakeSession(QObject):
         self.chosen: list[int] = []
 
     def set_inputs(self, inputs: Inputs) -> None:
-        if inputs != self.inputs:
-            self.inputs = inputs
+        before, self.inputs = self.inputs, inputs
+        if inputs != before:
             self.settings.append(inputs)
             self.inputsChanged.emit()
 

@@ -24,15 +24,23 @@ from tests.qgis.seams.desk.session_desk import wait_until
 GONE = "sheet_144_c0ffcfeb_70d2_4cb8_bb70_bc0774454265"  # the id of a layer that was removed
 
 
+def noisy(scene: Scene) -> list[np.ndarray]:
+    """Both sources with the noise that tells two flights apart."""
+    random = np.random.default_rng(3)
+    both = (whole(scene.west), whole(scene.east))
+    return [np.clip(one + random.normal(0, 12, one.shape), 1, 255).astype(np.uint8) for one in both]
+
+
 class Desk:
     """The panel, its session and the project's layers."""
 
     def __init__(self, scene: Scene, folder: Path) -> None:
         east = ORIGIN[0] + 192 * PIXEL, ORIGIN[1]
+        images = noisy(scene)
         paths = (
             scene.mosaic,
-            Path(write_raster(folder / "west.tif", whole(scene.west)[..., :320])),
-            Path(write_raster(folder / "east.tif", whole(scene.east)[..., 192:], origin=east)),
+            Path(write_raster(folder / "west.tif", images[0][..., :320])),
+            Path(write_raster(folder / "east.tif", images[1][..., 192:], origin=east)),
         )
         self.rasters = {path.stem: QgsRasterLayer(str(path), path.stem) for path in paths}
         QgsProject.instance().addMapLayers(list(self.rasters.values()))
@@ -44,6 +52,16 @@ class Desk:
 
     def set_all(self) -> None:
         self.session.set_inputs(Inputs(mosaic=self.id("mosaic"), sources=(self.id("east"), self.id("west"))))
+
+    def add_cut_mosaic_and_part(self, scene: Scene, folder: Path) -> None:
+        """Layers ``cut``, a hard cut of both sources, and ``part``, a piece of it with the seam."""
+        west, east = noisy(scene)
+        pixels = np.concatenate([west[..., :256], east[..., 256:]], axis=-1)
+        write_raster(folder / "cut.tif", pixels)
+        write_raster(folder / "part.tif", pixels[..., 64:400], origin=(ORIGIN[0] + 64 * PIXEL, ORIGIN[1]))
+        for name in ("cut", "part"):
+            self.rasters[name] = QgsRasterLayer(str(folder / f"{name}.tif"), name)
+            QgsProject.instance().addMapLayer(self.rasters[name])
 
     def choose(self, box: str, layer_id: str) -> None:
         """As the operator does, with the mouse."""
@@ -129,14 +147,33 @@ def test_what_is_no_source_by_its_header_is_left_out_with_the_reason(desk: Desk,
 def test_what_is_no_source_by_its_pixels_is_unchecked_once_it_was_looked_at(
     desk: Desk, scene: Scene, tmp_path: Path
 ) -> None:
-    part = write_raster(tmp_path / "part.tif", whole(scene.mosaic)[..., 64:320], origin=(ORIGIN[0] + 6.4, ORIGIN[1]))
-    QgsProject.instance().addMapLayers([QgsRasterLayer(str(part), "part")])
-    desk.choose("mosaic", desk.id("mosaic"))
+    desk.add_cut_mosaic_and_part(scene, tmp_path)
+    desk.choose("mosaic", desk.id("cut"))
     assert desk.listed()["part"]
     desk.check("part", True)
     wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
     assert not desk.listed()["part"]
     assert "part of the mosaic again" in desk.reason("part")
+
+
+@pytest.mark.parametrize("is_suggested_before", [False, True])
+def test_sources_that_somebody_set_stay_whatever_the_look_finds(
+    desk: Desk, scene: Scene, tmp_path: Path, is_suggested_before: bool
+) -> None:
+    desk.add_cut_mosaic_and_part(scene, tmp_path)
+    sources = tuple(desk.id(name) for name in ("east", "part", "west"))
+    if is_suggested_before:
+        desk.choose("mosaic", desk.id("cut"))
+        sources = (*desk.session.inputs.sources,)  # another tuple, as a script has
+        assert {"east", "part", "west"} <= desk.sources
+    before = set(sources)
+    desk.session.set_inputs(replace(desk.session.inputs, mosaic=desk.id("cut"), sources=sources))
+    desk.panel.refresh()
+    wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
+    assert "part of the mosaic again" in desk.reason("part")
+    assert set(desk.session.inputs.sources) == before
+    desk.panel.sources.suggested.click()
+    assert {"east", "west"} <= desk.sources and "part" not in desk.sources
 
 
 def test_another_mosaic_of_the_same_block_keeps_the_sources(desk: Desk, scene: Scene) -> None:
@@ -160,7 +197,7 @@ def test_sources_are_checked_one_by_one_all_and_none(desk: Desk) -> None:
 
 
 def test_rasters_loaded_later_become_sources_unless_the_operator_chose(desk: Desk, scene: Scene) -> None:
-    desk.set_all()
+    desk.choose("mosaic", desk.id("mosaic"))
     east = desk.rasters["east"].source()
     more = QgsRasterLayer(east, "more")
     QgsProject.instance().addMapLayer(more)
