@@ -164,7 +164,7 @@ class _Look:
 
     def _against_alike(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
         """Of one that is like the mosaic everywhere."""
-        origin = origin_of([self._compared(patch, one) for patch in patches[:MOST_TURNING]])
+        origin = origin_of([self._compared(patch, one) for patch in patches[:MOST_TURNING]], one.is_whole)
         if origin is Origin.MOSAIC:
             return messages.MOSAIC_AGAIN() if one.is_whole else messages.MOSAIC_PART_AGAIN()
         return messages.MOSAIC_OR_ITS_SOURCE() if one.is_whole and origin is Origin.UNKNOWN else None

@@ -25,6 +25,11 @@ LEAST_AGREEING = 0.95  # of the places where two others differ: copies 0.97 and 
 DISTINCT = 0.3  # correlation with one above that with another: it is that one's image, and no neighbour on even ground
 
 
+MANY_BEATEN = 8  # pairs of others at such places
+LEAST_FOLLOWED = 0.4  # of a difference between two others that the mosaic shows: what turns with it shows as much
+LEAST_FOLLOWING = 0.85  # of those pairs
+
+
 class Origin(Enum):
     """What a raster that is like the mosaic everywhere is."""
 
@@ -53,13 +58,20 @@ class Comparison:
     rivals: Mapping[str, Rival]
 
 
-def origin_of(comparisons: Sequence[Comparison]) -> Origin:
-    """By its places, with those rivals that are not even more like the mosaic, as other copies are."""
-    found = _without_copies(comparisons)
-    best = np.array([max((rival.like_mosaic for rival in one.rivals.values()), default=-1.0) for one in found])
+def origin_of(comparisons: Sequence[Comparison], is_whole: bool) -> Origin:
+    """By its places, with those rivals that are not even more like the mosaic, as other copies are.
+
+    One that covers the whole mosaic is a copy of it more often than not; of others the drop is asked first.
+    """
+    found = [one for one in _without_copies(comparisons) if one.rivals]
+    if not found:
+        return Origin.UNKNOWN
+    best = np.array([max(rival.like_mosaic for rival in one.rivals.values()) for one in found])
     likes = np.array([one.like for one in found])
     beaten = best - likes > BEATEN_BY
-    if beaten.sum() >= FEWEST_BEATEN and not beaten.all():
+    if is_whole and _turns_where_beaten([one for one, is_beaten in zip(found, beaten) if is_beaten]):
+        return Origin.MOSAIC
+    if min(beaten.sum(), (~beaten).sum()) >= FEWEST_BEATEN:
         lacks_there, lacks_elsewhere = (float(np.median(1 - likes[which])) for which in (beaten, ~beaten))
         if lacks_there > LEAST_DROP * lacks_elsewhere:
             return Origin.SOURCE
@@ -92,6 +104,17 @@ def _turns(comparisons: Sequence[Comparison]) -> bool:
         agreeing += (ours * theirs > 0)[plain].tolist()
         is_turning = is_turning or bool((ours > TURNING_BY).any() and (ours < -TURNING_BY).any())
     return is_turning and float(np.mean(agreeing)) >= LEAST_AGREEING
+
+
+def _turns_where_beaten(comparisons: Sequence[Comparison]) -> bool:
+    """Whether it follows the mosaic even where others are more like that, as a copy with loss does."""
+    followed: list[bool] = []
+    for one in comparisons:
+        for first, second in combinations(one.rivals.values(), 2):
+            ours = first.like_mosaic - second.like_mosaic
+            if abs(ours) > TURNING_BY:
+                followed.append((first.like_one - second.like_one) / ours > LEAST_FOLLOWED)
+    return len(followed) >= MANY_BEATEN and float(np.mean(followed)) >= LEAST_FOLLOWING and _turns(comparisons)
 
 
 def _without_copies(comparisons: Sequence[Comparison]) -> list[Comparison]:
