@@ -25,6 +25,8 @@ LEAST_AGREEING = 0.95  # of the places where two others differ: copies 0.97 and 
 DISTINCT = 0.3  # correlation with one above that with another: it is that one's image, and no neighbour on even ground
 
 
+MOST_EVEN = 1.5  # two orthoimages of a pair lack about as much where the mosaic follows the other
+ROUNDING = 0.01  # of a correlation: what sharpening or bits change
 MANY_BEATEN = 8  # pairs of others at such places
 LEAST_FOLLOWED = 0.4  # of a difference between two others that the mosaic shows: what turns with it shows as much
 LEAST_FOLLOWING = 0.85  # of those pairs
@@ -118,12 +120,13 @@ def _turns_where_beaten(comparisons: Sequence[Comparison]) -> bool:
 
 
 def _without_copies(comparisons: Sequence[Comparison]) -> list[Comparison]:
-    """Without rivals whose least likeness to the mosaic is above the raster's own, where both are."""
+    """Without rivals that lack plainly less of the mosaic than the raster does, each at its worst of their places."""
     names = {name for one in comparisons for name in one.rivals}
     kept = set()
     for name in names:
         shared = [one for one in comparisons if name in one.rivals]
-        if min(one.rivals[name].like_mosaic for one in shared) <= min(one.like for one in shared):
+        least = min(one.rivals[name].like_mosaic for one in shared)
+        if 1 - min(one.like for one in shared) <= MOST_EVEN * (1 - least) + ROUNDING:
             kept.add(name)
     return [
         Comparison(one.like, {name: rival for name, rival in one.rivals.items() if name in kept}) for one in comparisons
