@@ -33,7 +33,7 @@ from .mosaic_copies import (
     is_made_of,
 )
 from .raster_facts import SUGGESTED, Suitability, left_out
-from .turning import Comparison, Origin, Rival, origin_of, put_together_from
+from .turning import SLIGHTLY_DISTINCT, Origin, PlaceLikeness, Rival, origin_of, put_together_from
 
 SIDE_PX = 64  # of a patch
 PLACES, PLACES_OF_ALL = 5, 10  # along each side of what a raster shares with the mosaic; of one that covers it all
@@ -167,6 +167,10 @@ class _Look:
         origin = origin_of([self._compared(patch, one) for patch in patches[:MOST_TURNING]], one.is_whole)
         if origin is Origin.MOSAIC:
             return messages.MOSAIC_AGAIN() if one.is_whole else messages.MOSAIC_PART_AGAIN()
+        if one.is_whole and self._parts:  # what covers it all where others are parts is a mosaic before it is a source
+            over_parts = [PlaceLikeness(patch.like, self._rivals(patch, self._others(patch, one))) for patch in patches]
+            if (pair := put_together_from(over_parts, SLIGHTLY_DISTINCT)) is not None:
+                return messages.ANOTHER_MOSAIC(first=self._names[pair[0]], second=self._names[pair[1]])
         return messages.MOSAIC_OR_ITS_SOURCE() if one.is_whole and origin is Origin.UNKNOWN else None
 
     def _against_others(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
@@ -198,12 +202,12 @@ class _Look:
                 return min(covered_share(here, there), covered_share(there, here)) > SAME_IMAGE_PLACE
         return False
 
-    def _compared(self, patch: _Patch, one: _Placed) -> Comparison:
+    def _compared(self, patch: _Patch, one: _Placed) -> PlaceLikeness:
         """With all others there, those that cover the mosaic among them unless they would have to be warped."""
         extent = self._mosaic.grid.window_extent(patch.window)
         wholes = [source for source in self._wholes if self._pool.open(source.ref).raster.wkt == self._mosaic.wkt]
         others = [source for source in sources_in([*self._parts, *wholes], extent) if source is not one.source]
-        return Comparison(patch.like, self._rivals(patch, others))
+        return PlaceLikeness(patch.like, self._rivals(patch, others))
 
     def _others(self, patch: _Patch, one: _Placed) -> list[Source]:
         """Candidates at a place; those that cover the mosaic explain each other, and only where there are no others."""

@@ -22,6 +22,7 @@ LEAST_DROP = 2.5
 FEWEST_BEATEN = 2  # places; one may be by chance
 LEAST_AGREEING = 0.95  # of the places where two others differ: copies 0.97 and more, orthoimages 0.9 and less
 
+SLIGHTLY_DISTINCT = 0.1
 DISTINCT = 0.3  # correlation with one above that with another: it is that one's image, and no neighbour on even ground
 
 
@@ -52,7 +53,7 @@ class Rival:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class PlaceLikeness:
     """A raster at one place, and the others there by name."""
 
     like: float
@@ -60,7 +61,7 @@ class Comparison:
     rivals: Mapping[str, Rival]
 
 
-def origin_of(comparisons: Sequence[Comparison], is_whole: bool) -> Origin:
+def origin_of(comparisons: Sequence[PlaceLikeness], is_whole: bool) -> Origin:
     """By its places, with those rivals that are not even more like the mosaic, as other copies are.
 
     One that covers the whole mosaic is a copy of it more often than not; of others the drop is asked first.
@@ -80,20 +81,19 @@ def origin_of(comparisons: Sequence[Comparison], is_whole: bool) -> Origin:
     return Origin.MOSAIC if _turns(found) else Origin.UNKNOWN
 
 
-def put_together_from(comparisons: Sequence[Comparison]) -> tuple[str, str] | None:
+def put_together_from(comparisons: Sequence[PlaceLikeness], by: float = DISTINCT) -> tuple[str, str] | None:
     """Two others that a raster was put together from: plainly the one's image here, and the second's there."""
     found = _without_copies(comparisons)
     for first, second in combinations(sorted({name for one in found for name in one.rivals}), 2):
         both = [(one.rivals[first], one.rivals[second]) for one in found if {first, second} <= one.rivals.keys()]
         more = np.array([a.like_one - b.like_one for a, b in both])
-        if (more > DISTINCT).any() and (more < -DISTINCT).any():
-            likes = np.array([max(a.like_one, b.like_one) for a, b in both])[np.abs(more) > DISTINCT]
-            if likes.min() >= MEDIAN_LIKE:
-                return first, second
+        is_like = np.array([max(a.like_one, b.like_one) for a, b in both]) >= MEDIAN_LIKE
+        if (is_like & (more > by)).any() and (is_like & (more < -by)).any():
+            return first, second
     return None
 
 
-def _turns(comparisons: Sequence[Comparison]) -> bool:
+def _turns(comparisons: Sequence[PlaceLikeness]) -> bool:
     """Whether the mosaic follows one of two others here and the second there, and the raster does so with it."""
     names = sorted({name for one in comparisons for name in one.rivals})
     agreeing: list[bool] = []
@@ -108,7 +108,7 @@ def _turns(comparisons: Sequence[Comparison]) -> bool:
     return is_turning and float(np.mean(agreeing)) >= LEAST_AGREEING
 
 
-def _turns_where_beaten(comparisons: Sequence[Comparison]) -> bool:
+def _turns_where_beaten(comparisons: Sequence[PlaceLikeness]) -> bool:
     """Whether it follows the mosaic even where others are more like that, as a copy with loss does."""
     followed: list[bool] = []
     for one in comparisons:
@@ -119,7 +119,7 @@ def _turns_where_beaten(comparisons: Sequence[Comparison]) -> bool:
     return len(followed) >= MANY_BEATEN and float(np.mean(followed)) >= LEAST_FOLLOWING and _turns(comparisons)
 
 
-def _without_copies(comparisons: Sequence[Comparison]) -> list[Comparison]:
+def _without_copies(comparisons: Sequence[PlaceLikeness]) -> list[PlaceLikeness]:
     """Without rivals that lack plainly less of the mosaic than the raster does, each at its worst of their places."""
     names = {name for one in comparisons for name in one.rivals}
     kept = set()
@@ -129,5 +129,5 @@ def _without_copies(comparisons: Sequence[Comparison]) -> list[Comparison]:
         if 1 - min(one.like for one in shared) <= MOST_EVEN * (1 - least) + ROUNDING:
             kept.add(name)
     return [
-        Comparison(one.like, {name: rival for name, rival in one.rivals.items() if name in kept}) for one in comparisons
+        PlaceLikeness(one.like, {name: rival for name, rival in one.rivals.items() if name in kept}) for one in comparisons
     ]
