@@ -129,5 +129,6 @@ def _without_copies(comparisons: Sequence[PlaceLikeness]) -> list[PlaceLikeness]
         if 1 - min(one.like for one in shared) <= MOST_EVEN * (1 - least) + ROUNDING:
             kept.add(name)
     return [
-        PlaceLikeness(one.like, {name: rival for name, rival in one.rivals.items() if name in kept}) for one in comparisons
+        PlaceLikeness(one.like, {name: rival for name, rival in one.rivals.items() if name in kept})
+        for one in comparisons
     ]
