@@ -6264,7 +6264,7 @@
         <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="51"/>
         <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
         <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
@@ -6444,12 +6444,12 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
         <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} wszędzie jest taki jak mozaika, jest więc jej kopią albo mozaiką, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako obraz źródłowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="50"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="54"/>
         <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells nothing, so give the orthoimages that the mosaic was made from.</source>
         <translation>{name} wszędzie jest taki jak mozaika i nie ma innego obrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc obrazy źródłowe, z których mozaika powstała.</translation>
     </message>
@@ -7649,57 +7649,57 @@
         <translation>To znów ortofotomapa: taka sama wszędzie, gdzie je porównano. Ukryłaby każdą stratę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
         <source>A part of the mosaic again: alike wherever they were compared, though other sources lie there.</source>
         <translation>To znów część ortofotomapy: taka sama wszędzie, gdzie je porównano, choć leżą tam inne ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="20"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="24"/>
         <source>A VRT of the mosaic. It would hide every loss.</source>
         <translation>VRT ortofotomapy. Ukryłby każdą stratę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
         <source>Another mosaic: partly {first}, partly {second}.</source>
         <translation>Inna ortofotomapa: częściowo {first}, częściowo {second}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="26"/>
         <source>The same image as {name}.</source>
         <translation>Ten sam obraz co {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="23"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
         <source>Covers the whole mosaic and is like it nowhere.</source>
         <translation>Pokrywa całą ortofotomapę i nigdzie nie jest do niej podobny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="24"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
         <source>Shows something else than the mosaic: a map, or another time.</source>
         <translation>Pokazuje co innego niż ortofotomapa: mapę albo inny czas.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
         <source>Covers the whole mosaic, as another mosaic would; check it if it is one of the orthoimages.</source>
         <translation>Pokrywa całą ortofotomapę, jak inna ortofotomapa; zaznacz go, jeśli jest jednym z ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="32"/>
         <source>Could not be compared with the mosaic: {why}</source>
         <translation>Nie można porównać z ortofotomapą: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="38"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="38"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="42"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
@@ -7827,6 +7827,11 @@
         <location filename="../plugin/seams/measure/messages.py" line="146"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
+        <source>Like the mosaic wherever they were compared: the mosaic again, or the one orthoimage that it was made from; check it if it is that.</source>
+        <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
     </message>
 </context>
 </TS>
