@@ -53,7 +53,7 @@ def test_dangers(small_block: Path, tmp_path: Path) -> None:
     say("dangers", run.seconds, run.report)
     check(run)
     before, after = run.report["before"], run.report["after"]
-    assert after.pop("our objects") <= before.pop("our objects")  # a leak would show ten times
+    assert after.pop("our objects") < before.pop("our objects") + 10  # a leak would show ten times
     assert after == before
     assert run.report["busy_at_exit"]
     assert run.seconds_to_exit < 60  # a few seconds on a machine of its own
