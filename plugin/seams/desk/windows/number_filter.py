@@ -47,10 +47,8 @@ _TEXTS = ("verdict", "reason", "observer", "remark", "observer_2", "remark_2", "
           "paper_verdict", "paper")  # fmt: skip
 _SHARES = ("kept", "sharpness", "added", "explained", "unclear_share")  # and what begins so: kept_1, kept_low
 _MOST = 2.0  # a share that is compared with more is meant in percent
-_COMPARED = (
-    QgsExpressionNodeBinaryOperator.boLT, QgsExpressionNodeBinaryOperator.boLE, QgsExpressionNodeBinaryOperator.boGT,
-    QgsExpressionNodeBinaryOperator.boGE, QgsExpressionNodeBinaryOperator.boEQ, QgsExpressionNodeBinaryOperator.boNE,
-)  # fmt: skip
+_OPERATOR = QgsExpressionNodeBinaryOperator.BinaryOperator
+_COMPARED = (_OPERATOR.boLT, _OPERATOR.boLE, _OPERATOR.boGT, _OPERATOR.boGE, _OPERATOR.boEQ, _OPERATOR.boNE)
 _QUOTED = re.compile(r"""('[^']*'|"[^"]*")""")
 _DECIMAL_COMMA = re.compile(r"\d,\d")
 

@@ -46,7 +46,9 @@ def test_the_folder_is_named_and_the_windows_move_at_the_first_saving(unsaved: D
     assert desk.project.read(str(home / "project.qgz"))
     desk.wait_for_opening()
     assert {number: row.observer for number, row in desk.rows().items()} == {1: "invisible", 2: "visible"}
-    assert all(desk.session.result(row.fid) is not None for row in desk.session.windows())
+    wait_until(
+        lambda: all(desk.session.result(row.fid) is not None for row in desk.session.windows()), "for what was measured"
+    )
     saved = QgsVectorLayer(f"{home / 'windows.gpkg'}|layername=windows", "saved", "ogr")
     assert sorted(feature["observer"] for feature in saved.getFeatures()) == ["invisible", "visible"]
 
