@@ -154,7 +154,8 @@ def tab_stops(dock: QWidget) -> list[QWidget]:
 
 def steps_up(dock: QWidget) -> list[str]:
     """Where Tab goes up, but into a column to the right, or to the left in a row."""
-    found, stops = [], tab_stops(dock)
+    found = []
+    stops = [stop for stop in tab_stops(dock) if not stop.visibleRegion().isEmpty()]  # else it is scrolled there
     for before, after in zip(stops, stops[1:]):
         down = _top(dock, after) - _top(dock, before)
         across = after.mapTo(dock, QPoint()).x() - before.mapTo(dock, QPoint()).x()

@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QEvent, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QPalette, QPixmap, QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QToolButton, QVBoxLayout, QWidget
 
 from ....toolkit.desk.chart_look import chart_style
+from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import sentence, tr
 from .profile_chart import ProfileChart
@@ -110,10 +111,8 @@ class ProfilePanel(QWidget):
         self._pages = QStackedWidget()
         self._pages.addWidget(self._text)
         self._pages.addWidget(self.chart)
-        self._status = QLabel()
-        self._status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._status.setTextFormat(Qt.TextFormat.PlainText)
-        self._status.setMargin(line // 6)
+        self._status = ClippedLabel(1)
+        self._status.setContentsMargins(*[line // 6] * 4)
         self._title = title = QLabel(tr("Seam profile"))
         title.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
@@ -149,6 +148,8 @@ class ProfilePanel(QWidget):
             button.toggled.connect(self._choose_levels)
             self._levels.append(button)
             self._tools.insertWidget(level, button)  # after the title
+        for before, after in zip(self._levels, [*self._levels[1:], self._export]):
+            QWidget.setTabOrder(before, after)
         self._colour_levels()
 
     def _colour_levels(self) -> None:
@@ -210,7 +211,6 @@ class ProfilePanel(QWidget):
             words = bin_words(shown, one) if one is not None else summary_words(shown)
             if (live := self._session.live) is not None:  # nothing is said while its profile is still to come
                 words = [tr("Live: ") + text for text in words] if live.profile is not None else [""]
-        metrics, room = self._status.fontMetrics(), self._status.width() - 2 * self._status.margin()
+        metrics, room = self._status.fontMetrics(), self._status.contentsRect().width()
         fitting = (text for text in words if metrics.horizontalAdvance(text) <= room)
-        self._status.setText(next(fitting, words[-1]))
-        self._status.setToolTip(words[0])
+        self._status.setText(next(fitting, words[-1]), words[0])
