@@ -90,6 +90,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
 def annotate(desk: Desk, shots: Path) -> None:
     """How sure, and why: one digit, and R with a few words."""
     session = desk.session
+    press(desk, desk.canvas, Qt.Key.Key_N)  # a digit right after V would be of the window just judged
     number = session.row(session.selected()[0]).window_id
     press(desk, desk.canvas, Qt.Key.Key_7)
     press(desk, desk.canvas, Qt.Key.Key_R)
