@@ -5,6 +5,7 @@ import errno
 import os
 import shutil
 import tempfile
+import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -12,7 +13,10 @@ from pathlib import Path
 from . import messages
 from .errors import SettingsError
 
-_UNFINISHED = ".unfinished-"
+
+def _beginning(path: Path) -> str:
+    """What the names of the folders in which a file is written begin with: known by the file, however long its name."""
+    return f".unfinished-{zlib.crc32(os.fsencode(path.name)):08x}-"
 
 
 @contextmanager
@@ -48,7 +52,7 @@ def replacing(path: Path) -> Iterator[Path]:
         return
     if path.exists() and not os.access(path, os.W_OK):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    folder = Path(tempfile.mkdtemp(prefix=_UNFINISHED, dir=path.parent))
+    folder = Path(tempfile.mkdtemp(prefix=_beginning(path), dir=path.parent))
     try:
         yield folder / path.name
         with suppress(OSError):
@@ -63,7 +67,5 @@ def drop_unfinished(path: Path) -> None:
     """Remove what processes that were killed left of a file, where it is sure that nobody is writing it now."""
     path = Path(os.path.realpath(path))
     with suppress(OSError):
-        for folder in path.parent.glob(f"{_UNFINISHED}*"):
-            names = [made.name for made in folder.iterdir()]  # none in one that somebody has just begun
-            if names and all(name.startswith(path.name) for name in names):
-                shutil.rmtree(folder, ignore_errors=True)
+        for folder in path.parent.glob(f"{_beginning(path)}*"):
+            shutil.rmtree(folder, ignore_errors=True)

@@ -1,11 +1,12 @@
 """What makes a scan start anew, and what does not."""
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.atomic_files import drop_unfinished
+from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, replacing
 from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.scan.journal.scan_fingerprint import fingerprint_of
@@ -36,13 +37,15 @@ def test_a_nodata_value_that_is_written_beside_it_does(mosaic: Path, said: str) 
     assert fingerprint_of(RasterRef(str(mosaic)), [], None) != before
 
 
-def test_what_a_killed_scan_left_goes_and_nothing_else(tmp_path: Path) -> None:
-    for folder, names in (("own", ["loss.tif", "loss.tif.aux.xml"]), ("other", ["else.tif"]), ("empty", [])):
-        (tmp_path / f".unfinished-{folder}").mkdir()
-        for name in names:
-            (tmp_path / f".unfinished-{folder}" / name).write_bytes(b"half")
-    drop_unfinished(tmp_path / "loss.tif")
-    assert sorted(path.name for path in tmp_path.iterdir()) == [".unfinished-empty", ".unfinished-other"]
+@pytest.mark.parametrize("written", [[], [""], ["", ".aux.xml"]], ids=len)
+@pytest.mark.parametrize("name", ["loss.tif", f"{'n' * 240}.tif"], ids=len)
+def test_what_a_killed_scan_left_goes_and_nothing_else(tmp_path: Path, name: str, written: list[str]) -> None:
+    """At whatever moment it was killed: before the first file, or after the last was moved to its place."""
+    with suppress(FileNotFoundError), replacing(tmp_path / name) as killed, replacing(tmp_path / "else.tif") as other:
+        for ending in written:
+            killed.with_name(f"{name}{ending}").write_bytes(b"half")
+        drop_unfinished(tmp_path / name)
+        assert list(tmp_path.iterdir()) == [other.parent]
 
 
 def test_equal_messages_are_told_once() -> None:
