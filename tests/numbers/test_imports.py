@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-SUBJECTS = ("seams", "noise", "radiometry", "resolution", "photos", "sensors")
+SUBJECTS = ("seams", "acceptance", "noise", "radiometry", "resolution", "photos", "sensors")
 FLOORS = ("imagery", "toolkit")
 FORBIDDEN_EVERYWHERE = (
     "PyQt5",  # qgis.PyQt is whichever there is

@@ -8,12 +8,12 @@ from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink, QgsProce
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import SettingsError
+from ...imagery.statistics.observers import UNSURE
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
-from ..measure.observers import UNSURE
 from ..measure.window_records import WindowRecord, contrast_of
 
 if TYPE_CHECKING:

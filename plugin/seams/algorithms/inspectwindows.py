@@ -16,6 +16,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
+from ...imagery.statistics.observers import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
@@ -24,7 +25,6 @@ from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
-from ..measure.observers import JUDGING_FIELDS
 from ..measure.window_records import REFERENCES
 from ..verdict_words import verdict_word
 from .block_parameters import check_sources, given_block, given_sources

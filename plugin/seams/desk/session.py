@@ -11,6 +11,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...imagery.errors import SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.message import Message
+from ...imagery.statistics.observers import FIRST, Operator
 from ...toolkit.layer_editing import edit_step
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
@@ -18,7 +19,6 @@ from ..clip_pictures import ClipPicture
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import Block, WindowRequest
 from ..measure.live.live_window import LiveWindow
-from ..measure.observers import FIRST, Operator
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..scan_job import ScanOrder

@@ -15,8 +15,8 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery.message import Message
+from ...imagery.statistics.intervals import Interval
 from . import limits, messages
-from .verdict_statistics.intervals import Interval
 from .verdict_statistics.neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods
 from .verdict_statistics.roc_area import MIN_VERDICTS, roc_area, wanted_verdicts
 from .verdict_statistics.smoothed_youden import smoothed_threshold

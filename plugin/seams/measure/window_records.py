@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from ...imagery.band_names import judged_band
 from ...imagery.grids import NumberedWindow
-from .observers import DECIDED
+from ...imagery.statistics.observers import DECIDED
 
 COMPOSITE = "composite"
 """The hard-cut composite of the sources, where a source's name or a clip's role would stand."""

@@ -19,6 +19,7 @@ from ...imagery.clips import read_overview
 from ...imagery.errors import RasterError
 from ...imagery.message import Message
 from ...imagery.reference_systems import metres_per_unit
+from ...imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
 from ...toolkit.translation import shown_number, tr
@@ -27,7 +28,6 @@ from ..clip_pictures import bytes_picture
 from ..judged_value import judged_value, judged_words
 from ..measure import messages
 from ..measure.inspection import Block
-from ..measure.observers import INVISIBLE, UNSURE, VISIBLE
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from ..verdict_words import VERDICTS, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections

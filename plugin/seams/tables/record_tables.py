@@ -10,10 +10,10 @@ from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ...imagery.band_names import judged_band
 from ...imagery.errors import SettingsError
+from ...imagery.statistics.observers import JUDGING_FIELDS, OPERATORS
 from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
 from ..measure import messages
-from ..measure.observers import JUDGING_FIELDS, OPERATORS
 from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
 from .result_tables import WINDOW_COLUMNS
 

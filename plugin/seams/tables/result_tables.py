@@ -11,6 +11,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
 from ...imagery.message import Message
 from ...imagery.shifts import Shift
+from ...imagery.statistics.observers import JUDGING_FIELDS
 from ...imagery.wavelets import DIRECTIONS, Curve
 from ...toolkit.attribute_values import whole_number
 from ...toolkit.table_fields import Column, column_features, column_fields, column_values, feature
@@ -18,7 +19,6 @@ from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
 from ..measure.changes import Change
 from ..measure.loss_forecast import Forecast, ForecastPair
-from ..measure.observers import JUDGING_FIELDS
 from ..measure.placing.window_placing import PlacedWindow
 from ..measure.profile.seam_profile import ProfileBin
 from ..measure.tone import Tone

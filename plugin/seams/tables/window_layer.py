@@ -26,6 +26,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import WindowLayerError
+from ...imagery.statistics.observers import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.attribute_values import is_known
 from ...toolkit.layer_editing import change_quietly, edit_step
@@ -34,7 +35,6 @@ from ...toolkit.table_fields import column_fields, column_values
 from ...toolkit.translation import tr
 from ...toolkit.version_differences import field
 from ..measure import messages
-from ..measure.observers import FIRST, JUDGING_FIELDS
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import WindowRecord
 from .record_tables import level_names, read_windows

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtWidgets import QMessageBox, QWidget
 
+from ....imagery.statistics.agreement import Agreement, agreement
 from ....toolkit.translation import percent, shown_number, tr
-from ...measure.verdict_statistics.agreement import Agreement, agreement
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord

@@ -13,8 +13,8 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QColor
 
+from ....imagery.statistics.observers import Operator
 from ....toolkit.translation import tr
-from ...measure.observers import Operator
 
 _NAME = "seam_inspector_blind"  # of the layer's style; its user's own one is kept beside it
 _BEFORE = "seam_inspector/style"  # custom property of the layer: the style that is to come back

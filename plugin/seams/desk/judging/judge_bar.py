@@ -10,11 +10,11 @@ from qgis.PyQt.QtCore import QEvent, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
+from ....imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
 from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.translation import tr
-from ...measure.observers import INVISIBLE, UNSURE, VISIBLE
 from ...window_summary import window_sentence
 from ..windows.verdict_chips import verdict_chip, window_tip, windows_sentence
 from .judging import Judging

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
+from ....imagery.statistics.observers import OPERATORS, Operator
 from ....toolkit.translation import tr
-from ...measure.observers import OPERATORS, Operator
 from ...verdict_words import observer_word
 from .judging_settings import JudgingSettings, load_judging, save_judging
 from .window_orders import WindowOrder, order_named

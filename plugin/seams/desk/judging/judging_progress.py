@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ....imagery.statistics.observers import DECIDED
 from ....toolkit.translation import tr
-from ...measure.observers import DECIDED
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord

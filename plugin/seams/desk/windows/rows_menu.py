@@ -9,8 +9,8 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QAction, QMenu, QWidget
 
+from ....imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
 from ....toolkit.translation import tr
-from ...measure.observers import INVISIBLE, UNSURE, VISIBLE
 
 
 def rows_menu(

@@ -22,12 +22,12 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ....imagery.statistics.observers import FIRST, UNSURE
 from ....toolkit.desk.confirmation import is_confirmed
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.message_bar import bar_level
 from ....toolkit.translation import sentence, tr
 from ...measure import messages
-from ...measure.observers import FIRST, UNSURE
 from ...verdict_words import VERDICTS, verdict_word
 from ..judging.window_orders import ORDERS, TABLE, WindowOrder, operators_disagree, tool_and_observer_disagree
 from .rows_menu import rows_menu

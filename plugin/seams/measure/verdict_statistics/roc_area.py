@@ -5,13 +5,12 @@ import math
 
 import numpy as np
 
-from .intervals import Interval
+from ....imagery.statistics.intervals import NORMAL_95, Interval
 from .neighbourhoods import Neighbourhoods
 
 MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %
 RESAMPLES = 2000  # of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends
 PERCENTILES_95 = (2.5, 97.5)
-NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %
 WANTED_AREA_ERROR = 0.05  # half of the 95 % interval of an area under the ROC curve that is known well enough
 
 

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..observers import DECIDED
-from .intervals import Interval
-from .roc_area import NORMAL_95
+from .intervals import NORMAL_95, Interval
+from .observers import DECIDED
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,159 @@
+"""The decision on a delivery, with all that it rests on."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from ...imagery.message import Message
+from ...imagery.statistics.agreement import Agreement
+from ...imagery.statistics.intervals import Interval
+from .acceptance_rules import AcceptanceRules
+from .delivery import DeliveredPiece, Delivery, SeenWindow
+from .sampling_plan import OperatingCharacteristic, SamplingPlan
+
+
+class PieceState(Enum):
+    """What became of a piece."""
+
+    PASSED = "passed"
+    FAILED = "failed"
+    NOT_MEASURED = "not_measured"
+
+
+@dataclass(frozen=True, eq=False)
+class DecidedPiece:
+    """A piece of seam, held against the least that it must keep."""
+
+    piece: DeliveredPiece
+    state: PieceState
+    is_unclear: bool
+    """Its 95 % interval holds the limit, so that nobody can tell on which side of it the piece is."""
+    run: int | None
+    """The failure without a break it belongs to, by its ``FailureRun.number``; None where it did not fail."""
+    is_sampled: bool
+    """Whether the decision by a plan looks at it; with all inspected every piece is."""
+    windows: tuple[SeenWindow, ...] = ()
+    """Inspected windows that lie over it, the one whose middle is nearest first."""
+
+
+@dataclass(frozen=True)
+class FailureRun:
+    """Failed pieces that follow each other without a break, across sheets where their ends touch."""
+
+    number: int
+    """1 for the longest."""
+    length_m: float
+    pieces: tuple[int, ...]
+    """The pieces' numbers, in the order in which they follow each other."""
+    sheets: tuple[str, ...]
+    place: tuple[float, float]
+    """A point half-way along it, in the delivery's reference system."""
+
+
+@dataclass(frozen=True)
+class MetreFigures:
+    """Of a sheet, or of the whole delivery."""
+
+    name: str
+    """Of the sheet; empty for the whole delivery."""
+    piece_count: int
+    failed_count: int
+    total_m: float
+    measured_m: float
+    failed_m: float
+    unclear_m: float
+    """In pieces of which the interval holds the limit, failed or passed."""
+    longest_failure_m: float
+    """Of the pieces in it alone."""
+
+    @property
+    def not_measured_m(self) -> float:
+        return self.total_m - self.measured_m
+
+    @property
+    def failed_share(self) -> float | None:
+        """Of what was measured, 0 to 1; None where nothing was."""
+        return self.failed_m / self.measured_m if self.measured_m else None
+
+    @property
+    def measured_share(self) -> float:
+        return self.measured_m / self.total_m if self.total_m else 0.0
+
+
+@dataclass(frozen=True)
+class RuleOutcome:
+    """One rule, held against the delivery."""
+
+    check: str
+    """One of ``acceptance_rules.CHECKS``."""
+    value: float | None
+    """Share as a fraction of 1, length in metres, or nonconforming items; None where it can't be measured."""
+    limit: float
+    """The smallest or largest value that passes."""
+    is_least: bool
+    """Whether ``limit`` is the smallest one."""
+    passed: bool | None
+    """None where it can't be told."""
+    source: str
+    """Where the limit comes from."""
+    sentence: Message
+    """The outcome in words."""
+
+
+@dataclass(frozen=True)
+class PlanOutcome:
+    """What a plan of sampling decided."""
+
+    plan: SamplingPlan
+    characteristic: OperatingCharacteristic
+    seed: int | None
+    """Of the drawing; None where the sample came with the layer, or is the whole lot."""
+    inspected: int
+    """Items of the sample that were measured."""
+    nonconforming: int
+    """Of these, that failed."""
+
+
+@dataclass(frozen=True)
+class Observers:
+    """What operators saw in the windows, against each other and against the tool."""
+
+    both: Agreement | None
+    """The two operators; None where only one judged."""
+    with_tool: Agreement | None
+    """The first operator (first) against the tool, which 'sees' what it calls significant; None where nobody judged."""
+
+
+@dataclass(frozen=True, eq=False)
+class Decision:
+    """What is done with a delivery, and why."""
+
+    accepted: bool
+    sentences: tuple[Message, ...]
+    """The decision with its risk first, then its reasons, then what could not be measured or told."""
+    rules: AcceptanceRules
+    delivery: Delivery
+    outcomes: tuple[RuleOutcome, ...]
+    """Of the rules that decide."""
+    whole: MetreFigures
+    sheets: tuple[MetreFigures, ...]
+    """In the order in which they were given."""
+    failed_share: Interval | None
+    """Of the measured metres, with its 95 % interval; None where nothing was measured."""
+    pieces: tuple[DecidedPiece, ...]
+    """In the delivery's order."""
+    runs: tuple[FailureRun, ...]
+    """The longest first."""
+    plan: PlanOutcome | None = None
+    """None with all inspected."""
+    observers: Observers | None = None
+    """None without windows."""
+
+    @property
+    def failed(self) -> tuple[DecidedPiece, ...]:
+        """The pieces to send back."""
+        return tuple(one for one in self.pieces if one.state is PieceState.FAILED)
+
+    @property
+    def longest_failure_m(self) -> float:
+        return self.runs[0].length_m if self.runs else 0.0

@@ -1,0 +1,90 @@
+"""What is delivered: the pieces of seam of all sheets, and the windows that somebody looked at."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery.grids import Extent
+
+
+@dataclass(frozen=True, eq=False)
+class DeliveredPiece:
+    """A piece of seam as the scan measured it."""
+
+    number: int
+    """Its place among all pieces of the delivery, from 0."""
+    sheet: str
+    """The layer it comes from."""
+    seam_id: str
+    """Which seam of its sheet; empty where the layer does not say."""
+    station_m: float | None
+    """Along its seam, where it begins."""
+    length_m: float
+    kept_1: float | None
+    """Share of the finest detail that the mosaic kept; None where nothing could be measured."""
+    kept_low: float | None
+    """Lower end of the 95 % interval of ``kept_1``."""
+    kept_high: float | None
+    """Upper end."""
+    band_width_m: float | None
+    """Full width of the band in which less than 0.9 is kept."""
+    verdict: str
+    """The scan's word; empty where there is none."""
+    reason: str
+    """Why the scan has no verdict."""
+    vertices: np.ndarray
+    """(n, 2) x and y in the delivery's reference system."""
+    left_source: str = ""
+    """The orthoimage on the left hand."""
+    right_source: str = ""
+    left_date: str = ""
+    """When the orthoimage on the left hand was taken, as the layer has it."""
+    right_date: str = ""
+    sampled: bool | None = None
+    """Whether it belongs to a sample that was drawn before; None where the layer does not say."""
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """The point half-way along it."""
+        x, y = self.vertices.T
+        along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+        return float(np.interp(along[-1] / 2, along, x)), float(np.interp(along[-1] / 2, along, y))
+
+
+@dataclass(frozen=True)
+class SeenWindow:
+    """A window that was inspected, and judged perhaps."""
+
+    window_id: str
+    extent: Extent
+    """In the delivery's reference system."""
+    cause: str = ""
+    """The strongest one."""
+    causes: str = ""
+    """All of them, strongest first, joined by ``; ``."""
+    verdict: str = ""
+    """The tool's."""
+    kept_1: float | None = None
+    observer: str = ""
+    """What the first operator saw: ``visible``, ``invisible``, ``unsure`` or nothing."""
+    observer_2: str = ""
+    remark: str = ""
+    remark_2: str = ""
+
+
+@dataclass(frozen=True)
+class Delivery:
+    """All that is judged together."""
+
+    pieces: tuple[DeliveredPiece, ...]
+    wkt: str
+    """The reference system of all coordinates."""
+    unit_m: float = 1.0
+    """Metres in a unit of the coordinates."""
+    windows: tuple[SeenWindow, ...] = ()
+
+    @property
+    def sheets(self) -> tuple[str, ...]:
+        """Their names, in the order in which they were given."""
+        return tuple(dict.fromkeys(piece.sheet for piece in self.pieces))
