@@ -10,6 +10,8 @@ SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("station", "real", lambda one: one.piece.station_m),
     Column("left_source", "text", lambda one: one.left),
     Column("right_source", "text", lambda one: one.right),
+    Column("left_date", "text", lambda one: one.left_date),
+    Column("right_date", "text", lambda one: one.right_date),
     Column("length", "real", lambda one: one.piece.length_m),
     Column("kept", "real", lambda one: one.kept, by_level=True),
     Column("kept_low", "real", lambda one: one.low),

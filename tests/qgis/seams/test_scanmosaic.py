@@ -71,8 +71,8 @@ def test_fields_and_numbers(scanned: Run) -> None:
     assert scanned.complaint is None
     assert scanned.log.warnings == scanned.log.errors == []
     assert scanned.layer("SEAMS").fields().names() == [
-        "seam_id", "station", "left_source", "right_source", "length", "kept_1", "kept_2", "kept_3", "kept_low",
-        "kept_high", "band_width", "verdict", "reason",
+        "seam_id", "station", "left_source", "right_source", "left_date", "right_date", "length", "kept_1",
+        "kept_2", "kept_3", "kept_low", "kept_high", "band_width", "verdict", "reason",
     ]
     assert scanned.layer("CELLS").fields().names() == ["source"]
     assert scanned.layer("WORST").fields().names() == ["window_id", "seam_id", "station"]

@@ -394,6 +394,17 @@ def test_names_of_the_seamlines_are_those_of_the_sources(feathered: Files) -> No
     assert "not given: 2 (7, 8" in found.log.warnings[0]
 
 
+@pytest.mark.parametrize("with_images", [True, False])
+def test_dates_of_the_seamlines_come_with_the_pieces(feathered: Files, with_images: bool) -> None:
+    dated = layer(
+        "LineString", [line(*places())], left_src=("string", ["west"]), right_src=("string", ["east.tif"]),
+        left_date=("string", ["2019-07-04"]), right_date=("string", ["2019-08-11"]),
+    )  # fmt: skip
+    rows = scan(feathered, SEAMLINES=dated, **({} if with_images else {"SOURCES": []})).rows("SEAMS")
+    days = {one[f"{side}_source"]: one[f"{side}_date"] for one in rows for side in ("left", "right")}
+    assert days == {"west.tif" if with_images else "west": "2019-07-04", "east.tif": "2019-08-11"}
+
+
 def test_ground_without_a_seam_is_no_seam(feathered: Files) -> None:
     """A line where the mosaic goes on with the same image: nothing is lost there."""
     found = scan(feathered, SEAMLINES=layer("LineString", [line((500, 0), (500, 520))]))

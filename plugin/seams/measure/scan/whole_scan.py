@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Callable, Protocol
 
@@ -16,6 +17,7 @@ from .journal.scan_fingerprint import fingerprint_of
 from .journal.scan_journal import ScanJournal, open_journal
 from .lone.lone_scan import LoneScanning
 from .results.gathering import Gathering, ScanResult
+from .results.judged_pieces import dated
 
 JOURNAL_ENDING = ".scan"
 """Of the file beside the first output that holds what is measured until the scan is complete."""
@@ -55,7 +57,9 @@ class WholeScan:
         """What all blocks together tell, the picture of losses as a file where a path is given; None when ``goes_on``,
         which is asked with the share that is done, says no."""
         with rasters_kept():
-            return self._scanning.result(loss_path, goes_on)
+            found = self._scanning.result(loss_path, goes_on)
+        dates = self.request.dates
+        return found and replace(found, pieces=tuple(dated(piece, dates) for piece in found.pieces))
 
     def finish(self) -> None:
         """All results are where they belong: nothing is left to go on from."""

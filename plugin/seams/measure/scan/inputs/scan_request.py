@@ -71,6 +71,13 @@ class ScanRequest:
         return source_numbers(names, [one.ref.name for one in self.sources])
 
     @cached_property
+    def dates(self) -> dict[str, str]:
+        """When sources were taken, as far as the seams say, by the names of their files and by those in the seams."""
+        given = self.given.dates if self.given else {}
+        numbers, _ = source_numbers(given, [one.ref.name for one in self.sources])
+        return {**given, **{self.sources[number].ref.name: given[name] for name, number in numbers.items()}}
+
+    @cached_property
     def tree(self) -> SourceTree:
         """The sources by place."""
         return SourceTree(self.sources)

@@ -1,8 +1,8 @@
 """Seams as producers deliver them: lines with what lies left and right, or polygons of what each part was made from."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import chain
 
 import numpy as np
@@ -41,6 +41,8 @@ class GivenSeams:
     """The polygons that name their orthoimage."""
     notices: tuple[Message, ...]
     """What is wrong with it or lacks in it, and is left out or assumed."""
+    dates: Mapping[str, str] = field(default_factory=dict)
+    """When what lies beside the seams was taken, by its name; of those only that are said to be of one date."""
 
 
 def given_seams(features: Iterable[SeamFeature], grid: Grid, source_field: str = "") -> GivenSeams:
@@ -74,11 +76,12 @@ def given_seams(features: Iterable[SeamFeature], grid: Grid, source_field: str =
         *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
         *polygon_faults(pieces.polygons, grid),
     ]
-    if fields.date and named and pieces.rings:
+    if fields.names_by_date and named and pieces.rings:
         notices.append(messages.SEAMS_NAMED_BY_DATE(field=fields.date))
     elif not named:
         notices.append(messages.SEAMS_UNNAMED())
-    return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices))
+    dates = {name: next(iter(days)) for name, days in pieces.dates.items() if len(days) == 1}
+    return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices), dates)
 
 
 class _Network:

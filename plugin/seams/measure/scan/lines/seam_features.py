@@ -35,6 +35,8 @@ class GatheredLines:
     """The source that each belongs to, else the feature; ``told`` says what it is called."""
     cells: list[Cell] = field(default_factory=list)
     """Polygons that name their source."""
+    dates: dict[str, set[str]] = field(default_factory=dict)
+    """When each source was taken, as far as anything says."""
     polygons: list[tuple[str, ogr.Geometry]] = field(default_factory=list)
     """All of them, repaired, with what they are called."""
     repaired: int = 0
@@ -83,11 +85,15 @@ def _gather(
     if not extents_meet(_extent(geometry), _widened(grid)):
         found.elsewhere += 1
         return True
-    source = said(attributes.get(fields.source)) if fields.source else ""
+    source = _said_in(attributes, fields.source)
     # Without a name each is a part of its own: two images of one day meet in a seam too.
-    date = said(attributes.get(fields.date)) if fields.date else ""
-    owner = source or f"{_UNNAMED}{number}{_UNNAMED}{date or _UNNAMED}"
-    sides = said(attributes.get(fields.left)), said(attributes.get(fields.right))
+    date = _said_in(attributes, fields.date)
+    owner = source or f"{_UNNAMED}{number}{_UNNAMED}{date if fields.names_by_date else ''}"
+    sides = _said_in(attributes, fields.left), _said_in(attributes, fields.right)
+    side_dates = _said_in(attributes, fields.left_date), _said_in(attributes, fields.right_date)
+    for name, day in ((told(owner), date), *zip(sides, side_dates)):
+        if name and day:
+            found.dates.setdefault(name, set()).add(day)
     for part in seamlines.simple_parts(geometry):
         if seamlines.is_polygon(part):
             _gather_polygon(found, part, number, owner)
@@ -100,6 +106,10 @@ def _gather(
             with gdal_silenced():
                 found.crossing += not part.IsSimple()
     return True
+
+
+def _said_in(attributes: Attributes, name: str) -> str:
+    return said(attributes.get(name)) if name else ""
 
 
 def _gather_polygon(found: GatheredLines, polygon: ogr.Geometry, number: int, owner: str) -> None:

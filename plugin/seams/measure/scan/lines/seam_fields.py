@@ -1,4 +1,4 @@
-"""In which field producers of mosaics write from which orthoimage a part of them is."""
+"""In which field producers of mosaics write from which orthoimage a part of them is, and when that was taken."""
 from __future__ import annotations
 
 import re
@@ -28,7 +28,12 @@ DATE_FIELDS = tuple(
     "phenomenon_time begin_position acquisition_date acq_date image_date img_date idate sdate srcdate source_date "
     "shot_date photo_date flight_date flown_date capture_date date_vol data_nalotu bildflug date".split()
 )
-"""Of polygons that name no orthoimage: parts of another day are of another one."""
+"""Of polygons, when they were taken. Where they name no orthoimage parts of another day are of another one."""
+DATE_SIDE_FIELDS = tuple(
+    (pattern.format(left), pattern.format(right)) for left, right in map(str.split, _SIDES)
+    for pattern in ("{}_date", "date_{}", "{}_acq_date", "{}_data", "data_{}", "{}_datum")
+)
+"""Of lines, in pairs."""
 
 Attributes = Mapping[str, object]
 
@@ -44,7 +49,16 @@ class SeamFields:
     right: str = ""
     """Of a line: what lies on its right hand."""
     date: str = ""
-    """Of a polygon: when its part was taken; looked for where ``source`` is empty only."""
+    """Of a polygon: when its part was taken."""
+    left_date: str = ""
+    """Of a line: when what lies on its left hand was taken."""
+    right_date: str = ""
+    """Of a line: the same on its right hand."""
+
+    @property
+    def names_by_date(self) -> bool:
+        """Whether nothing but dates says what a part of the mosaic was made from."""
+        return bool(self.date) and not self.source
 
 
 def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
@@ -55,20 +69,18 @@ def seam_fields(rows: Sequence[Attributes], given: str = "") -> SeamFields:
     """
     names = list(dict.fromkeys(name for row in rows for name in row))
     filled = {name for row in rows for name in row if said(row[name])}
+    known = {_bare(part): name for name in reversed(names) if name in filled for part in (_last(name), name)}
+    date, (left_date, right_date) = _first(DATE_FIELDS, known), _first_pair(DATE_SIDE_FIELDS, known)
     if given.strip():
         chosen = [part.strip() for part in given.split(",")]
         for name in chosen:
             if name not in names:
                 raise SettingsError(messages.SEAM_FIELD_MISSING(field=name, known=", ".join(names)))
         if len(chosen) == 2:
-            return SeamFields(left=chosen[0], right=chosen[1])
-        return SeamFields(source=given.strip())
-    known = {_bare(part): name for name in reversed(names) if name in filled for part in (_last(name), name)}
-    pairs = ((_bare(one), _bare(other)) for one, other in SIDE_FIELDS)
-    both = ((known[one], known[other]) for one, other in pairs if one in known and other in known)
-    left, right = next(both, ("", ""))
-    source = _first(SOURCE_FIELDS, known)
-    return SeamFields(source, left, right, "" if source else _first(DATE_FIELDS, known))
+            return SeamFields("", chosen[0], chosen[1], date, left_date, right_date)
+        return SeamFields(given.strip(), "", "", date)
+    left, right = _first_pair(SIDE_FIELDS, known)
+    return SeamFields(_first(SOURCE_FIELDS, known), left, right, date, left_date, right_date)
 
 
 def said(value: object) -> str:
@@ -82,6 +94,11 @@ def said(value: object) -> str:
 
 def _first(fields: Iterable[str], known: Mapping[str, str]) -> str:
     return next((known[_bare(field)] for field in fields if _bare(field) in known), "")
+
+
+def _first_pair(pairs: Iterable[tuple[str, str]], known: Mapping[str, str]) -> tuple[str, str]:
+    bare = ((_bare(one), _bare(other)) for one, other in pairs)
+    return next(((known[one], known[other]) for one, other in bare if one in known and other in known), ("", ""))
 
 
 def _bare(name: str) -> str:

@@ -1,8 +1,8 @@
 """Pieces of seam with what they kept, and the verdict on each."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from .....imagery.message import Message
 from ...following.likely_source import MIN_FIT
@@ -37,6 +37,10 @@ class JudgedPiece:
     verdict: Verdict
     reason: Message | None = None
     """Why there is no verdict."""
+    left_date: str | None = None
+    """When the source on the left hand was taken, where the seams say so."""
+    right_date: str | None = None
+    """The same of the one on the right hand."""
 
     @property
     def least_kept(self) -> float | None:
@@ -63,6 +67,11 @@ def judge_piece(
         why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     width = profile.band_width_px * ground_sample_distance
     return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why)
+
+
+def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
+    """A piece with the dates of its sources; ``dates``: by their names."""
+    return replace(one, left_date=dates.get(one.left or ""), right_date=dates.get(one.right or ""))
 
 
 def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:

@@ -140,6 +140,7 @@ def test_polygons_with_dates_alone_are_called_by_them() -> None:
         GRID,
     )
     assert [northward(seam) for seam in given.seams] == [("2016-07-04", "2016-07-04"), ("2016-07-04", "2016-08-11")]
+    assert given.dates == {"2016-07-04": "2016-07-04", "2016-08-11": "2016-08-11"}
     assert given.cells == ()
     assert "'SDATE'" in told(given)
 
@@ -147,6 +148,16 @@ def test_polygons_with_dates_alone_are_called_by_them() -> None:
 def test_polygons_that_share_no_border_are_no_seams() -> None:
     with pytest.raises(SeamlineError, match="share a border"):
         given_seams([box(0, 0, 90, 200, source="a"), box(100, 0, 400, 200, source="b")], GRID)
+
+
+def test_dates_beside_names_are_kept_and_name_nothing() -> None:
+    given = given_seams(
+        [box(0, 0, 100, 200, image="a", IDATE="2016-07-04"), box(100, 0, 200, 200, image="a", IDATE="2016-07-05"),
+         box(200, 0, 300, 200, image="b", IDATE="2016-07-11"), box(300, 0, 400, 200, image="c", IDATE="")], GRID
+    )  # fmt: skip
+    assert {frozenset((seam.left, seam.right)) for seam in given.seams} == {frozenset("ab"), frozenset("bc")}
+    assert given.dates == {"b": "2016-07-11"}, "two dates of one source are none"
+    assert given.notices == ()
 
 
 # --- lines -----------------------------------------------------------------------------------------------------
@@ -235,13 +246,17 @@ def test_layers_without_seams_are_refused(features: list[SeamFeature], match: st
     ("row", "expected"),
     [
         ({"label": 3, "source": "a.tif"}, SeamFields(source="source")),
-        ({"CLICHE": "19FD", "DATE": "2019/07/04"}, SeamFields(source="CLICHE")),
+        ({"CLICHE": "19FD", "DATE": "2019/07/04"}, SeamFields(source="CLICHE", date="DATE")),
         ({"gml_id": "x", "name": "part 1", "imageSourceReference": "u"}, SeamFields(source="imageSourceReference")),
-        ({"Image_ID": 12, "SDATE": "20160704"}, SeamFields(source="Image_ID")),
+        ({"Image_ID": 12, "SDATE": "20160704"}, SeamFields(source="Image_ID", date="SDATE")),
         ({"image": None, "FileName": "b.tif"}, SeamFields(source="FileName")),
         ({"phenomenonTime|beginPosition": "2016"}, SeamFields(date="phenomenonTime|beginPosition")),
         ({"left_src": "a", "right_src": "b"}, SeamFields(left="left_src", right="right_src")),
         ({"left_src": "a", "right_src": ""}, SeamFields()),
+        (
+            {"left_source": "a", "right_source": "b", "left_date": "2016-07-04", "right_date": "2016-07-11"},
+            SeamFields("", "left_source", "right_source", "", "left_date", "right_date"),
+        ),
         ({"OBJECTID": 7, "Shape_Area": 3.0}, SeamFields()),
     ],
 )
