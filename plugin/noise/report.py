@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..imagery.message import Message
 from ..toolkit.charts.figure_files import svg_text
+from ..toolkit.pages.how_measured import HowMeasured, each_raster
 from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .charts import noise_figure
@@ -23,6 +24,10 @@ def save_noise_report(
     save_page(
         path,
         "random_noise",
+        HowMeasured(
+            [(tr("wavelet"), wavelet), (tr("levels"), str(levels))],
+            each_raster(tr("image"), (result.part.member.image for result in results)),
+        ),
         counts=", ".join(f"{tr(word)}: {counts[one]}" for one, word in VERDICT_WORDS.items() if counts[one]),
         notices=sentences_once(notices),
         chart=None if figure is None else svg_text(figure),

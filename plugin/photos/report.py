@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from scipy import ndimage
 
+from ..toolkit.pages.how_measured import HowMeasured, measured_raster
 from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
@@ -26,6 +27,7 @@ def save_orientation_report(path: Path, photo: Photo, made: PhotoOrientation) ->
     save_page(
         path,
         "interior_orientation",
+        HowMeasured(rasters=[measured_raster(tr("photo"), photo.raster)]),
         name=photo.ref.name,
         columns=photo.columns,
         rows=photo.rows,

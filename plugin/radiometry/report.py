@@ -10,6 +10,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 from ..imagery.message import Message
 from ..imagery.value_ranges import ValueRange
 from ..toolkit.charts.figure_files import svg_text
+from ..toolkit.pages.how_measured import HowMeasured, each_raster
 from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import decimals_beside, sentence, shown_number, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
@@ -55,8 +56,8 @@ class CheckRow:
     has_failed: bool
     remarks: Sequence[str]
     """What can't be measured or judged, and why."""
-    source: str
-    """Of the limit."""
+    source: int
+    """Of the limit: which of the notes says it."""
 
 
 def save_radiometry_report(
@@ -65,21 +66,39 @@ def save_radiometry_report(
     """Write the report. Raises SettingsError where no file can be."""
     pairs = [(result, pair) for result in results if (pair := step_and_contrast(result)) is not None]
     figure = balance_figure(results) if pairs else None
+    sources = list(dict.fromkeys(rule.source for rule in rules.rules))
     save_page(
         path,
         "radiometry",
-        rules=rules.name,
+        HowMeasured([(tr("rules"), rules.name)], each_raster(tr("image"), (result.image for result in results))),
+        verdict=_verdict(results),
+        sources=sources,
         overview=[_overview(result) for result in results],
         notices=sentences_once(notices),
         balance=[[_title(result), f"{shown_number(100 * step)} %", f"{shown_number(100 * contrast)} %"]
                  for result, (step, contrast) in pairs],
         balance_chart=None if figure is None else svg_text(figure),
-        images=map(_section, results),
+        images=(_section(result, sources) for result in results),
         area_side=limits.AREA_PX,
         seam_near=limits.SEAM_NEAR_PX,
         seam_far=limits.SEAM_FAR_PX,
         seam_station=limits.SEAM_STATION_PX,
     )  # fmt: skip
+
+
+def _verdict(results: Sequence[Assessment]) -> tuple[str, str, str]:
+    """Whether all images pass: a state, a word, and how many do."""
+    judged = [[one.passed for one in result.checked_figures if one.rule.has_limit] for result in results]
+    failed = sum(False in outcomes for outcomes in judged)
+    open_ones = sum(None in outcomes and False not in outcomes for outcomes in judged)
+    counts = tr("Images or windows: {count}; failed: {failed}; not measurable in full: {open}.").format(
+        count=len(results), failed=failed, open=open_ones
+    )
+    if failed:
+        return "bad", tr("failed"), counts
+    if open_ones or not results:
+        return "open", tr("passed as far as it can be measured"), counts
+    return "good", tr("passed"), counts
 
 
 def _title(result: Assessment) -> str:
@@ -97,7 +116,7 @@ def _overview(result: Assessment) -> list[object]:
     return [_title(result), states.count(True), states.count(False), missing, ", ".join(failed)]
 
 
-def _section(result: Assessment) -> ImageSection:
+def _section(result: Assessment, sources: Sequence[str]) -> ImageSection:
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
@@ -108,11 +127,13 @@ def _section(result: Assessment) -> ImageSection:
         result.available,
         None if figure is None else svg_text(figure),
         [tr("between bands") if band == ALL_BANDS else band for band in bands],
-        [_check_row(check, own, bands) for check, own in by_check.items()],
+        [_check_row(check, own, bands, sources) for check, own in by_check.items()],
     )
 
 
-def _check_row(check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str]) -> CheckRow:
+def _check_row(
+    check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str], sources: Sequence[str]
+) -> CheckRow:
     values = [own[band].value if band in own else None for band in bands]
     rule = next(iter(own.values())).rule
     failed = [checked.band for checked in own.values() if checked.passed is False]
@@ -125,7 +146,7 @@ def _check_row(check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str
         tr("failed") + names if failed else passed,
         bool(failed),
         _remarks(own),
-        rule.source,
+        sources.index(rule.source) + 1,
     )
 
 

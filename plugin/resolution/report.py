@@ -6,8 +6,9 @@ from pathlib import Path
 from ..imagery.rasters import Raster
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
+from ..toolkit.pages.how_measured import HowMeasured, measured_raster
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import filled, sentence, tr
+from ..toolkit.translation import filled, percent, sentence, tr
 from .charts import direction_title, group_chart, target_picture, verdict_of, verdict_word
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import DIRECTIONS, Target
@@ -23,6 +24,7 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
     save_page(
         path,
         "resolution",
+        HowMeasured(_settings(target), [measured_raster(tr("image"), raster)]),
         name=raster.ref.name,
         summary=_summary(resolution),
         notices=sentences_once(resolution.notices),
@@ -47,6 +49,17 @@ def _summary(resolution: TargetResolution) -> str:
     if resolution.mean is not None:
         words.append(filled(tr("geometric mean: {grd:.2f} cm"), grd=resolution.mean))
     return "; ".join(words) + "." if words else tr("No group is resolved in every band.")
+
+
+def _settings(target: Target) -> list[tuple[str, str]]:
+    coarser = tr("higher") if target.reversed else tr("lower")
+    words = tr("group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide")
+    return [
+        (tr("bars in each group"), str(target.bars)),
+        (tr("widths"), filled(words, group=target.reference_group, grd=target.reference_grd_cm, coarser=coarser,
+                              step=target.step)),
+        (tr("criterion"), f"{percent(target.criterion)} %"),
+    ]  # fmt: skip
 
 
 def _row(result: GroupResult) -> tuple[object, ...]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..imagery.message import WARNING, Message
 from ..toolkit.charts.figure_files import svg_text
+from ..toolkit.pages.how_measured import HowMeasured, system_name
 from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .charts import comparison_chart, residual_chart
@@ -27,6 +28,7 @@ def save_fit_report(
     save_page(
         path,
         "sensor_model",
+        HowMeasured([(tr("reference system of the points"), system_name(done.points.wkt))]),
         name=done.request.name,
         notices=sentences_once(one for one in notices if one.level is WARNING),
         notes=sentences_once(one for one in notices if one.level is not WARNING),
@@ -57,6 +59,7 @@ def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Mes
     save_page(
         path,
         "sensor_comparison",
+        HowMeasured(),
         recommendation=sentence(result.reason),
         notices=sentences_once(notices),
         chart=svg_text(comparison_chart(result)),

@@ -1,10 +1,20 @@
 """Where the plugin's own files are."""
 from __future__ import annotations
 
+from configparser import ConfigParser
+from functools import cache
 from pathlib import Path
 
 _PLUGIN = Path(__file__).parents[2]
 _RESOURCES = _PLUGIN / "resources"
+
+
+@cache
+def plugin_version() -> str:
+    """As the plugin's metadata have it."""
+    parser = ConfigParser(interpolation=None)
+    parser.read(_PLUGIN / "metadata.txt", encoding="utf-8")
+    return parser["general"]["version"]
 
 
 def icon_path(name: str = "seam_inspector") -> str:

@@ -20,6 +20,7 @@ from ...imagery.errors import RasterError
 from ...imagery.message import Message
 from ...imagery.reference_systems import metres_per_unit
 from ...imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
+from ...toolkit.pages.how_measured import HowMeasured, each_raster, measured_raster
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
 from ...toolkit.translation import shown_number, tr
@@ -90,8 +91,8 @@ def write_report(
         save_page(
             path,
             "inspection",
+            _how_measured(request),
             title=request.title or _mosaics_title(request),
-            made_on=request.made_on.isoformat(),
             count=len(request.records),
             flagged=len(flagged),
             notices=sentences_once(notices),
@@ -128,6 +129,14 @@ def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
         return math.inf if value is None else value, one.window_id
 
     return sorted(flagged, key=order)[:MAX_REPORT_DETAILS]
+
+
+def _how_measured(request: ReportRequest) -> HowMeasured:
+    settings = [(tr("limit of the paper's rule, ratio 1"), shown_number(request.max_ratio))]
+    if request.block is None:
+        return HowMeasured(settings, made_on=request.made_on)
+    sources = each_raster(tr("orthoimage"), (source.ref for source in request.block.sources))
+    return HowMeasured(settings, [measured_raster(tr("mosaic"), request.block.mosaic), *sources], request.made_on)
 
 
 # The page's head

@@ -5,6 +5,7 @@ The templates lie in ``resources/reports``. Whatever they are given is escaped, 
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
@@ -16,14 +17,20 @@ from ...imagery.atomic_files import whole_file
 from ...imagery.message import Message
 from ..resources import reports_path
 from ..translation import language, sentence, tr
+from .how_measured import HowMeasured, MeasuredRaster
+
+_LONGEST_WORD = 24  # letters that a column of a table makes room for
+_LONGEST_FOOT = 110  # letters of a title at the foot of a printed page
 
 
-def save_page(path: Path, template: str, **view: object) -> None:
-    """Write what a template makes of a view, piece by piece: what an iterator in it gives is never all in memory.
+def save_page(path: Path, template: str, how: HowMeasured, **view: object) -> None:
+    """Write what a template makes of a view and of how it was measured.
+
+    It is written piece by piece: what an iterator in the view gives is never all in memory.
 
     An exception from such an iterator leaves no page, or the older one. Raises SettingsError where no file can be.
     """
-    pieces = environment().get_template(f"{template}.html.j2").generate(view)
+    pieces = environment().get_template(f"{template}.html.j2").generate(view, how=how)
     with whole_file(path) as unfinished, unfinished.open("w", encoding="utf-8") as file:
         file.writelines(pieces)
 
@@ -41,7 +48,10 @@ def environment() -> Environment:
         trim_blocks=True, lstrip_blocks=True,
     )
     made.globals.update(tr=tr, language=language)
-    made.filters.update(data_address=_data_address, number_columns=_number_columns)
+    made.filters.update(
+        data_address=_data_address, number_columns=_number_columns, has_long_word=_has_long_word, css_text=_css_text,
+        facts_row=_facts_row,
+    )
     return made
 
 
@@ -49,6 +59,21 @@ def _data_address(data: bytes | str, media: str) -> str:
     """A picture file as the address of a picture."""
     content = data.encode() if isinstance(data, str) else data
     return f"data:image/{media};base64,{base64.b64encode(content).decode()}"
+
+
+def _facts_row(facts: MeasuredRaster) -> list[str]:
+    return [facts.role, facts.path, facts.size, facts.pixel, facts.pixels, facts.system]
+
+
+def _has_long_word(value: object) -> bool:
+    """Whether words have to be broken so that a table fits the page."""
+    return isinstance(value, str) and any(len(word) > _LONGEST_WORD for word in value.split())
+
+
+def _css_text(words: str) -> str:
+    """As a string of CSS, in which nothing but letters and digits means what it says."""
+    short = words if len(words) <= _LONGEST_FOOT else words[: _LONGEST_FOOT - 1] + "…"
+    return re.sub(r"[^A-Za-z0-9 ]", lambda one: f"\\{ord(one.group()):x} ", short)
 
 
 def _number_columns(headings: Sequence[str], rows: Sequence[Sequence[object]]) -> list[bool]:

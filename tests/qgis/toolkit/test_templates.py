@@ -3,13 +3,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from datetime import date
 from pathlib import Path
 
 import numpy as np
 import pytest
 from jinja2 import UndefinedError
+from qgis.core import QgsCoordinateReferenceSystem
 from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.report.map_sketch import SketchBackground, SketchShape, map_sketch
+from seam_inspector.plugin.toolkit.pages.how_measured import HowMeasured, MeasuredRaster, each_raster, measured_raster
 from seam_inspector.plugin.toolkit.pages.picture_files import encoded
 from seam_inspector.plugin.toolkit.pages.templates import environment, save_page
 
@@ -19,14 +23,15 @@ EVIL = '<script>alert("1")</script> & \'Söhne\' \u202egnp.exe'
 PARTS = """
 {% extends "page.html.j2" %}
 {% from "map_sketch.svg.j2" import map_sketch %}
-{% from "parts.html.j2" import chip, drawing, legend, photograph, table, warnings %}
+{% from "parts.html.j2" import chip, decision, drawing, facts_table, key_figures, legend, mark, marked_notes %}
+{% from "parts.html.j2" import note, photograph, signatures, table, warnings %}
 {% block body %}BODY{% endblock %}
 """
 
 
-def page(body: str, **view: object) -> str:
+def page(body: str, how: HowMeasured = HowMeasured(), **view: object) -> str:  # noqa: B008 - it is frozen
     """A page with that body, which may use all parts."""
-    return environment().from_string(PARTS.strip().replace("BODY", body)).render(title="Report", **view)
+    return environment().from_string(PARTS.strip().replace("BODY", body)).render(title="Report", how=how, **view)
 
 
 def test_words_of_users_never_become_markup() -> None:
@@ -42,6 +47,46 @@ def test_words_of_users_never_become_markup() -> None:
     assert read.words.count(EVIL) == 10
     assert read.links == [f"#{EVIL}"]
     assert read.captions == [EVIL, EVIL]
+
+
+def test_words_of_users_become_no_markup_where_it_is_decided_and_told_how() -> None:
+    how = HowMeasured([(EVIL, EVIL)], [MeasuredRaster(EVIL, EVIL, EVIL)])
+    text = page(
+        "{{ decision('good', evil, evil) }}{{ key_figures([(evil, evil)]) }}{{ signatures([evil]) }}{{ mark(evil) }}"
+        "{{ marked_notes([evil]) }}{{ note(evil) }}{{ facts_table([(evil, evil), ('nothing', '')]) }}",
+        how, evil=EVIL,
+    )  # fmt: skip
+    assert "<script" not in text
+    assert outline(text).words.count(EVIL) == 10 + 5
+    assert "nothing" not in text
+
+
+def test_a_title_at_the_foot_of_the_page_is_words_alone() -> None:
+    """In a style sheet nothing is escaped by itself: quotes, braces and ends of tags would act."""
+    evil = "</style>\"; } body { display: none } \\ ąć"
+    text = environment().from_string("{{ evil|css_text }}").render(evil=evil)
+    assert re.fullmatch(r"(?:[A-Za-z0-9 ]|\\[0-9a-f]+ )*", text)
+    told = re.sub(r"\\([0-9a-f]+) ", lambda code: chr(int(code.group(1), 16)), text)
+    assert told == evil
+    assert len(environment().from_string("{{ 'x' * 999 }}{{ ('x' * 999)|css_text }}").render()) < 999 + 130
+
+
+def test_how_it_was_measured_is_told_whole() -> None:
+    wkt = QgsCoordinateReferenceSystem("EPSG:32633").toWkt()
+    raster = Raster(RasterRef("/data/a.tif"), 300, 200, (0, 0.1, 0, 0, 0, -0.1), wkt, ("red", "green"), "uint16")
+    scan = Raster(RasterRef("scan.tif"), 30, 20, None, "", ("band_1",), "uint8")
+    known = [measured_raster("mosaic", raster), *each_raster("photo", [scan, scan, RasterRef("gone.tif")])]
+    read = outline(page("", HowMeasured([("wavelet", "coif3")], known, date(2026, 1, 2))))
+    assert ["wavelet", "coif3"] in read.rows
+    assert ["date", "2026-01-02"] in read.rows
+    assert any(name == "software" and "Seam Inspector 0." in value for name, value in read.rows[:2])
+    assert read.rows[-3:] == [
+        ["mosaic", "/data/a.tif", "300 x 200 px", "0.1 m", "2 x uint16", "EPSG:32633, WGS 84 / UTM zone 33N"],
+        ["photo", "scan.tif", "30 x 20 px", "", "1 x uint8", ""],
+        ["photo", "gone.tif", "", "", "", ""],
+    ]
+    many = HowMeasured((), each_raster("", (RasterRef(f"{number}.tif") for number in range(1000))))
+    assert "And 960 more." in page("", many)
 
 
 def test_every_template_escapes_and_refuses_what_it_is_not_given() -> None:
@@ -73,7 +118,7 @@ def test_numbers_stand_to_the_right() -> None:
     rows = [("a", 0.5, "3 %"), ("b", None, "12.5 %")]
     text = page("{{ table(['name', 'ratio', 'share'], rows) }}", rows=rows)
     assert text.count('class="number"') == 6  # two columns of a heading and two rows
-    assert outline(text).rows[1:] == [["a", "0.5", "3 %"], ["b", "", "12.5 %"]]
+    assert outline(text).rows[1:3] == [["a", "0.5", "3 %"], ["b", "", "12.5 %"]]
     assert 'class="number"' not in page("{{ table(['nothing'], []) }}")
 
 
@@ -90,8 +135,8 @@ def rows(count: int, then: type[Exception] | None = None) -> Iterator[tuple[obje
 def save(path: Path, images: Iterable[object] = ()) -> Outline:
     """A report whose images come one by one."""
     save_page(
-        path, "radiometry", rules="JRC", overview=list(rows(3)), notices=[], balance=[], balance_chart=None,
-        images=images, area_side=1, seam_near=1, seam_far=2, seam_station=3,
+        path, "radiometry", HowMeasured(), verdict=("good", "passed", ""), sources=[], overview=list(rows(3)),
+        notices=[], balance=[], balance_chart=None, images=images, area_side=1, seam_near=1, seam_far=2, seam_station=3,
     )  # fmt: skip
     return outline(path.read_text(encoding="utf-8"))
 
