@@ -16,10 +16,7 @@ from ..imagery.clips import MAX_MISSING_SHARE, Clip, read_clip
 from ..imagery.errors import RasterError
 from ..imagery.grids import PixelWindow
 from ..imagery.open_raster import OpenRaster
-from .measure.inspection import WindowRequest
-from .measure.window.window_composite import WindowComposite
-from .measure.window_records import COMPOSITE
-from .picture_stretch import (
+from ..toolkit.picture_stretch import (
     BRIGHTEST,
     DARKEST,
     GreyRanges,
@@ -31,6 +28,9 @@ from .picture_stretch import (
     thinned,
     to_bytes,
 )
+from .measure.inspection import WindowRequest
+from .measure.window.window_composite import WindowComposite
+from .measure.window_records import COMPOSITE
 
 LEAST_SIDE_PX = 384  # of a picture: smaller windows are shown with the ground around them
 _SMALLEST_SIDE = 256  # of the reduced pictures, px

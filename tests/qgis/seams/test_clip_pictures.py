@@ -13,11 +13,11 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams import picture_stretch
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture, PictureRequest, WindowPictureSet, with_ground
 from seam_inspector.plugin.seams.clip_pictures import make_pictures as make_picture_set
 from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest, make_block
-from seam_inspector.plugin.seams.picture_stretch import Stretch
+from seam_inspector.plugin.toolkit import picture_stretch
+from seam_inspector.plugin.toolkit.picture_stretch import Stretch
 
 from tests.numbers.synthetic import ORIGIN, orthoimage, write_raster
 

@@ -10,9 +10,9 @@ from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from ....toolkit.desk.clipped_label import ClippedLabel
+from ....toolkit.picture_stretch import Stretch
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
-from ...picture_stretch import Stretch
 from .picture_flow import GAP
 from .viewport import BEST_ZOOM, Viewport
 

@@ -7,12 +7,12 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....toolkit.background_task import End, Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.picture_stretch import GreyRanges, Stretch
 from ....toolkit.translation import tr
 from ... import jobs
 from ...clip_pictures import ClipPicture, PictureRequest, WindowPictureSet
 from ...measure.inspection import WindowRequest
 from ...measure.window_records import COMPOSITE, WindowRecord
-from ...picture_stretch import GreyRanges, Stretch
 from ..inputs.block_cache import BlockCache
 from ..windows.window_watch import WindowWatch
 

@@ -1,0 +1,114 @@
+"""Pictures of failures for paper: the mosaic around each, the seam drawn in it. Reads pixels, knows no Qt."""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from ...imagery.errors import RasterError
+from ...imagery.grids import PixelWindow
+from ...imagery.lines.paths import points_at, vertex_stations
+from ...imagery.open_raster import OpenRaster, describe_mosaic
+from ...imagery.rasters import Raster, RasterRef
+from ...imagery.reference_systems import transform_points
+from ...toolkit.pages.picture_files import encoded
+from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
+from ..measure.defects import Defect
+
+MOST_PICTURES = 100
+"""Of a delivery, of the longest failures: some 6 MB of report."""
+PICTURE_PX = 400
+MOST_REDUCED = 3.0
+"""Pixels of the mosaic, along a side, on one of a picture: in a smaller one nobody sees that fine detail is lost."""
+
+_AROUND = 1.25  # of a failure's extent
+_DASH_PX, _GAP_PX = 7.0, 9.0  # of the picture: what is lost has to be seen between the dashes
+_LINE, _EDGE = (255, 214, 0), (0, 0, 0)
+_HELD = 8  # open sheets
+
+
+@dataclass(frozen=True)
+class DefectPicture:
+    """The mosaic around a failure."""
+
+    jpeg: bytes
+    columns: int
+    """Its width, px."""
+    side_m: float
+    """Its width on the ground."""
+    is_whole: bool
+    """Whether all of the failure is on it; else the place where least was kept."""
+
+
+class DefectPictures:
+    """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
+
+    def __init__(self, mosaics: Sequence[RasterRef], wkt: str) -> None:
+        """``wkt``: the failures' reference system. Raises RasterError where a mosaic can't be opened."""
+        self._mosaics, self._wkt = [describe_mosaic(ref) for ref in mosaics], wkt
+        self._open = lru_cache(_HELD)(OpenRaster)
+        self._ranges: GreyRanges = {}
+
+    def of(self, defect: Defect) -> DefectPicture | None:
+        """None where no mosaic shows it, or that can't be read there."""
+        for mosaic in self._mosaics:
+            with suppress(RasterError):
+                x, y = transform_points(np.array([defect.worst.piece.middle]), self._wkt, mosaic.wkt)[0]
+                xmin, ymin, xmax, ymax = mosaic.extent
+                if xmin <= x <= xmax and ymin <= y <= ymax:
+                    return self._picture(mosaic, defect, np.array([x, y]))
+        return None
+
+    def _picture(self, mosaic: Raster, defect: Defect, middle: np.ndarray) -> DefectPicture:
+        lines = [mosaic.grid.to_pixels(transform_points(line, self._wkt, mosaic.wkt)) for line in defect.lines]
+        window, is_whole = _window(np.concatenate(lines), mosaic.grid.to_pixels(middle[np.newaxis])[0])
+        inside = window.cut_to(mosaic.columns, mosaic.rows)
+        scale = window.width / PICTURE_PX
+        size = max(1, round(inside.width / scale)), max(1, round(inside.height / scale))
+        raster = self._open(mosaic.ref)
+        block = raster.read(inside, size, averaged=scale > 1)
+        bands = np.ascontiguousarray(block.bands[: 3 if mosaic.has_luminance else 1])
+        if bands.dtype.name not in self._ranges:
+            stretch = Stretch.DELIVERED if bands.dtype == np.uint8 else Stretch.COMMON
+            self._ranges = ranges_with(self._ranges, stretch, [(raster, largest_of(bands))])
+        pixels = brightness(bands, self._ranges)
+        pixels[~block.valid] = 255
+        shares = size[0] / inside.width, size[1] / inside.height
+        for line in lines:
+            _draw_dashes(pixels, (line - (inside.column, inside.row)) * shares)
+        grid = mosaic.grid
+        width_m = inside.width * grid.pixel_width * grid.metres_x
+        return DefectPicture(encoded(pixels, "JPEG"), pixels.shape[1], width_m, is_whole)
+
+
+def _window(places: np.ndarray, worst: np.ndarray) -> tuple[PixelWindow, bool]:
+    """A square around a failure, or around its worst place where it is too long for a picture; and which it is.
+
+    ``places``: (n, 2) columns and rows along the failure; ``worst``: (2,).
+    """
+    low, high = places.min(axis=0), places.max(axis=0)
+    wanted = _AROUND * float((high - low).max())
+    is_whole = wanted <= MOST_REDUCED * PICTURE_PX
+    side = math.ceil(min(max(wanted, PICTURE_PX), MOST_REDUCED * PICTURE_PX))
+    column, row = np.floor(((low + high) / 2 if is_whole else worst) - side / 2).astype(int).tolist()
+    return PixelWindow(column, row, side, side), is_whole
+
+
+def _draw_dashes(pixels: np.ndarray, path: np.ndarray) -> None:
+    """A dashed line along a path of (n, 2) columns and rows, in place; what lies outside is left out."""
+    along = vertex_stations(path)
+    stations = np.arange(0.0, along[-1], 0.5)
+    places = points_at(path, along, stations[stations % (_DASH_PX + _GAP_PX) < _DASH_PX])
+    for reach, colour in ((2, _EDGE), (1, _LINE)):
+        offsets = np.arange(-reach, reach + 1) / 2
+        rows, columns = (
+            np.floor(places[:, axis, np.newaxis, np.newaxis] + steps).astype(int)
+            for axis, steps in ((1, offsets[:, np.newaxis]), (0, offsets[np.newaxis]))
+        )
+        rows, columns = (one.ravel() for one in np.broadcast_arrays(rows, columns))
+        seen = (rows >= 0) & (columns >= 0) & (rows < pixels.shape[0]) & (columns < pixels.shape[1])
+        pixels[rows[seen], columns[seen]] = colour
