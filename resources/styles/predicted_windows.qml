@@ -635,17 +635,17 @@
           <Option name="properties" type="Map">
             <Option name="AlwaysShow" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="is_selected()" type="QString"/>
+              <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
             <Option name="Bold" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="is_selected()" type="QString"/>
+              <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
             <Option name="Priority" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="if(is_selected(), 10, 5)" type="QString"/>
+              <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 10, 5)" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
           </Option>

@@ -28,7 +28,7 @@
               <Option name="properties" type="Map">
                 <Option name="enabled" type="Map">
                   <Option name="active" value="true" type="bool"/>
-                  <Option name="expression" value="is_selected()" type="QString"/>
+                  <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
                   <Option name="type" value="3" type="int"/>
                 </Option>
                 <Option name="outlineWidth" type="Map">
@@ -64,12 +64,12 @@
                   <Option name="properties" type="Map">
                     <Option name="outlineColor" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(is_selected(), color_rgb(0, 0, 0), color_rgba(255,255,255,190))" type="QString"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(255,255,255,190))" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7) + if(is_selected(), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.8, 1.7), 1.7) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -171,7 +171,7 @@
               <Option name="properties" type="Map">
                 <Option name="enabled" type="Map">
                   <Option name="active" value="true" type="bool"/>
-                  <Option name="expression" value="is_selected()" type="QString"/>
+                  <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
                   <Option name="type" value="3" type="int"/>
                 </Option>
                 <Option name="outlineWidth" type="Map">
@@ -207,12 +207,12 @@
                   <Option name="properties" type="Map">
                     <Option name="outlineColor" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(is_selected(), color_rgb(0, 0, 0), color_rgba(0,0,0,110))" type="QString"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,110))" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(is_selected(), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -314,7 +314,7 @@
               <Option name="properties" type="Map">
                 <Option name="enabled" type="Map">
                   <Option name="active" value="true" type="bool"/>
-                  <Option name="expression" value="is_selected()" type="QString"/>
+                  <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
                   <Option name="type" value="3" type="int"/>
                 </Option>
                 <Option name="outlineWidth" type="Map">
@@ -350,12 +350,12 @@
                   <Option name="properties" type="Map">
                     <Option name="outlineColor" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(is_selected(), color_rgb(0, 0, 0), color_rgba(255,255,255,170))" type="QString"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(255,255,255,170))" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(is_selected(), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.65, 1.4), 1.4) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -457,7 +457,7 @@
               <Option name="properties" type="Map">
                 <Option name="enabled" type="Map">
                   <Option name="active" value="true" type="bool"/>
-                  <Option name="expression" value="is_selected()" type="QString"/>
+                  <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
                   <Option name="type" value="3" type="int"/>
                 </Option>
                 <Option name="outlineWidth" type="Map">
@@ -493,12 +493,12 @@
                   <Option name="properties" type="Map">
                     <Option name="outlineColor" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(is_selected(), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(is_selected(), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -600,7 +600,7 @@
               <Option name="properties" type="Map">
                 <Option name="enabled" type="Map">
                   <Option name="active" value="true" type="bool"/>
-                  <Option name="expression" value="is_selected()" type="QString"/>
+                  <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
                   <Option name="type" value="3" type="int"/>
                 </Option>
                 <Option name="outlineWidth" type="Map">
@@ -636,12 +636,12 @@
                   <Option name="properties" type="Map">
                     <Option name="outlineColor" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="if(is_selected(), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
+                      <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), color_rgb(0, 0, 0), color_rgba(0,0,0,90))" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                     <Option name="outlineWidth" type="Map">
                       <Option name="active" value="true" type="bool"/>
-                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(is_selected(), 0.5, 0)" type="QString"/>
+                      <Option name="expression" value="coalesce(scale_linear((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))), 2, 12, 0.6, 1.1), 1.1) + if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 0.5, 0)" type="QString"/>
                       <Option name="type" value="3" type="int"/>
                     </Option>
                   </Option>
@@ -729,7 +729,7 @@
       </symbol>
     </symbols>
     <orderby>
-      <orderByClause asc="1" nullsFirst="0">is_selected()</orderByClause>
+      <orderByClause asc="1" nullsFirst="0">coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)</orderByClause>
       <orderByClause asc="1" nullsFirst="0">array_find(array('', 'preserved', 'not_comparable', 'reduced', 'significant'), coalesce("verdict", ''))</orderByClause>
     </orderby>
   </renderer-v2>
@@ -746,22 +746,22 @@
           <Option name="properties" type="Map">
             <Option name="AlwaysShow" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="is_selected()" type="QString"/>
+              <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
             <Option name="Bold" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="is_selected()" type="QString"/>
+              <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false)" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
             <Option name="Priority" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="if(is_selected(), 10, 9 * (1 - coalesce(min(max(if(attribute('reference') = 'seam', attribute('kept_1'), attribute('ratio_1')), 0) / 2, 1), 0.9)))" type="QString"/>
+              <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 10, 9 * (1 - coalesce(min(max(if(attribute('reference') = 'seam', attribute('kept_1'), attribute('ratio_1')), 0) / 2, 1), 0.9)))" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
             <Option name="Show" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="is_selected() OR coalesce((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))) &gt; CASE WHEN &quot;verdict&quot; = 'significant' THEN 2 WHEN &quot;verdict&quot; IN ('preserved', 'not_comparable') THEN 9 ELSE 4 END, true)" type="QString"/>
+              <Option name="expression" value="coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false) OR coalesce((240 * bounds_width($geometry) / bounds_width(transform(@map_extent, @map_crs, @layer_crs))) &gt; CASE WHEN &quot;verdict&quot; = 'significant' THEN 2 WHEN &quot;verdict&quot; IN ('preserved', 'not_comparable') THEN 9 ELSE 4 END, true)" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
             <Option name="OffsetQuad" type="Map">

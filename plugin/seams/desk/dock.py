@@ -40,6 +40,7 @@ from .inputs.inputs_panel import InputsPanel
 from .judging.judging_desk import JudgingDesk
 from .keeping.found_message import FoundMessage
 from .map.lost_detail import LostDetail
+from .map.selected_windows import SelectedWindows
 from .map.window_tool import WindowTool
 from .report_writer import ReportWriter
 from .scan.mosaic_scans import MosaicScans
@@ -74,6 +75,7 @@ class InspectionDock(ToolDock):
         self._tabs = tuple(tabs)
         self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
         self.lost = LostDetail(iface, self.session, self)
+        self._selected = SelectedWindows(self._canvas, self.session)
         if (curves := self.panels.get("curves")) is not None:
             self.lost.follow_chart(curves.profile)
         self.reports = ReportWriter(self.session, self)
@@ -118,6 +120,7 @@ class InspectionDock(ToolDock):
         self.scans.close()
         self.judging.close()
         self.lost.close()
+        self._selected.close()
         self.session.close()
         for panel in (self.inputs, self.windows, *self.panels.values()):
             panel.close()

@@ -19,6 +19,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QSize
 
+from tests.qgis.seams.desk.selections import selection_scope
 from tests.qgis.seams.desk.session_desk import wait_until
 
 RATIOS = {1: 0.83, 2: 0.82, 3: 0.49, 4: 1.1}
@@ -60,6 +61,7 @@ def labels(
     context = QgsExpressionContext()
     for scope in (
         QgsExpressionContextUtils.projectScope(QgsProject.instance()),
+        selection_scope(windows),
         QgsExpressionContextUtils.mapSettingsScope(settings),
     ):
         context.appendScope(scope)

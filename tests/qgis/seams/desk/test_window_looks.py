@@ -25,6 +25,7 @@ from seam_inspector.plugin.seams.verdict_words import VERDICTS
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 
 from tests.qgis.scenes import SHARP, windows
+from tests.qgis.seams.desk.selections import selection_scope
 from tests.qgis.seams.desk.session_desk import Desk, wait_until
 
 SELECTION = "#ff00ff"
@@ -58,6 +59,7 @@ def drawn(
     settings.setExtent(QgsRectangle(500_000 - margin, 500_000 - margin, 500_100 + margin, 500_100 + margin))
     context = QgsExpressionContext()
     context.appendScope(QgsExpressionContextUtils.projectScope(project))
+    context.appendScope(selection_scope(layer))
     context.appendScope(QgsExpressionContextUtils.mapSettingsScope(settings))
     settings.setExpressionContext(context)
     job = QgsMapRendererParallelJob(settings)
