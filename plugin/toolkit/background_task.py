@@ -49,8 +49,11 @@ class BackgroundTask(QgsTask):
     arrived = pyqtSignal(object)
     ended = pyqtSignal(object)
 
-    def __init__(self, description: str, job: Job) -> None:
+    def __init__(self, description: str, job: Job, is_unseen: bool = False) -> None:
+        """``is_unseen``: nothing that the user would miss, so that QGIS need not ask before it closes."""
         flags = QgsTask.Flag.CanCancel
+        if is_unseen:
+            flags |= QgsTask.Flag.CancelWithoutPrompt
         super().__init__(description, flags if SILENT_TASK is None else flags | SILENT_TASK)
         self._job = job
         self._failure: Message | None = None

@@ -69,7 +69,7 @@ class ReportWriter(QObject):
             self._failed(error.message)
             return
         take = partial(self._take, path, len(request.records), len(request.curves))
-        self._background.start(tr("Write the report"), report_job(path, request), take, _KEY)
+        self._background.start(tr("Write the report"), report_job(path, request), take, _KEY, steps=1)
 
     def close(self) -> None:
         """Cancel what is under way."""

@@ -18,7 +18,8 @@ class _Request:
     key: object
     """What the task is for, so that nothing is asked for twice."""
     steps: int
-    """How many results count in the progress, those that come ahead left out; 0 for work that goes unseen."""
+    """How many results count in the progress, those that come ahead left out; 0 for work that goes unseen, about which
+    QGIS does not ask when it closes."""
 
 
 class BackgroundTasks(QObject):
@@ -52,7 +53,7 @@ class BackgroundTasks(QObject):
         self, description: str, job: Job, take: Callable[[object], None], key: object = None, steps: int = 0
     ) -> None:
         """Run a job in a task; ``take`` gets each of its results."""
-        task = BackgroundTask(description, job)
+        task = BackgroundTask(description, job, is_unseen=not steps)
         task.arrived.connect(self._arrived)
         task.ended.connect(self._ended)
         self._tasks[task] = _Request(take, key, steps)
