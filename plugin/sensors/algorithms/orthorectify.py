@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
 RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
+INTERIOR, EXTERIOR, EXTERIOR_CRS, EXTERIOR_HEIGHTS = "INTERIOR", "EXTERIOR", "EXTERIOR_CRS", "EXTERIOR_HEIGHTS"
 ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
 
 
@@ -39,9 +40,10 @@ class Orthorectify(SensorAlgorithm):
     NAME = QT_TRANSLATE_NOOP("@default", "Orthorectify")
     HELP = QT_TRANSLATE_NOOP(
         "@default",
-        "Puts an image on the map over a terrain model, by a model file of Fit sensor model, an RPC file or the "
-        "image's own RPC. GDAL's warper does it with all cores; how far it is from the exact model is measured on a "
-        "grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them."
+        "Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC "
+        "file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL's warper does it with all "
+        "cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are "
+        "brought to the ellipsoid, as RPCs want them."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -53,6 +55,27 @@ class Orthorectify(SensorAlgorithm):
         self.addDescribed(
             QgsProcessingParameterFile(RPC, tr("RPC file"), optional=True),
             tr("_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(INTERIOR, tr("Interior orientation"), optional=True),
+            tr("The camera of an aerial photo: a YAML file of orthority, or MicMac's AutoCal XML."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(EXTERIOR, tr("Exterior orientation"), optional=True),
+            tr(
+                "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi "
+                "and kappa (degrees), a GeoJSON of orthority, or MicMac's Orientation XML."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), optional=True),
+            tr("Projected, in metres. Empty: what its file says, else the image's own."),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.choice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS),
+            tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
+            advanced=True,
         )
         self.addDescribed(*sensor_parameters.dem(tr("Terrain heights under the whole image, in any reference system.")))
         self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
@@ -109,7 +132,7 @@ class Orthorectify(SensorAlgorithm):
         assert self._image_ref is not None
         image = self._image()
         assert image is not None
-        model, wkt, domain = self._model(run, image)
+        model, wkt, domain, dem_datum = self._model(run, image)
         target = run.crs(CRS)
         extent = None
         if run.parameters.get(EXTENT):
@@ -127,7 +150,7 @@ class Orthorectify(SensorAlgorithm):
             wkt,
             domain,
             self._dem,
-            run.text(sensor_parameters.DEM_HEIGHTS),
+            dem_datum,
             None if height in (None, "") else run.real(HEIGHT),
             output,
             system_wkt(target),
@@ -145,19 +168,37 @@ class Orthorectify(SensorAlgorithm):
         )
         return {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
 
-    def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain]:
-        """The model in the image's own pixels, the system it is in, and where it is used."""
+    def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, str]:
+        """The model in the image's own pixels, the system it is in, where it is used, and what the terrain model's
+        heights are to be taken as."""
         from ..measure.ground_system import WGS84
         from ..measure.models.model_file import load_model
         from ..measure.orthorectification import rpc_domain
 
-        path = run.path(MODEL_FILE)
+        path, dem_datum = run.path(MODEL_FILE), run.text(sensor_parameters.DEM_HEIGHTS)
         if path and run.path(RPC):
             raise SettingsError(messages.MODEL_AND_RPC())
+        if run.path(INTERIOR) or run.path(EXTERIOR):
+            if path or run.path(RPC):
+                raise SettingsError(messages.ORIENTATION_AND_MODEL())
+            return self._frame(run, image, dem_datum)
         if path:
             file = load_model(Path(path))
-            return file.model, file.wkt, file.domain
+            return file.model, file.wkt, file.domain, dem_datum
         rpc = self._rpc(run, RPC, image)
         if rpc is None:
             raise SensorModelError(messages.NO_RPC())
-        return rpc, WGS84, rpc_domain(rpc, image.raster)
+        return rpc, WGS84, rpc_domain(rpc, image.raster), dem_datum
+
+    def _frame(self, run: Run, image: OpenRaster, dem_datum: str) -> tuple[SensorModel, str, Domain, str]:
+        from ...toolkit.layers import system_wkt
+        from ..measure.frames.oriented_frame import FrameFiles, oriented_frame
+
+        interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
+        if not interior or not exterior:
+            raise SettingsError(messages.ORIENTATION_INCOMPLETE())
+        wkt, datum = system_wkt(run.crs(EXTERIOR_CRS)), run.text(EXTERIOR_HEIGHTS)
+        files = FrameFiles(Path(interior), Path(exterior), wkt, datum)
+        made = oriented_frame(image, files, self._dem, dem_datum, run.real(HEIGHT))
+        run.tell(*made.notices)
+        return made.camera, made.wkt, made.domain, made.terrain_datum

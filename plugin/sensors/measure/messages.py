@@ -105,6 +105,52 @@ MODEL_FILE_VERSION = Message(
     "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew."
 )
 MODEL_AND_RPC = Message("Both a model file and an RPC file are given; choose one of them.")
+# frame cameras
+NO_INTERIOR = Message(
+    "{name} holds no interior orientation that can be read; choose a YAML file of orthority or an AutoCal XML of "
+    "MicMac."
+)
+INTERIOR_OF_ANOTHER_SHAPE = Message(
+    "The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; "
+    "choose the camera's own image, uncropped and not turned."
+)
+CAMERA_UNKNOWN = Message(
+    "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file."
+)
+DISTORTION_UNKNOWN = Message(
+    "The camera of {name} has a distortion that is not known here ({kind}); pinhole and Brown cameras of orthority and "
+    "MicMac's radial distortion are."
+)
+NO_EXTERIOR = Message(
+    "{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, "
+    "phi, kappa (degrees), a GeoJSON of orthority or an Orientation XML of MicMac."
+)
+IMAGE_NOT_ORIENTED = Message(
+    "{name} does not name the image {image} just once; it names {names}. Choose the file of this image."
+)
+ORIENTATION_INCOMPLETE = Message(
+    "An interior and an exterior orientation are needed together; give the one that is missing."
+)
+ORIENTATION_AND_MODEL = Message(
+    "Orientations of a frame camera and a model or RPC file are given; choose one of them."
+)
+EXTERIOR_WITHOUT_SYSTEM = Message(
+    "{name} names no coordinate reference system and the image has none; set that of the exterior orientation."
+)
+EXTERIOR_NOT_METRIC = Message(
+    "The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a "
+    "projected reference system in metres."
+)
+CAMERA_BELOW_TERRAIN = Message(
+    "The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, "
+    "their units and the reference system."
+)
+CAMERA_LOOKS_UP = Message(
+    "The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; "
+    "check omega, phi and kappa."
+)
+TERRAIN_EMPTY = Message("The terrain model {name} has no heights at all; choose another one.")
+EXTERIOR_SYSTEM_TAKEN = Message("The exterior orientation is taken as in the image's own reference system.", INFO)
 # heights and terrain
 HEIGHTS_ASSUMED = Message(
     "{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level "

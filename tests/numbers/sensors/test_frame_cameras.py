@@ -1,0 +1,192 @@
+"""Aerial photos by their orientations: seen as orthority and OpenCV see them, rectified, and refused with a sentence."""
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from osgeo import gdal
+from scipy.ndimage import map_coordinates
+from seam_inspector.plugin.imagery.errors import SeamInspectorError
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.sensors.measure.frames.exterior_files import read_exterior
+from seam_inspector.plugin.sensors.measure.frames.interior_files import read_interior
+from seam_inspector.plugin.sensors.measure.frames.oriented_frame import FrameFiles, OrientedFrame, oriented_frame
+from seam_inspector.plugin.sensors.measure.models.frame_camera import FrameCamera, InteriorOrientation, camera_axes
+from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
+from seam_inspector.plugin.sensors.measure.sensor_images import open_image
+
+from tests.numbers.synthetic import wkt
+
+COLUMNS, ROWS, FOCAL = 80, 60, 100.0
+CENTRE = np.array([500_000.0, 4_000_000.0, 1500.0])
+YAML = "cam:\n  type: pinhole\n  im_size: [80, 60]\n  focal_len: 60\n  sensor_size: [80, 60]\n"
+TABLE = "filename,x,y,z,omega,phi,kappa\nphoto,500000,4000000,1500,1,-2,30\n"
+ORIENTATION = """<?xml version="1.0"?><ExportAPERO><OrientationConique><Externe><Centre>500000 4000000 1500</Centre>
+<ParamRotation><CodageMatr><L1>{0}</L1><L2>{1}</L2><L3>{2}</L3></CodageMatr></ParamRotation></Externe>
+</OrientationConique></ExportAPERO>"""
+AUTOCAL = """<?xml version="1.0"?><ExportAPERO><CalibrationInternConique><KnownConv>eConvApero_DistM2C</KnownConv>
+<PP>41 29</PP><F>100</F><SzIm>80 60</SzIm><CalibDistortion><ModRad><CDist>39 31</CDist><CoeffDist>1e-5</CoeffDist>
+<CoeffDist>-2e-9</CoeffDist></ModRad></CalibDistortion></CalibrationInternConique></ExportAPERO>"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A photo whose two bands are its own columns and rows, a terrain with a hill, and its orientations."""
+    ramp = np.stack(np.meshgrid(np.arange(COLUMNS) + 0.5, np.arange(ROWS) + 0.5)).astype(np.float32)
+    photo = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "photo.tif"), COLUMNS, ROWS, 2, gdal.GDT_Float32)
+    photo.WriteArray(ramp)
+    photo = None
+    y, x = np.mgrid[0:200, 0:200]
+    heights = 100 + 300 * np.exp(-((x - 110) ** 2 + (y - 90) ** 2) / 800)
+    terrain = gdal.GetDriverByName("GTiff").Create(str(tmp_path / "dem.tif"), 200, 200, 1, gdal.GDT_Float32)
+    terrain.SetGeoTransform((CENTRE[0] - 2000, 20, 0, CENTRE[1] + 2000, 0, -20))
+    terrain.SetProjection(wkt(32633))
+    terrain.WriteArray(heights.astype(np.float32))
+    terrain = None
+    (tmp_path / "camera.yaml").write_text(YAML)
+    (tmp_path / "places.csv").write_text(TABLE)
+    return tmp_path
+
+
+def oriented(folder: Path, interior: str = "camera.yaml", exterior: str = "places.csv", system: str = "EPSG:32633",
+             datum: str = "as_terrain") -> OrientedFrame:
+    files = FrameFiles(folder / interior, folder / exterior, system, datum)
+    return oriented_frame(
+        open_image(RasterRef(str(folder / "photo.tif"))), files, RasterRef(str(folder / "dem.tif")), "auto", 0.0
+    )
+
+
+@pytest.mark.parametrize("exterior", ["camera_pos_ori.txt", "ngi_ext_param.geojson"])
+def test_points_lie_where_orthority_sees_them(data_folder: Path, exterior: str) -> None:
+    folder = data_folder / "frames" / "ngi"
+    with open(folder / "projected_0182.csv", encoding="utf-8") as file:
+        rows = [[float(row[name]) for name in ("x", "y", "z", "column", "row")] for row in csv.DictReader(file)]
+    image = open_image(RasterRef(str(folder / "3324c_2015_1004_05_0182_RGB.tif")))
+    files = FrameFiles(folder / "ngi_int_param.yaml", folder / exterior, "", "as_terrain")
+    made = oriented_frame(image, files, RasterRef(str(folder / "dem.tif")), "auto", 0.0)
+    table = np.array(rows)
+    assert np.abs(made.camera.project(table[:, :3]) - table[:, 3:]).max() < 2e-4
+
+
+def test_an_orthoimage_takes_each_pixel_from_where_the_camera_saw_it(folder: Path) -> None:
+    made, output = oriented(folder), folder / "ortho.tif"
+    ortho = orthorectify(OrthoRequest(
+        RasterRef(str(folder / "photo.tif")), made.camera, made.wkt, made.domain, RasterRef(str(folder / "dem.tif")),
+        made.terrain_datum, None, output, made.wkt, 4.0, resampling="bilinear",
+    ))
+    assert ortho.max_px < 0.02
+    opened = gdal.Open(str(output))
+    seen, place = opened.ReadAsArray(), opened.GetGeoTransform()
+    rows, columns = np.mgrid[0:seen.shape[1], 0:seen.shape[2]]
+    x, y = place[0] + (columns + 0.5) * place[1], place[3] + (rows + 0.5) * place[5]
+    terrain = gdal.Open(str(folder / "dem.tif")).ReadAsArray()
+    z = map_coordinates(terrain, [(CENTRE[1] + 2000 - y) / 20 - 0.5, (x - CENTRE[0] + 2000) / 20 - 0.5], order=1)
+    expected = made.camera.project(np.stack([x, y, z], axis=-1).reshape(-1, 3)).T.reshape(seen.shape)
+    inner = (expected[0] > 2) & (expected[0] < COLUMNS - 2) & (expected[1] > 2) & (expected[1] < ROWS - 2)
+    assert inner.sum() > 10_000
+    assert np.abs(seen - expected)[:, inner].max() < 0.02
+
+
+@given(st.tuples(*[st.floats(-0.2, 0.2)] * 3), st.tuples(*[st.floats(-0.01, 0.01)] * 2), st.integers(0, 10_000))
+def test_brown_s_distortion_is_opencv_s(radial: tuple[float, ...], tangential: tuple[float, ...], seed: int) -> None:
+    interior = InteriorOrientation(
+        np.array([FOCAL, 1.1 * FOCAL]), np.array([41.0, 28.0]), np.array(radial), np.array(tangential),
+        np.array([41.0, 28.0]),
+    )
+    axes = camera_axes(3.0, -2.0, 40.0)
+    ground = CENTRE - [0, 0, 1500] + np.random.default_rng(seed).uniform(-300, 300, (20, 3)) * [1, 1, 0.3]
+    matrix = np.array([[FOCAL, 0, 41], [0, 1.1 * FOCAL, 28], [0, 0, 1]])
+    turn, _ = cv2.Rodrigues(axes.T)
+    coefficients = np.array([*radial[:2], *tangential, radial[2]])
+    expected, _ = cv2.projectPoints(ground - CENTRE, turn, np.zeros(3), matrix, coefficients)
+    assert FrameCamera(interior, CENTRE, axes).project(ground) == pytest.approx(expected[:, 0], abs=1e-6)
+
+
+def test_without_angles_a_camera_looks_down_with_its_columns_to_the_east() -> None:
+    assert camera_axes(0, 0, 0) == pytest.approx(np.diag([1, -1, -1]))
+    behind = FrameCamera(
+        InteriorOrientation(np.full(2, FOCAL), np.zeros(2), np.zeros(1), np.zeros(2), np.zeros(2)), CENTRE,
+        camera_axes(0, 0, 0),
+    ).project(CENTRE[None] + [0, 0, 10])
+    assert np.isnan(behind).all()
+
+
+@pytest.mark.parametrize("image", ["photo.tif", "photo"])
+def test_all_files_of_an_exterior_orientation_say_the_same(folder: Path, image: str) -> None:
+    axes = camera_axes(1, -2, 30)
+    rows = [" ".join(map(repr, row)) for row in axes.tolist()]
+    (folder / "Orientation-photo.tif.xml").write_text(ORIENTATION.format(*rows))
+    (folder / "blanks.txt").write_text("photo.tif  500000 4000000  1500 1 -2 30\n")
+    (folder / "semicolons.csv").write_text("kappa;phi;omega;z;y;x;filename\n30;-2;1;1500;4000000;500000;photo.jpg\n")
+    (folder / "places.json").write_text(json.dumps({
+        "world_crs": "EPSG:32633",
+        "features": [{"properties": {"filename": "photo", "camera": "cam", "xyz": CENTRE.tolist(),
+                                     "opk": np.radians([1, -2, 30]).tolist()}}],
+    }))
+    for name in ("places.csv", "Orientation-photo.tif.xml", "blanks.txt", "semicolons.csv", "places.json"):
+        found = read_exterior(folder / name, image)
+        assert found.position == pytest.approx(CENTRE), name
+        assert found.axes == pytest.approx(axes), name
+    assert (found.camera, found.wkt) == ("cam", "EPSG:32633")
+
+
+def test_micmac_s_radial_distortion_is_that_of_its_formula(folder: Path) -> None:
+    (folder / "AutoCal.xml").write_text(AUTOCAL)
+    camera = FrameCamera(read_interior(folder / "AutoCal.xml", "", (COLUMNS, ROWS)), np.zeros(3), np.eye(3))
+    seen = np.array([[0.3, -0.2, 1.0], [0.0, 0.0, 1.0], [-0.4, 0.25, 1.0]])
+    ideal = np.array([41.0, 29.0]) + 100 * seen[:, :2]
+    off = ideal - [39.0, 31.0]
+    squared = (off**2).sum(axis=1, keepdims=True)
+    assert camera.project(seen) == pytest.approx(ideal + off * (1e-5 * squared - 2e-9 * squared**2))
+
+
+def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) -> None:
+    whole = read_interior(folder / "camera.yaml", "", (COLUMNS, ROWS))
+    half = read_interior(folder / "camera.yaml", "", (COLUMNS // 2, ROWS // 2))
+    assert half.focal == pytest.approx(whole.focal / 2)
+    assert half.principal == pytest.approx(whole.principal / 2)
+
+
+@pytest.mark.parametrize(("files", "complaint"), [
+    ({"camera.yaml": "a: [1"}, "no interior orientation"),
+    ({"camera.yaml": "[1, 2]"}, "no interior orientation"),
+    ({"camera.yaml": "!!python/object/apply:os.system ['true']"}, "no interior orientation"),
+    ({"camera.yaml": YAML.replace("60\n  sensor", "-1\n  sensor")}, "no interior orientation"),
+    ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[60, 80]\n  focal")}, "another shape"),
+    ({"camera.yaml": YAML + "  k6: 0.2\n"}, "distortion that is not known"),
+    ({"camera.yaml": YAML.replace("pinhole", "fisheye")}, "distortion that is not known"),
+    ({"camera.yaml": YAML + YAML.replace("cam:", "two:")}, "several cameras (cam, two)"),
+    ({"camera.yaml": "<ExportAPERO/>"}, "no interior orientation"),
+    ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not known"),
+    ({"places.csv": ""}, "no exterior orientation"),
+    ({"places.csv": "filename,x,y\nphoto,1,2\n"}, "no exterior orientation"),
+    ({"places.csv": TABLE.replace("1500", "high")}, "no exterior orientation"),
+    ({"places.csv": TABLE.replace("1500", "nan")}, "no exterior orientation"),
+    ({"places.csv": TABLE.replace("photo", "other")}, "does not name the image photo.tif just once; it names other"),
+    ({"places.csv": TABLE + "photo,1,2,3,4,5,6\n"}, "just once"),
+    ({"places.csv": "{}"}, "no exterior orientation"),
+    ({"places.csv": "<Externe><Centre>1 2 3</Centre></Externe>"}, "no exterior orientation"),
+    ({"places.csv": ORIENTATION.format("1 0 0", "0 2 0", "0 0 1")}, "no exterior orientation"),
+    ({"places.csv": TABLE.replace("1500", "150")}, "not above the terrain"),
+    ({"places.csv": TABLE.replace("1,-2,30", "85,-2,30")}, "horizon"),
+])  # fmt: skip
+def test_what_can_t_be_used_is_said(folder: Path, files: dict[str, str], complaint: str) -> None:
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    with pytest.raises(SeamInspectorError) as raised:
+        oriented(folder)
+    assert complaint in str(raised.value)
+
+
+@pytest.mark.parametrize(("system", "complaint"), [
+    ("", "names no coordinate reference system"), ("EPSG:4326", "not in metres"), ("EPSG:2263", "not in metres"),
+])  # fmt: skip
+def test_a_system_without_metres_is_refused(folder: Path, system: str, complaint: str) -> None:
+    with pytest.raises(SeamInspectorError, match=complaint):
+        oriented(folder, system=system)
