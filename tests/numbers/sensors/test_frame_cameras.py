@@ -1,4 +1,4 @@
-"""Aerial photos by their orientations: seen as orthority and OpenCV see them, rectified, and refused with a sentence."""
+"""Aerial photos by their orientations: seen as orthority and OpenCV see them, rectified, refused with a sentence."""
 from __future__ import annotations
 
 import csv
