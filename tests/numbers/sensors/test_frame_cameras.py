@@ -17,7 +17,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure.frames.exterior_files import read_exterior
 from seam_inspector.plugin.sensors.measure.frames.interior_files import read_interior
 from seam_inspector.plugin.sensors.measure.frames.oriented_frame import FrameFiles, OrientedFrame, oriented_frame
-from seam_inspector.plugin.sensors.measure.models.frame_camera import FrameCamera, InteriorOrientation, camera_axes
+from seam_inspector.plugin.sensors.measure.models.frame_camera import FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 from seam_inspector.plugin.sensors.measure.sensor_images import open_image
 
@@ -95,7 +95,7 @@ def test_an_orthoimage_takes_each_pixel_from_where_the_camera_saw_it(folder: Pat
 
 @given(st.tuples(*[st.floats(-0.2, 0.2)] * 3), st.tuples(*[st.floats(-0.01, 0.01)] * 2), st.integers(0, 10_000))
 def test_brown_s_distortion_is_opencv_s(radial: tuple[float, ...], tangential: tuple[float, ...], seed: int) -> None:
-    interior = InteriorOrientation(
+    interior = FrameInterior(
         np.array([FOCAL, 1.1 * FOCAL]), np.array([41.0, 28.0]), np.array(radial), np.array(tangential),
         np.array([41.0, 28.0]),
     )
@@ -111,7 +111,7 @@ def test_brown_s_distortion_is_opencv_s(radial: tuple[float, ...], tangential: t
 def test_without_angles_a_camera_looks_down_with_its_columns_to_the_east() -> None:
     assert camera_axes(0, 0, 0) == pytest.approx(np.diag([1, -1, -1]))
     behind = FrameCamera(
-        InteriorOrientation(np.full(2, FOCAL), np.zeros(2), np.zeros(1), np.zeros(2), np.zeros(2)), CENTRE,
+        FrameInterior(np.full(2, FOCAL), np.zeros(2), np.zeros(1), np.zeros(2), np.zeros(2)), CENTRE,
         camera_axes(0, 0, 0),
     ).project(CENTRE[None] + [0, 0, 10])
     assert np.isnan(behind).all()

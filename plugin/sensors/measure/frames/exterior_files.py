@@ -22,7 +22,7 @@ _SHOWN = 5
 
 
 @dataclass(frozen=True)
-class ExteriorOrientation:
+class FrameExterior:
     """Where a camera was and how it looked."""
 
     position: np.ndarray
@@ -35,7 +35,7 @@ class ExteriorOrientation:
     """Reference system of x and y, anything that GDAL understands; empty where the file names none."""
 
 
-def read_exterior(path: Path, image: str) -> ExteriorOrientation:
+def read_exterior(path: Path, image: str) -> FrameExterior:
     """The orientation of an image by its file's name, with or without its ending.
 
     Raises SensorModelError for a file that is none and for one that does not name the image.
@@ -59,28 +59,28 @@ def read_exterior(path: Path, image: str) -> ExteriorOrientation:
     return found
 
 
-def _micmac(content: bytes) -> ExteriorOrientation:
+def _micmac(content: bytes) -> FrameExterior:
     """``Orientation-IMAGE.xml``: centre and axes (rows down, view forward) as a matrix; one file an image."""
     root = xml_root(content)
     outer = root if root.tag == "Externe" else root.find(".//Externe")
     if outer is None:
         raise ValueError
     rows = [(outer.findtext(f"ParamRotation/CodageMatr/L{number}") or "").split() for number in (1, 2, 3)]
-    return ExteriorOrientation(np.array((outer.findtext("Centre") or "").split(), float), np.array(rows, float), "", "")
+    return FrameExterior(np.array((outer.findtext("Centre") or "").split(), float), np.array(rows, float), "", "")
 
 
-def _geojson(content: bytes, path: Path, image: str) -> ExteriorOrientation:
+def _geojson(content: bytes, path: Path, image: str) -> FrameExterior:
     """orthority's: angles in radians, the reference system beside the features."""
     document = json.loads(content)
     rows = [one["properties"] for one in document["features"]]
     row = rows[_index([str(one["filename"]) for one in rows], path, image)]
-    return ExteriorOrientation(
+    return FrameExterior(
         np.array(row["xyz"], float), camera_axes(*(math.degrees(float(angle)) for angle in row["opk"])),
         str(row.get("camera") or ""), str(document.get("world_crs") or ""),
     )  # fmt: skip
 
 
-def _table(content: bytes, path: Path, image: str) -> ExteriorOrientation:
+def _table(content: bytes, path: Path, image: str) -> FrameExterior:
     """Values parted by commas, semicolons, tabs or blanks, with a header or in the order of ``_FIELDS``; degrees."""
     lines = [line for line in content.decode("utf-8-sig", errors="replace").splitlines() if line.strip()]
     parted = next((mark for mark in ",;\t" if mark in lines[0]), " ")
@@ -95,7 +95,7 @@ def _table(content: bytes, path: Path, image: str) -> ExteriorOrientation:
     names = [row[fields.index("filename")] for row in rows]
     row = dict(zip(fields, rows[_index(names, path, image)]))
     position = np.array([float(row[name]) for name in _FIELDS[1:4]])
-    return ExteriorOrientation(
+    return FrameExterior(
         position, camera_axes(*(float(row[name]) for name in _FIELDS[4:])), row.get("camera") or "", ""
     )
 

@@ -13,14 +13,14 @@ from ....imagery import messages as imagery_messages
 from ....imagery.errors import SensorModelError
 from ....imagery.xml_documents import looks_like_xml, xml_root
 from .. import messages
-from ..models.frame_camera import InteriorOrientation
+from ..models.frame_camera import FrameInterior
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 _RADIAL, _TANGENTIAL = ("k1", "k2", "k3"), ("p1", "p2")
 _PLAIN = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 
 
-def read_interior(path: Path, camera: str, size: tuple[int, int]) -> InteriorOrientation:
+def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInterior:
     """The camera of a file, scaled to an image of ``size`` (columns, rows); ``camera`` chooses among several.
 
     Raises SensorModelError for a file that is none, a camera of another shape than the image, a distortion that is
@@ -45,12 +45,12 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> InteriorOri
                 name=path.name, width=width, height=height, columns=size[0], rows=size[1]
             )
         )
-    return InteriorOrientation(
+    return FrameInterior(
         made.focal * scale, made.principal * scale, made.radial, made.tangential, made.distortion_centre * scale
     )
 
 
-def _orthority(content: bytes, path: Path, camera: str) -> tuple[InteriorOrientation, np.ndarray]:
+def _orthority(content: bytes, path: Path, camera: str) -> tuple[FrameInterior, np.ndarray]:
     """A pinhole or a Brown camera (OpenSfM's, with k1, k2, k3, p1, p2)."""
     import yaml
 
@@ -74,7 +74,7 @@ def _orthority(content: bytes, path: Path, camera: str) -> tuple[InteriorOrienta
     offset = np.array([values.get("cx") or 0.0, values.get("cy") or 0.0], float)
     principal = size / 2 + offset * size.max()
     radial, tangential = (np.array([values.get(key) or 0.0 for key in keys], float) for keys in (_RADIAL, _TANGENTIAL))
-    return InteriorOrientation(np.broadcast_to(focal, 2).copy(), principal, radial, tangential, principal), size
+    return FrameInterior(np.broadcast_to(focal, 2).copy(), principal, radial, tangential, principal), size
 
 
 def _refuse_others(values: Mapping[str, Any], path: Path) -> None:
@@ -85,7 +85,7 @@ def _refuse_others(values: Mapping[str, Any], path: Path) -> None:
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=values.get("type", ", ".join(others))))
 
 
-def _micmac(content: bytes, path: Path) -> tuple[InteriorOrientation, np.ndarray]:
+def _micmac(content: bytes, path: Path) -> tuple[FrameInterior, np.ndarray]:
     """A conical camera without distortion, or with a radial one about a centre of its own (NoDist, ModRad)."""
     root = xml_root(content)
     inner = root if root.tag == "CalibrationInternConique" else root.find(".//CalibrationInternConique")
@@ -106,7 +106,7 @@ def _micmac(content: bytes, path: Path) -> tuple[InteriorOrientation, np.ndarray
     if math.isnan(size.sum()) or len(size) != 2 or len(principal) != 2:
         raise ValueError
     return (
-        InteriorOrientation(
+        FrameInterior(
             np.repeat(focal[:1], 2), principal, radial, np.zeros(2), principal if centre is None else centre
         ),
         size,

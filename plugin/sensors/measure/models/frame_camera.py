@@ -10,7 +10,7 @@ from .sensor_model import SensorModel
 
 
 @dataclass(frozen=True)
-class InteriorOrientation:
+class FrameInterior:
     """A camera, in pixels of the image that it is used for: (0, 0) is the upper left corner of the first pixel."""
 
     focal: np.ndarray
@@ -44,7 +44,7 @@ class FrameCamera(SensorModel):
 
     GEOGRAPHIC: ClassVar[bool] = False
 
-    interior: InteriorOrientation
+    interior: FrameInterior
     position: np.ndarray
     """(3,) projection centre: x, y, height, m."""
     axes: np.ndarray
