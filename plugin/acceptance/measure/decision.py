@@ -9,7 +9,7 @@ from ...imagery.statistics.agreement import Agreement
 from ...imagery.statistics.intervals import Interval
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
-from .sampling_plan import OperatingCharacteristic, SamplingPlan
+from .sampling.sampling_plan import OperatingCharacteristic, SamplingPlan
 
 
 class PieceState(Enum):

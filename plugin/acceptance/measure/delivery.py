@@ -41,8 +41,8 @@ class DeliveredPiece:
     left_date: str = ""
     """When the orthoimage on the left hand was taken, as the layer has it."""
     right_date: str = ""
-    sampled: bool | None = None
-    """Whether it belongs to a sample that was drawn before; None where the layer does not say."""
+    sample_number: int | None = None
+    """As the how-manieth of its sample it was drawn, from 1; None where the layer is no sample."""
 
     @property
     def middle(self) -> tuple[float, float]:
@@ -83,6 +83,14 @@ class Delivery:
     unit_m: float = 1.0
     """Metres in a unit of the coordinates."""
     windows: tuple[SeenWindow, ...] = ()
+    lot_size: int | None = None
+    """Pieces of the lot that the pieces are a sample of; None where they are no sample."""
+
+    @property
+    def sampled_numbers(self) -> tuple[int, ...] | None:
+        """The pieces of the sample in the order in which they were drawn; None where the layers are no sample."""
+        drawn = [(piece.sample_number, piece.number) for piece in self.pieces if piece.sample_number is not None]
+        return tuple(number for _, number in sorted(drawn)) if drawn else None
 
     @property
     def sheets(self) -> tuple[str, ...]:

@@ -1,0 +1,153 @@
+"""The decision on a delivery by its rules."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from ...imagery.message import Exceeding, Message
+from ...imagery.statistics.agreement import Agreement
+from ...imagery.statistics.intervals import Interval
+from . import messages
+from .acceptance_rules import (
+    FAILED_SHARE,
+    LONGEST_FAILURE,
+    MEASURED_SHARE,
+    AcceptanceRule,
+    AcceptanceRules,
+)
+from .decision import (
+    DecidedPiece,
+    Decision,
+    FailureRun,
+    MetreFigures,
+    Observers,
+    PieceState,
+    PlanOutcome,
+    RuleOutcome,
+)
+from .delivery import Delivery
+from .failure_runs import failure_runs
+from .measured_pieces import is_unclear, metre_figures, piece_state, sheet_figures
+from .observing import observers, windows_over
+from .sampled_lot import sampled_lot
+from .share_interval import failed_share_interval
+
+_WORDS = {
+    FAILED_SHARE: (messages.SHARE_KEPT, messages.SHARE_EXCEEDED),
+    LONGEST_FAILURE: (messages.RUN_KEPT, messages.RUN_EXCEEDED),
+    MEASURED_SHARE: (messages.MEASURED_ENOUGH, messages.MEASURED_TOO_LITTLE),
+}
+
+
+def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0) -> Decision:
+    """Accept or reject a delivery.
+
+    ``lot_size``: pieces of the whole lot where a plan decides; None: those that are given. ``seed``: of the sample that
+    is drawn then. Raises SettingsError for a lot size that can't be.
+    """
+    states = [piece_state(piece, rules.least_kept) for piece in delivery.pieces]
+    unclear = [is_unclear(piece, rules.least_kept) for piece in delivery.pieces]
+    runs = failure_runs(delivery.pieces, states, delivery.unit_m)
+    longest = runs[0].length_m if runs else 0.0
+    whole = metre_figures("", delivery.pieces, states, unclear, longest)
+    outcomes = [_outcome(rule, _value(rule.check, whole)) for rule in rules.rules]
+    plan, sampled, told = None, set(range(len(states))), []
+    if rules.sampling is not None:
+        lot = sampled_lot(delivery, states, rules.sampling, lot_size, seed)
+        plan, sampled, told = lot.outcome, lot.pieces, list(lot.notices)
+        outcomes.insert(0, lot.rule_outcome)
+    interval = _interval(delivery, states)
+    seen = observers(delivery.windows)
+    accepted = all(outcome.passed is True for outcome in outcomes)
+    sentences = (
+        _decision_sentence(rules, outcomes, accepted),
+        *_figures(whole, interval, runs, rules, plan),
+        *told,
+        *_observers_sentences(seen),
+    )
+    pieces = _decided(delivery, states, unclear, runs, sampled)
+    sheets = sheet_figures(delivery, states, unclear)
+    return Decision(
+        accepted, sentences, rules, delivery, tuple(outcomes), whole, sheets, interval, pieces, runs, plan, seen
+    )
+
+
+def _value(check: str, whole: MetreFigures) -> float | None:
+    if check == MEASURED_SHARE:
+        return whole.measured_share
+    return whole.failed_share if check == FAILED_SHARE else whole.longest_failure_m
+
+
+def _outcome(rule: AcceptanceRule, value: float | None) -> RuleOutcome:
+    if value is None:
+        sentence = messages.NOTHING_WAS_MEASURED()
+        return RuleOutcome(rule.check, None, rule.limit, rule.is_least, None, rule.source, sentence)
+    passed = rule.passes(value)
+    told = value if rule.is_least else Exceeding(value, rule.limit) if not passed else value
+    sentence = _WORDS[rule.check][not passed](value=told, limit=rule.limit)
+    return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence)
+
+
+def _interval(delivery: Delivery, states: Sequence[PieceState]) -> Interval | None:
+    measured = [
+        (piece.length_m, state is PieceState.FAILED, (piece.sheet, piece.seam_id))
+        for piece, state in zip(delivery.pieces, states)
+        if state is not PieceState.NOT_MEASURED
+    ]
+    return failed_share_interval(*zip(*measured)) if measured else None
+
+
+def _decided(
+    delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun],
+    sampled: set[int],
+) -> tuple[DecidedPiece, ...]:
+    of_run = {number: run.number for run in runs for number in run.pieces}
+    extents = np.array([window.extent for window in delivery.windows]).reshape(-1, 4)
+    return tuple(
+        DecidedPiece(
+            piece, state, told, of_run.get(piece.number), piece.number in sampled,
+            windows_over(piece, delivery.windows, extents),
+        )
+        for piece, state, told in zip(delivery.pieces, states, unclear)
+    )
+
+
+def _decision_sentence(rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], accepted: bool) -> Message:
+    """The reasons are all rules that were kept, or those that were not."""
+    reasons = [outcome.sentence for outcome in outcomes if accepted or outcome.passed is not True]
+    why = reasons[0]
+    for also in reasons[1:]:
+        why = messages.AND(why=why, also=also)
+    return (messages.ACCEPTED if accepted else messages.REJECTED)(rules=rules.name, why=why)
+
+
+def _figures(
+    whole: MetreFigures, interval: Interval | None, runs: Sequence[FailureRun], rules: AcceptanceRules,
+    plan: PlanOutcome | None,
+) -> Iterator[Message]:
+    if interval is not None:
+        yield messages.SHARE_INTERVAL(
+            failed=whole.failed_m, measured=whole.measured_m, share=interval.value, low=interval.low, high=interval.high
+        )
+    if runs:
+        x, y = runs[0].place
+        yield messages.LONGEST_WHERE(metres=runs[0].length_m, x=x, y=y, sheets=", ".join(runs[0].sheets))
+    if whole.not_measured_m:
+        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.total_m)
+    if whole.unclear_m:
+        yield messages.UNCLEAR(metres=whole.unclear_m, limit=rules.least_kept)
+
+
+def _observers_sentences(seen: Observers | None) -> Iterator[Message]:
+    if seen is not None and seen.both is not None:
+        yield _agreement_sentence(seen.both, messages.OBSERVERS_AGREE, messages.OBSERVERS_WITHOUT_KAPPA)
+    if seen is not None and seen.with_tool is not None:
+        yield _agreement_sentence(seen.with_tool, messages.TOOL_AGREES, messages.TOOL_WITHOUT_KAPPA)
+
+
+def _agreement_sentence(found: Agreement, with_kappa: Message, without: Message) -> Message:
+    if found.kappa is None:
+        return without(count=found.count, agreed=found.agreed)
+    kappa = found.kappa
+    return with_kappa(count=found.count, agreed=found.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high)

@@ -1,0 +1,123 @@
+"""What a user can be told of the decision on a delivery."""
+from __future__ import annotations
+
+from ...imagery.message import INFO, WARNING, Message
+
+# a file with rules
+RULES_CHECK_TWICE = Message("{name} has two rules for '{check}' ({place} is the second); leave one.")
+RULES_WITHOUT_KEPT = Message("{name} says nowhere what a piece must keep; add a rule with the check 'kept' ({place}).")
+RULES_DECIDE_NOTHING = Message(
+    "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling' ({place})."
+)
+RULES_LIMIT_MISSING = Message("{place} in {name}: the check '{check}' needs '{key}'; give it.")
+RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is at most 1; write 2 % as 0.02.")
+RULES_AQL_UNKNOWN = Message("{place} in {name}: the AQL '{aql}' is none of the standard's; known are {known}.")
+RULES_AND_PARAMETER = Message(
+    "{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out."
+)
+RULES_SAY_NOTHING = Message("nothing of it", INFO)
+# plans of sampling
+LOT_EMPTY = Message("There are no pieces of seam to plan an inspection of; choose layers with lines.")
+LOT_TOO_SMALL = Message("The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.")
+LOT_SMALLER_THAN_GIVEN = Message(
+    "The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is "
+    "given."
+)
+QUALITIES_CROSSED = Message(
+    "Lots with {good:g} % failing pieces are to be accepted and with {bad:g} % rejected; the first has to be smaller, "
+    "both between 0 and 100."
+)
+RISK_OUT_OF_RANGE = Message(
+    "The producer's risk is {producers:g} % and the consumer's {consumers:g} %; both have to lie between 0 and 100."
+)
+QUALITIES_TOO_NEAR = Message(
+    "No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks."
+)
+# the decision: {why} and {also} are reasons from below
+ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
+REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
+AND = Message("{why}; {also}", INFO)
+SHARE_KEPT = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
+SHARE_EXCEEDED = Message("{value:.2%} of the measured metres failed and only {limit:.2%} may", INFO)
+RUN_KEPT = Message("the longest failure without a break is {value:.1f} m and {limit:.1f} m may be", INFO)
+RUN_EXCEEDED = Message("the longest failure without a break is {value:.1f} m and only {limit:.1f} m may be", INFO)
+MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} have to be", INFO)
+MEASURED_TOO_LITTLE = Message(
+    "only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can't be told", INFO
+)
+NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be told", INFO)
+PLAN_KEPT = Message(
+    "{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, level {level}, "
+    "AQL {aql}, code letter {letter}; a lot at the AQL is rejected with {producers:.1%}, one with {limiting:.1%} "
+    "failing pieces accepted with 10 %)", INFO
+)
+PLAN_EXCEEDED = Message(
+    "{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, level "
+    "{level}, AQL {aql}, code letter {letter}; a lot at the AQL is rejected with {producers:.1%})", INFO
+)
+PLAN_LACKS_PIECES = Message(
+    "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be told", INFO
+)
+# what the decision rests on
+SHARE_INTERVAL = Message(
+    "{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}, 95 % interval {low:.2%} to {high:.2%} for "
+    "seams made in the same way.", INFO
+)
+NOT_MEASURED = Message(
+    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING
+)
+UNCLEAR = Message(
+    "{metres:.1f} m can't be told apart from the limit of {limit:g}: their 95 % intervals hold it.", INFO
+)
+LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
+REPLACED = Message(
+    "{count} pieces could not be measured and are no part of the lot that the sample was drawn from.", INFO
+)
+DRAWN = Message("The sample of {size} of {lot} pieces was drawn with the seed {seed}.", INFO)
+WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
+SAMPLE_ONLY = Message(
+    "The layers are a sample that was planned, and all of it was judged by its metres; they speak of the sample alone.",
+    WARNING,
+)
+BEYOND_PLAN = Message(
+    "The plan looks at {size} of {lot} pieces; of all that was measured {share:.2%} of the metres failed, "
+    "{metres:.1f} m without a break.", INFO
+)
+# observers
+OBSERVERS_AGREE = Message(
+    "Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to "
+    "{high:.2f}.", INFO
+)
+OBSERVERS_WITHOUT_KAPPA = Message(
+    "Both operators judged {count} windows and agreed on {agreed}; one of them said one word only, so there is no "
+    "kappa.", INFO
+)
+TOOL_AGREES = Message(
+    "The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} "
+    "to {high:.2f}.", INFO
+)
+TOOL_WITHOUT_KAPPA = Message(
+    "The operator judged {count} windows and the tool agreed on {agreed}; one of them said one word only, so there is "
+    "no kappa.", INFO
+)
+# layers
+NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
+LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")
+LAYER_NOT_LINES = Message("{name} holds no lines; choose the layer 'Seams' of a scan.")
+LAYER_WITHOUT_KEPT = Message("{name} has no field 'kept_1'; choose the layer 'Seams' of a scan, not the seamlines.")
+LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
+LAYER_TWICE = Message("{name} is given twice and counts once.", WARNING)
+LAYERS_EMPTY = Message("The layers of seams are empty; choose those of a scan that found seams.")
+LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
+CRS_IN_DEGREES = Message(
+    "{name} is in degrees, so metres are taken from its field 'length'; where that lacks they are measured on the "
+    "ellipsoid.", INFO
+)
+PIECES_WITHOUT_LENGTH = Message("{count} features of {name} have no line and no length; they are left out.", WARNING)
+NOT_TRANSFORMED = Message(
+    "{name} can't be transformed to the reference system of the first layer; check the systems of both."
+)
+LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
+LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
+AQL_UNKNOWN = Message("The AQL {aql} is none of the standard's; known are {known}.")
+WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")

@@ -1,0 +1,87 @@
+"""The decision by a plan of sampling: which pieces it looks at, and what they say."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...imagery.errors import SettingsError
+from ...imagery.message import Message
+from . import messages
+from .acceptance_rules import SAMPLING, SamplingRule
+from .decision import PieceState, PlanOutcome, RuleOutcome
+from .delivery import Delivery
+from .sampling.characteristic import operating_characteristic
+from .sampling.drawing import stratified_sample
+from .sampling.iso2859 import single_sampling_plan
+from .sampling.sampling_plan import SamplingPlan
+
+
+@dataclass(frozen=True)
+class SampledLot:
+    """What a plan looks at and decides."""
+
+    outcome: PlanOutcome
+    rule_outcome: RuleOutcome
+    pieces: set[int]
+    """Numbers of the pieces of the sample."""
+    notices: tuple[Message, ...]
+
+
+def sampled_lot(
+    delivery: Delivery, states: Sequence[PieceState], rule: SamplingRule, lot_size: int | None, seed: int
+) -> SampledLot:
+    """Draw the sample, or take that which the layers are, and count.
+
+    Where the sample is drawn here, pieces that could not be measured are no part of what it is drawn from, as far as
+    the rules let so much be left out. Of a sample that was drawn before they might be failures.
+    """
+    given = delivery.sampled_numbers
+    measured = [number for number, state in enumerate(states) if state is not PieceState.NOT_MEASURED]
+    size = lot_size or delivery.lot_size or (len(states) if given is not None else len(measured))
+    if size < len(states if given is None else given):
+        raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(states)))
+    plan = single_sampling_plan(max(size, 1), rule.aql, rule.inspection_level, rule.severity)
+    used_seed: int | None = None
+    if given is not None:
+        sample = list(given[: plan.sample_size])
+    elif len(measured) <= plan.sample_size:
+        sample = measured
+    else:
+        drawn = stratified_sample([delivery.pieces[number].sheet for number in measured], plan.sample_size, seed)
+        sample, used_seed = [measured[place] for place in drawn], seed
+    inspected = [number for number in sample if states[number] is not PieceState.NOT_MEASURED]
+    failed = sum(states[number] is PieceState.FAILED for number in inspected)
+    needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
+    outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
+    ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
+    return SampledLot(outcome, ruled, set(sample), tuple(_notices(plan, used_seed, len(states) - len(measured), given)))
+
+
+def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> RuleOutcome:
+    """``missing``: pieces of the sample that were not measured, each of which might have failed."""
+    plan, failed = outcome.plan, outcome.nonconforming
+    most = plan.rejection_number - 1
+    passed = False if failed > most else True if failed + missing <= most else None
+    told = {
+        "nonconforming": failed, "inspected": outcome.inspected, "limit": most, "lot": plan.lot_size,
+        "level": plan.inspection_level, "aql": rule.aql, "letter": plan.code_letter,
+        "producers": outcome.characteristic.producers_risk,
+    }
+    if passed:
+        sentence = messages.PLAN_KEPT(**told, limiting=outcome.characteristic.limiting_quality)
+    elif passed is None:
+        sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
+    else:
+        sentence = messages.PLAN_EXCEEDED(**told)
+    return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
+
+
+def _notices(plan: SamplingPlan, seed: int | None, not_measured: int, given: Sequence[int] | None) -> list[Message]:
+    found = []
+    if seed is not None:
+        found.append(messages.DRAWN(size=plan.sample_size, lot=plan.lot_size, seed=seed))
+        if not_measured:
+            found.append(messages.REPLACED(count=not_measured))
+    if given is None and plan.is_whole_lot:
+        found.append(messages.WHOLE_LOT(lot=plan.lot_size))
+    return found

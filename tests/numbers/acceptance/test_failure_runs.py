@@ -1,0 +1,111 @@
+"""The longest failure without a break: along a seam, across seams and sheets, and never over a gap."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece
+
+from tests.numbers.acceptance.deliveries import delivery, rules, seam
+
+F, P, N = 0.4, 0.95, None  # failed, passed, not measured
+
+
+def decided(*seams: list[DeliveredPiece]) -> Decision:
+    return decide(delivery(*seams), rules())
+
+
+def lengths(*seams: list[DeliveredPiece]) -> list[float]:
+    return [run.length_m for run in decided(*seams).runs]
+
+
+@pytest.mark.parametrize(
+    ("kept", "expected"),
+    [
+        ([P, P, P], []),
+        ([F, P, F, F, P, F, F, F], [30, 20, 10]),
+        ([F, F, F], [30]),
+        ([F, N, F, P, F], [20, 10]),  # what could not be measured does not break a run, and does not count
+        ([F, N, N, F], [10, 10]),  # unless it is longer than a typical piece
+        ([N, F, N], [10]),
+    ],
+)
+def test_along_one_seam(kept: list[float | None], expected: list[float]) -> None:
+    assert lengths(seam(kept)) == expected
+
+
+def test_pieces_of_any_order_and_direction() -> None:
+    pieces = seam([F, F, F, P])
+    turned = [DeliveredPiece(**{**vars(piece), "vertices": piece.vertices[::-1]}) for piece in pieces]
+    shuffled = [DeliveredPiece(**{**vars(turned[old]), "number": new}) for new, old in enumerate([2, 0, 3, 1])]
+    (run,) = decided(shuffled).runs
+    assert run.length_m == 30
+    assert run.pieces in [(1, 3, 0), (0, 3, 1)]
+    assert run.place == pytest.approx((15, 0))
+
+
+def test_a_run_goes_on_over_a_sheet_border_where_the_seams_touch() -> None:
+    first, second = seam([P, F, F]), seam([F, F, P], sheet="b", start=(30.1, 0.1), number=3)
+    (run,) = decided(first, second).runs
+    assert run.length_m == 40
+    assert set(run.sheets) == {"a", "b"}
+
+
+def test_a_gap_between_sheets_breaks_it() -> None:
+    assert lengths(seam([P, F, F]), seam([F, F, P], sheet="b", start=(31, 0), number=3)) == [20, 20]
+
+
+def test_a_station_that_lacks_breaks_it() -> None:
+    pieces = seam([F, F, F])
+    assert lengths([DeliveredPiece(**{**vars(piece), "number": place}) for place, piece in enumerate(pieces[::2])]) == [
+        10, 10,
+    ]  # fmt: skip
+
+
+def test_the_same_seam_number_on_two_sheets_is_not_one_seam() -> None:
+    apart = seam([F, F], sheet="b", start=(0, 500), number=2)
+    assert lengths(seam([F, F]), apart) == [20, 20]
+
+
+def test_three_seams_at_a_node_are_a_line_and_a_branch() -> None:
+    along = seam([F, F, F, F])
+    branch = seam([F, F], seam_id="2", start=(20, 0), way=(0, 1), number=4)
+    assert lengths(along, branch) == [40, 20]
+
+
+def test_a_run_turns_into_another_seam_where_its_own_passes() -> None:
+    along = seam([F, F, P, P])
+    branch = seam([F, F], seam_id="2", start=(20, 0), way=(0, 1), number=4)
+    assert lengths(along, branch) == [40]
+
+
+def test_a_ring_is_one_run() -> None:
+    corners = [((0, 0), (1, 0)), ((10, 0), (0, 1)), ((10, 10), (-1, 0)), ((0, 10), (0, -1))]
+    sides = [
+        seam([kept], start=start, way=way, seam_id=str(number), number=number)
+        for number, ((start, way), kept) in enumerate(zip(corners, [F, N, F, F]))
+    ]
+    assert lengths(*sides) == [30]
+
+
+def test_degrees_are_no_metres() -> None:
+    pieces = seam([F, F, F])
+    small = [DeliveredPiece(**{**vars(one), "vertices": one.vertices / 111_000}) for one in pieces]
+    for place, piece in enumerate(small):
+        vars(piece)["station_m"] = None if place else 0.0
+    made = delivery(small)
+    vars(made)["unit_m"] = 111_000.0
+    assert [run.length_m for run in decide(made, rules()).runs] == [30]
+
+
+def test_runs_do_not_depend_on_the_order_of_many_pieces() -> None:
+    random = np.random.default_rng(0)
+    kept = [F if failed else P for failed in random.random(400) < 0.6]
+    pieces = seam(kept)
+    order = random.permutation(400)
+    mixed = [DeliveredPiece(**{**vars(pieces[old]), "number": new}) for new, old in enumerate(order)]
+    expected, run = [], 0
+    for value in [*kept, P]:
+        run, expected = (run + 10, expected) if value == F else (0, [*expected, run] if run else expected)
+    assert sorted(lengths(mixed)) == sorted(lengths(pieces)) == sorted(expected)

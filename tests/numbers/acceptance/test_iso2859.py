@@ -1,0 +1,161 @@
+"""The tables of ISO 2859-1, held against published copies of them."""
+from __future__ import annotations
+
+import pytest
+from seam_inspector.plugin.acceptance.measure.sampling.iso2859 import (
+    AQLS,
+    INSPECTION_LEVELS,
+    NORMAL,
+    REDUCED,
+    SEVERITIES,
+    TIGHTENED,
+    aql_word,
+    code_letter,
+    single_sampling_plan,
+)
+from seam_inspector.plugin.imagery.errors import SettingsError
+
+LETTERS = "ABCDEFGHJKLMNPQR"
+LARGEST_LOTS = [8, 15, 25, 50, 90, 150, 280, 500, 1200, 3200, 10_000, 35_000, 150_000, 500_000, 5_000_000]
+# MIL-STD-105E, table I, row by row: S-1 to S-4, I to III
+CODE_LETTERS = """AAAAAAB AAAAABC AABBBCD ABBCCDE BBCCCEF BBCDDFG BCDEEGH BCDEFHJ CCEFGJK CDEGHKL CDFGJLM CDFHKMN
+DEGJLNP DEGJMPQ DEHKNQR""".split()
+# MIL-STD-105E, tables II-A to II-C, arrows followed, as the R package AQLSchemes 1.7-2 (J. Lawson) holds them:
+# by AQL the sample sizes and acceptance numbers of the rows A to R
+SAMPLE_SIZES = {
+    NORMAL: """
+1250 800 500 315 200 125 80 50 32 20 13 8 5 3 2 5 3 2 2 2 2 2 2 2 2 2
+1250 800 500 315 200 125 80 50 32 20 13 8 5 3 2 5 3 3 3 3 3 3 3 3 3 3
+1250 800 500 315 200 125 80 50 32 20 13 8 5 3 8 5 5 5 5 5 5 5 5 5 5 3
+1250 800 500 315 200 125 80 50 32 20 13 8 5 13 8 8 8 8 8 8 8 8 8 8 5 3
+1250 800 500 315 200 125 80 50 32 20 13 8 20 13 13 13 13 13 13 13 13 13 13 8 5 3
+1250 800 500 315 200 125 80 50 32 20 13 32 20 20 20 20 20 20 20 20 13 13 13 8 5 3
+1250 800 500 315 200 125 80 50 32 20 50 32 32 32 32 32 32 32 32 20 13 13 13 8 5 3
+1250 800 500 315 200 125 80 50 32 80 50 50 50 50 50 50 50 50 32 20 13 13 13 8 5 3
+1250 800 500 315 200 125 80 50 125 80 80 80 80 80 80 80 80 50 32 20 13 13 13 8 5 3
+1250 800 500 315 200 125 80 200 125 125 125 125 125 125 125 125 80 50 32 20 13 13 13 8 5 3
+1250 800 500 315 200 125 315 200 200 200 200 200 200 200 200 125 80 50 32 20 13 13 13 8 5 3
+1250 800 500 315 200 500 315 315 315 315 315 315 315 315 200 125 80 50 32 20 13 13 13 8 5 3
+1250 800 500 315 800 500 500 500 500 500 500 500 500 315 200 125 80 50 32 20 13 13 13 8 5 3
+1250 800 500 1250 800 800 800 800 800 800 800 800 500 315 200 125 80 50 32 20 13 13 13 8 5 3
+1250 800 2000 1250 1250 1250 1250 1250 1250 1250 1250 800 500 315 200 125 80 50 32 20 13 13 13 8 5 3
+1250 800 2000 2000 2000 2000 2000 2000 2000 2000 1250 800 500 315 200 125 80 50 32 20 13 13 13 8 5 3""",
+    TIGHTENED: """
+2000 1250 800 500 315 200 125 80 50 32 20 13 8 5 3 8 5 3 2 2 2 2 2 2 2 2
+2000 1250 800 500 315 200 125 80 50 32 20 13 8 5 3 8 5 3 3 3 3 3 3 3 3 3
+2000 1250 800 500 315 200 125 80 50 32 20 13 8 5 13 8 5 5 5 5 5 5 5 5 5 3
+2000 1250 800 500 315 200 125 80 50 32 20 13 8 20 13 8 8 8 8 8 8 8 8 8 5 3
+2000 1250 800 500 315 200 125 80 50 32 20 13 32 20 13 13 13 13 13 13 13 13 13 8 5 3
+2000 1250 800 500 315 200 125 80 50 32 20 50 32 20 20 20 20 20 20 20 13 13 13 8 5 3
+2000 1250 800 500 315 200 125 80 50 32 80 50 32 32 32 32 32 32 32 20 13 13 13 8 5 3
+2000 1250 800 500 315 200 125 80 50 125 80 50 50 50 50 50 50 50 32 20 13 13 13 8 5 3
+2000 1250 800 500 315 200 125 80 200 125 80 80 80 80 80 80 80 50 32 20 13 13 13 8 5 3
+2000 1250 800 500 315 200 125 315 200 125 125 125 125 125 125 125 80 50 32 20 13 13 13 8 5 3
+2000 1250 800 500 315 200 500 315 200 200 200 200 200 200 200 125 80 50 32 20 13 13 13 8 5 3
+2000 1250 800 500 315 800 500 315 315 315 315 315 315 315 200 125 80 50 32 20 13 13 13 8 5 3
+2000 1250 800 500 1250 800 500 500 500 500 500 500 500 315 200 125 80 50 32 20 13 13 13 8 5 3
+2000 1250 800 2000 1250 800 800 800 800 800 800 800 500 315 200 125 80 50 32 20 13 13 13 8 5 3
+2000 1250 3150 2000 1250 1250 1250 1250 1250 1250 1250 800 500 315 200 125 80 50 32 20 13 13 13 8 5 3
+2000 1250 3150 2000 2000 2000 2000 2000 2000 2000 1250 800 500 315 200 125 80 50 32 20 13 13 13 8 5 3""",
+    REDUCED: """
+500 315 200 125 80 50 32 20 13 8 5 3 2 2 2 2 2 2 2 2 2 2 2 2 2 2
+500 315 200 125 80 50 32 20 13 8 5 3 2 2 2 2 2 2 2 2 2 2 2 2 2 2
+500 315 200 125 80 50 32 20 13 8 5 3 2 2 3 2 2 2 2 2 2 2 2 2 2 2
+500 315 200 125 80 50 32 20 13 8 5 3 2 5 3 3 3 3 3 3 3 3 3 3 2 2
+500 315 200 125 80 50 32 20 13 8 5 3 8 5 5 5 5 5 5 5 5 5 5 3 2 2
+500 315 200 125 80 50 32 20 13 8 5 13 8 8 8 8 8 8 8 8 5 5 5 3 2 2
+500 315 200 125 80 50 32 20 13 8 20 13 13 13 13 13 13 13 13 8 5 5 5 3 2 2
+500 315 200 125 80 50 32 20 13 32 20 20 20 20 20 20 20 20 13 8 5 5 5 3 2 2
+500 315 200 125 80 50 32 20 50 32 32 32 32 32 32 32 32 20 13 8 5 5 5 3 2 2
+500 315 200 125 80 50 32 80 50 50 50 50 50 50 50 50 32 20 13 8 5 5 5 3 2 2
+500 315 200 125 80 50 125 80 80 80 80 80 80 80 80 50 32 20 13 8 5 5 5 3 2 2
+500 315 200 125 80 200 125 125 125 125 125 125 125 125 80 50 32 20 13 8 5 5 5 3 2 2
+500 315 200 125 315 200 200 200 200 200 200 200 200 125 80 50 32 20 13 8 5 5 5 3 2 2
+500 315 200 500 315 315 315 315 315 315 315 315 200 125 80 50 32 20 13 8 5 5 5 3 2 2
+500 315 800 500 500 500 500 500 500 500 500 315 200 125 80 50 32 20 13 8 5 5 5 3 2 2
+500 315 800 800 800 800 800 800 800 800 500 315 200 125 80 50 32 20 13 8 5 5 5 3 2 2""",
+}
+# acceptance and rejection numbers down some columns of the same tables, rows A to R
+COLUMNS = {
+    (NORMAL, "1.0"): "0/1 0/1 0/1 0/1 0/1 0/1 1/2 1/2 2/3 3/4 5/6 7/8 10/11 14/15 21/22 21/22",
+    (NORMAL, "10"): "1/2 1/2 1/2 2/3 3/4 5/6 7/8 10/11 14/15 21/22" + 6 * " 21/22",
+    (NORMAL, "0.025"): 14 * "0/1 " + "1/2 1/2",
+    (NORMAL, "1000"): "30/31" + 15 * " 44/45",
+    (TIGHTENED, "1.0"): 6 * "0/1 " + "1/2 1/2 1/2 2/3 3/4 5/6 8/9 12/13 18/19 18/19",
+    (TIGHTENED, "10"): "1/2 1/2 1/2 1/2 2/3 3/4 5/6 8/9 12/13 18/19" + 6 * " 18/19",
+    (TIGHTENED, "0.025"): 14 * "0/1 " + "1/2 1/2",
+    (REDUCED, "1.0"): "0/1 0/1 0/1 0/1 0/1 0/1 0/2 0/2 1/3 1/4 2/5 3/6 5/8 7/10 10/13 10/13",
+    (REDUCED, "10"): "0/2 0/2 0/2 1/3 1/4 2/5 3/6 5/8 7/10 10/13" + 6 * " 10/13",
+    (REDUCED, "25"): "1/2 1/3 1/4 2/5 3/6 5/8 7/10 10/13" + 8 * " 10/13",
+    (REDUCED, "1000"): "30/31" + 15 * " 30/31",
+    (REDUCED, "650"): "21/22 21/22 21/24" + 13 * " 21/24",
+}
+
+
+def lots() -> dict[str, tuple[int, str]]:
+    """A lot size and a level for each code letter, by the letter; the lot is larger than any sample where it can be."""
+    found = {}
+    for row, largest in zip(CODE_LETTERS, LARGEST_LOTS):
+        for level, letter in zip(INSPECTION_LEVELS, row):
+            found[letter] = largest, level
+    return found
+
+
+def test_code_letters_are_those_of_table_1() -> None:
+    smallest = [2] + [largest + 1 for largest in LARGEST_LOTS[:-1]]
+    for row, *sizes in zip(CODE_LETTERS, smallest, LARGEST_LOTS):
+        for size in sizes:
+            assert "".join(code_letter(size, level) for level in INSPECTION_LEVELS) == row
+
+
+@pytest.mark.parametrize("severity", SEVERITIES)
+def test_sample_sizes_are_those_of_table_2(severity: str) -> None:
+    rows = [list(map(int, line.split())) for line in SAMPLE_SIZES[severity].strip().splitlines()]
+    for letter, sizes in zip(LETTERS, rows):
+        lot, level = lots()[letter]
+        plans = [single_sampling_plan(lot, aql, level, severity) for aql in AQLS]
+        assert {plan.lot_letter for plan in plans} == {letter}
+        assert [plan.sample_size for plan in plans] == [min(size, lot) for size in sizes], letter
+
+
+@pytest.mark.parametrize(("severity", "aql"), COLUMNS)
+def test_acceptance_and_rejection_numbers_are_those_of_table_2(severity: str, aql: str) -> None:
+    found = []
+    for letter in LETTERS:
+        lot, level = lots()[letter]
+        plan = single_sampling_plan(lot, aql, level, severity)
+        found.append(f"{plan.acceptance_number}/{plan.rejection_number}")
+    assert found == COLUMNS[severity, aql].split()
+
+
+@pytest.mark.parametrize(
+    ("lot", "aql", "severity", "size", "rejected_from"),
+    [  # table 1-A of the National Institute of Building Sciences' guide, "developed from MIL-STD-105E", level II
+        (8, "6.5", NORMAL, 2, 1), (25, "10", NORMAL, 5, 2), (50, "6.5", NORMAL, 8, 2), (90, "15", NORMAL, 13, 6),
+        (280, "4.0", NORMAL, 32, 4), (500, "2.5", NORMAL, 50, 4), (1200, "0.65", NORMAL, 80, 2),
+        (3200, "10", NORMAL, 125, 22), (10_000, "0.65", NORMAL, 200, 4), (150_000, "1.5", NORMAL, 500, 15),
+        # and examples of textbooks: Montgomery, Introduction to statistical quality control, section 15.4
+        (2000, "0.65", NORMAL, 125, 3), (2000, "0.65", TIGHTENED, 125, 2), (2000, "0.65", REDUCED, 50, 3),
+        (1000, "1.0", NORMAL, 80, 3),
+    ],
+)  # fmt: skip
+def test_published_examples(lot: int, aql: str, severity: str, size: int, rejected_from: int) -> None:
+    plan = single_sampling_plan(lot, aql, "II", severity)
+    assert (plan.sample_size, plan.rejection_number) == (size, rejected_from)
+
+
+def test_a_sample_as_large_as_the_lot_is_the_whole_lot() -> None:
+    plan = single_sampling_plan(40, "0.10", "II", NORMAL)
+    assert plan.is_whole_lot
+    assert (plan.sample_size, plan.acceptance_number, plan.code_letter, plan.lot_letter) == (40, 0, "K", "D")
+
+
+def test_a_lot_of_one_has_no_plan() -> None:
+    with pytest.raises(SettingsError, match="inspect all of it"):
+        single_sampling_plan(1, "1.0")
+
+
+@pytest.mark.parametrize(("given", "word"), [(1, "1.0"), ("1", "1.0"), (0.1, "0.10"), ("0.010", "0.010"), (3, None),
+                                             ("x", None), (None, None), (float("nan"), None)])
+def test_limits_are_written_as_the_standard_does(given: object, word: str | None) -> None:
+    assert aql_word(given) == word

@@ -1,0 +1,159 @@
+"""Samples, their risks and sizes, held against simulations and scipy."""
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import stats
+from seam_inspector.plugin.acceptance.measure.sampling.characteristic import (
+    acceptance_probability,
+    limiting_quality,
+    operating_characteristic,
+    producers_risk,
+)
+from seam_inspector.plugin.acceptance.measure.sampling.clustering import intraclass_correlation
+from seam_inspector.plugin.acceptance.measure.sampling.drawing import stratified_sample
+from seam_inspector.plugin.acceptance.measure.sampling.iso2859 import REDUCED, single_sampling_plan
+from seam_inspector.plugin.acceptance.measure.sampling.sample_size import StatedRisk, plan_by_risk
+from seam_inspector.plugin.acceptance.measure.share_interval import failed_share_interval
+from seam_inspector.plugin.imagery.errors import SettingsError
+
+RISK = StatedRisk(0.01, 0.05, 0.08, 0.10)
+
+
+def test_the_characteristic_is_that_of_2000_drawn_lots() -> None:
+    random, lots, size = np.random.default_rng(3), 2000, 1000
+    plan = single_sampling_plan(size, "1.0")
+    strata = np.repeat(np.arange(5), 200).tolist()
+    for share in (0.005, 0.01, 0.02, 0.04, 0.065):
+        accepted = 0
+        for seed in range(lots):
+            failing = np.zeros(size, bool)
+            failing[random.choice(size, round(share * size), replace=False)] = True
+            accepted += failing[stratified_sample(strata, plan.sample_size, seed)].sum() <= plan.acceptance_number
+        expected = float(acceptance_probability(plan, np.array([share]))[0])
+        error = math.sqrt(max(expected * (1 - expected), 1e-3) / lots)
+        assert accepted / lots == pytest.approx(expected, abs=3.5 * error), share
+
+
+@pytest.mark.parametrize(
+    ("lot", "aql", "limiting"),
+    [  # as the standard's table for normal inspection of a series has it, in %
+        (1000, "1.0", 6.5), (1000, "0.15", 2.84), (1000, "2.5", 11.3), (150, "4.0", 24.5), (10_000, "1.0", 4.6),
+        (15, "4.0", 53.6),
+    ],
+)  # fmt: skip
+def test_limiting_quality_is_the_published_one(lot: int, aql: str, limiting: float) -> None:
+    plan = single_sampling_plan(lot, aql)
+    assert 100 * limiting_quality(plan, of_series=True) == pytest.approx(limiting, rel=0.03)
+
+
+def test_the_curve_falls_from_one_and_risks_lie_on_it() -> None:
+    plan = single_sampling_plan(1000, "1.0")
+    for of_series in (False, True):
+        curve = operating_characteristic(plan, of_series)
+        assert curve.accepted[0] == pytest.approx(1)
+        assert np.diff(curve.accepted).max() <= 1e-12
+        at = acceptance_probability(plan, np.array([curve.limiting_quality]), of_series)[0]
+        assert at <= 0.10 + 1e-9
+        assert at == pytest.approx(0.10, abs=0.01)
+    assert producers_risk(plan, True) == pytest.approx(1 - stats.binom.cdf(2, 80, 0.01))
+    assert producers_risk(plan) == pytest.approx(1 - stats.hypergeom.cdf(2, 1000, 10, 80))
+
+
+def test_a_whole_lot_has_no_risk() -> None:
+    plan = single_sampling_plan(40, "0.10")
+    assert producers_risk(plan) == 0
+    assert limiting_quality(plan) == pytest.approx(1 / 40)
+
+
+def test_reduced_inspection_accepts_up_to_its_rejection_number() -> None:
+    plan = single_sampling_plan(2000, "0.65", severity=REDUCED)
+    found = acceptance_probability(plan, np.array([0.02]), True)[0]
+    assert found == pytest.approx(stats.binom.cdf(2, 50, 0.02))
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.integers(1, 60), min_size=1, max_size=8), st.integers(0, 200), st.integers(0, 2**31))
+def test_a_sample_is_in_proportion_and_repeats(sizes: list[int], count: int, seed: int) -> None:
+    strata = [number for number, size in enumerate(sizes) for _ in range(size)]
+    drawn = stratified_sample(strata, count, seed)
+    assert drawn == stratified_sample(strata, count, seed)
+    assert len(set(drawn)) == len(drawn) == min(count, len(strata))
+    for number, size in enumerate(sizes):
+        exact = size * len(drawn) / len(strata)
+        assert math.floor(exact + 1e-9) <= sum(strata[place] == number for place in drawn) <= math.ceil(exact - 1e-9)
+
+
+def test_each_item_is_drawn_as_often_as_any_other() -> None:
+    strata = [0] * 7 + [1] * 5 + [2] * 1
+    counts = np.zeros(13)
+    for seed in range(6000):
+        counts[stratified_sample(strata, 4, seed)] += 1
+    assert stats.chisquare(counts).pvalue > 1e-3
+
+
+def test_a_plan_for_stated_risks_keeps_both_and_is_the_smallest() -> None:
+    found = plan_by_risk(100_000, RISK)
+    size, number = found.plan.sample_size, found.plan.acceptance_number
+    assert stats.binom.cdf(number, size, RISK.good_share) >= 0.95
+    assert stats.binom.cdf(number, size, RISK.bad_share) <= 0.10
+    smaller = [  # no smaller sample keeps both with any number
+        n for n in range(1, size) for c in range(n)
+        if stats.binom.cdf(c, n, 0.01) >= 0.95 and stats.binom.cdf(c, n, 0.08) <= 0.10
+    ]  # fmt: skip
+    assert smaller == []
+
+
+def test_clustering_makes_the_sample_larger() -> None:
+    plain, clustered = plan_by_risk(5000, RISK), plan_by_risk(5000, RISK, 0.3, 20)
+    assert clustered.independent_size == plain.plan.sample_size
+    assert clustered.design_effect == pytest.approx(1 + (clustered.plan.sample_size / 20 - 1) * 0.3, rel=0.02)
+    assert clustered.plan.sample_size > 1.5 * plain.plan.sample_size
+    assert plan_by_risk(60, RISK, 0.9, 2).plan.is_whole_lot
+
+
+@pytest.mark.parametrize("risk", [StatedRisk(0.08, 0.05, 0.01, 0.1), StatedRisk(0.01, 0, 0.08, 0.1),
+                                  StatedRisk(0.01, 0.05, 1.5, 0.1), StatedRisk(0.02, 1e-4, 0.0201, 1e-4)])
+def test_risks_that_make_no_plan_are_refused(risk: StatedRisk) -> None:
+    with pytest.raises(SettingsError):
+        plan_by_risk(1000, risk)
+
+
+def clustered_pieces(random: np.random.Generator, seams: int, share: float, correlation: float) -> tuple:
+    """Lengths, failures and seams: each seam fails by its own share, beta-distributed."""
+    sizes = random.integers(2, 20, seams)
+    spread = (1 - correlation) / correlation
+    own = random.beta(share * spread, (1 - share) * spread, seams)
+    cluster = np.repeat(np.arange(seams), sizes)
+    failed = random.random(len(cluster)) < own[cluster]
+    return random.uniform(10, 25, len(cluster)), failed, cluster.tolist()
+
+
+@pytest.mark.parametrize(("seams", "share", "correlation"), [(20, 0.1, 0.3), (60, 0.02, 0.05), (60, 0.4, 0.7),
+                                                             (200, 0.02, 0.3)])
+def test_the_interval_of_the_share_holds_it(seams: int, share: float, correlation: float) -> None:
+    random, held = np.random.default_rng(1), 0
+    for _ in range(400):
+        interval = failed_share_interval(*clustered_pieces(random, seams, share, correlation))
+        held += interval is not None and interval.low <= share <= interval.high
+    assert held / 400 >= 0.90
+
+
+def test_the_interval_of_independent_pieces_is_that_of_clopper_and_pearson() -> None:
+    failed = [True] * 6 + [False] * 94
+    found = failed_share_interval([10.0] * 100, failed, range(100))
+    exact = stats.binomtest(6, 100).proportion_ci(method="exact")
+    assert found is not None
+    assert (found.low, found.high) == pytest.approx((exact.low, exact.high), rel=0.06)
+
+
+def test_how_much_alike_pieces_of_a_seam_are_is_found() -> None:
+    random = np.random.default_rng(2)
+    found = [intraclass_correlation(*clustered_pieces(random, 150, 0.3, 0.4)[1:]) for _ in range(30)]
+    assert np.mean([value for value in found if value is not None]) == pytest.approx(0.4, abs=0.04)
+    assert intraclass_correlation([True, False], [0, 0]) is None
+    assert intraclass_correlation([True] * 4, [0, 0, 1, 1]) is None
