@@ -110,6 +110,10 @@ class Grid:
 
         return np.column_stack([self.column_at(points[:, 0]), self.row_at(points[:, 1])])
 
+    def to_map(self, column: float, row: float) -> tuple[float, float]:
+        """The place on the map of a column and a row."""
+        return self.left + float(column) * self.pixel_width, self.top - float(row) * self.pixel_height
+
     def window_extent(self, window: PixelWindow) -> Extent:
         """The rectangle of a pixel window on the map."""
         return (

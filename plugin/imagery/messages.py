@@ -98,3 +98,16 @@ REMOTE_NOT_OPENED = Message("{name} can't be read over the network ({why}); chec
 # files of records
 RECORDS_IN_USE = Message("another QGIS has it open")
 RECORDS_FOREIGN = Message("the file there is something else")
+# a file with rules
+RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
+RULES_NOT_JSON = Message("The rules in {name} are no JSON (line {line}: {error}); mend the file.")
+RULES_NO_OBJECT = Message('{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.')
+RULES_KEY_UNKNOWN = Message("{place} in {name} has the unknown key '{key}'; known are {known}.")
+RULES_WORD_UNKNOWN = Message("{place} in {name} has the unknown {key} '{value}'; known are {known}.")
+RULES_LIMIT_BAD = Message("{place} in {name}: '{key}' has to be a number of {least:g} or more.")
+RULES_LIMITS_CROSSED = Message("{place} in {name}: 'least' is larger than 'most'.")
+RULES_WHOLE_BAD = Message("{place} in {name}: '{key}' has to be a whole number of 1 or more.")
+RULES_FLAG_BAD = Message("{place} in {name}: '{key}' has to be true or false.")
+RULES_SOURCE_MISSING = Message("{place} in {name} has no 'source'; say in words where the limit comes from.")
+RULE_PLACE = Message("Rule {number}", INFO)
+RULES_PLACE = Message("The object", INFO)

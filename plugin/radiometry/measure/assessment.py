@@ -4,25 +4,29 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Callable
 
-from ...imagery.grids import PixelWindow
-from ...imagery.lines.seamlines import Seam
 from ...imagery.message import Message
-from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
-from ...imagery.value_ranges import ValueRange, is_range_known, value_range
+from ...imagery.value_ranges import ValueRange
 from . import limits, messages
 from . import rules as checks
-from .image_statistics import Histogram, ImageStatistics, can_count, stream_statistics
-from .rules import Rule, RuleSet
-from .seam_steps import SeamStep, seam_steps
-from .uniform_areas import colour_balance, signal_to_noise
+from .grey_areas import ColourBalance, MaybeGrey, colour_balance, find_maybe_grey
+from .image_ranges import ImageRange
+from .image_statistics import Histogram
+from .measured_image import MIN_STATISTICS_PIXELS, MeasuredImage
+from .rules import ALL_BANDS, LUMINOSITY, Rule, RuleSet
+from .seam_steps import SeamStep, worst_step
+from .uniform_areas import signal_to_noise
 
-MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of an image
 
-ALL_BANDS = "all"
-"""The band of a figure that is taken between the bands."""
+@dataclass(frozen=True)
+class Spot:
+    """Where a figure comes from."""
+
+    place: tuple[float, float]
+    """In the image's reference system."""
+    what: Message
+    """What is there."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +34,7 @@ class CheckedFigure:
     """One figure of one band against its rule."""
 
     band: str
-    """As in ``Image.band_names``, or ``all``."""
+    """As in ``Image.band_names``, ``luminosity`` or ``all``."""
     rule: Rule
     value: float | None
     """Shares are fractions of 1; None when it can't be measured."""
@@ -38,6 +42,15 @@ class CheckedFigure:
     """None when it can't be measured or the rule has no limit."""
     reason: Message | None = None
     """Why it can't be measured or judged."""
+    spot: Spot | None = None
+    """Of the worst seam, or of the grey area with most colour."""
+    is_applicable: bool = True
+    """False where an image has nothing of the kind, as one band has no colours."""
+
+    @property
+    def is_missed(self) -> bool:
+        """Whether it would have to be known for an image to be accepted, and is not."""
+        return self.value is None and self.rule.has_limit and self.rule.required and self.is_applicable
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,51 +62,46 @@ class Assessment:
     """None for the whole image."""
     checked_figures: tuple[CheckedFigure, ...]
     available: ValueRange | None
-    """The range that shares are shares of."""
+    """The range that shares are shares of; None where nobody says it."""
     histograms: dict[str, Histogram]
-    """By band name; empty when the values can't be counted."""
+    """By band name, and luminosity; empty when the values can't be counted."""
     seams: tuple[SeamStep, ...]
+    bands: tuple[str, ...]
+    """Of the figures at seams, in their order."""
     notices: tuple[Message, ...]
+    maybe_grey: MaybeGrey | None = None
+    """What may be grey, where no grey areas were given."""
+    balance: ColourBalance | None = None
+    """By the grey areas that were given."""
 
 
-def assess(
-    source: OpenRaster, window: PixelWindow, rules: RuleSet,
-    seams: Sequence[Seam] | None = None, window_id: int | None = None,
-    progress: Callable[[float], bool] = lambda share: True,
-) -> Assessment | None:
-    """Stream a window of an image (all of it: ``image.whole``) and hold it against the rules.
+@dataclass(frozen=True)
+class _Found:
+    """A figure, and where it comes from."""
 
-    ``seams`` are in the image's reference system; without them the rule on seams is left out. ``progress`` is told
-    the share that is done and ends the work by returning False: then there is no result.
+    value: float
+    spot: Spot | None = None
 
-    Raises RasterError when the pixels can't be read.
+
+def judge(measured: MeasuredImage, rules: RuleSet, of_image: ImageRange) -> Assessment:
+    """Hold what was measured of an image against the rules; ``of_image`` is its range of values.
+
+    Without seamlines the rules on seams are left out. Without a range all that is a share of it is not measurable.
     """
-    image = source.raster
-    applied = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or seams is not None]
-    if not can_count(image, rules.value_range):
-        why = messages.NO_VALUE_RANGE(data_type=image.data_type)
-        return Assessment(image, window_id, tuple(_not_measurable(image, applied, why)), None, {}, (), ())
-    statistics = stream_statistics(source, window, rules.value_range, progress)
-    if not statistics.complete:
-        return None
-    count = min(histogram.pixels for histogram in statistics.histograms.values())
-    if count < MIN_STATISTICS_PIXELS:
-        why = messages.TOO_FEW_VALID_PIXELS(count=count, least=MIN_STATISTICS_PIXELS)
-        figures = tuple(_not_measurable(image, applied, why))
-        return Assessment(image, window_id, figures, None, statistics.histograms, (), ())
-    largest = max(histogram.largest for histogram in statistics.histograms.values())
-    available = rules.value_range or value_range(image, largest)
-    assert available is not None  # else the values could not have been counted
-    notices = []
-    if rules.value_range is None and not is_range_known(image):
-        notices.append(
-            messages.RANGE_ASSUMED(name=image.ref.name, largest=f"{largest:g}", low=available[0], high=available[1])
-        )
-    steps = seam_steps(source, window, seams) if seams else []
-    figures = tuple(
-        checked for rule in applied for checked in _checked_figures(rule, image, statistics, available, steps, largest)
-    )
-    return Assessment(image, window_id, figures, available, statistics.histograms, tuple(steps), tuple(notices))
+    applied = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or measured.seams is not None]
+    if measured.statistics is None or measured.pixels < MIN_STATISTICS_PIXELS:
+        why = messages.TOO_FEW_VALID_PIXELS(count=measured.pixels, least=MIN_STATISTICS_PIXELS)
+        if measured.statistics is None:
+            why = of_image.why or messages.NO_VALUE_RANGE(data_type=measured.image.data_type)
+        figures = tuple(_checked(measured, rule, band, why) for rule, band in _pairs(measured, applied))
+        bands = measured.image.band_names
+        return Assessment(measured.image, measured.window_id, figures, None, measured.histograms, (), bands, ())
+    judged = _Judged(measured, of_image)
+    figures = tuple(_checked(measured, rule, band, judged.figure(rule, band)) for rule, band in _pairs(measured, applied))
+    return Assessment(
+        measured.image, measured.window_id, figures, of_image.available, measured.histograms, measured.seams or (),
+        measured.bands, tuple(judged.notices(rules)), judged.maybe_grey, judged.balance,
+    )  # fmt: skip
 
 
 def clipped_share(histogram: Histogram, rule: Rule, available: ValueRange) -> float:
@@ -126,69 +134,122 @@ def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -
     return math.sqrt(squares / sum(step.stations for step in steps)) / (available[1] - available[0])
 
 
-def _checked_figures(
-    rule: Rule, image: Raster, statistics: ImageStatistics, available: ValueRange, steps: Sequence[SeamStep],
-    largest: float,
-) -> Iterator[CheckedFigure]:
-    if rule.check == checks.COLOUR_BALANCE:
-        yield _checked_figure(ALL_BANDS, rule, _colour_figure(image, statistics, available))
-        return
-    for index, (name, histogram) in enumerate(statistics.histograms.items()):
-        if rule.check in checks.AT_SEAMS:
-            figure = _seam_figure(rule, index, available, steps, largest)
-        elif rule.check == checks.SIGNAL_TO_NOISE:
-            figure = _noise_figure(statistics, index, available)
-        else:
-            figure = _histogram_figure(rule, histogram, available)
-        yield _checked_figure(name, rule, figure)
+class _Judged:
+    """The figures of one image, each or why there is none."""
+
+    def __init__(self, measured: MeasuredImage, of_image: ImageRange) -> None:
+        self._measured, self._range, self._why = measured, of_image.available, of_image.why
+        self.maybe_grey: MaybeGrey | None = None
+        self.balance: ColourBalance | None = None
+        if self._range is not None and measured.image.has_luminance:
+            if measured.grey is None:
+                self.maybe_grey = find_maybe_grey(measured.areas, range(3), self._range)
+            else:
+                self.balance = colour_balance(measured.grey, self._range)
+
+    def notices(self, rules: RuleSet) -> Iterator[Message]:
+        """What is doubtful about all of them."""
+        name, given = self._measured.image.ref.name, rules.value_range
+        if self._range is None and self._why is not None:
+            yield messages.NOT_JUDGED(name=name, why=self._why)
+        if given is not None and self._range == given:
+            beyond = max(1 - histogram.share(*given) for histogram in self._measured.histograms.values())
+            if beyond > 0:
+                yield messages.BEYOND_RANGE(name=name, share=beyond, low=given[0], high=given[1])
+
+    def figure(self, rule: Rule, band: str) -> _Found | Message:
+        """One of them."""
+        if band not in (ALL_BANDS, *self._measured.bands, *self._measured.histograms):
+            return messages.NO_LUMINOSITY() if band == LUMINOSITY else messages.NO_SUCH_BAND(band=band)
+        if rule.check == checks.COLOUR_BALANCE:
+            return self._colour()
+        if rule.check == checks.SEAM_STEP:
+            return self._seam_step(band)
+        if rule.check == checks.CLIPPED_LOW and self._starts_at_0:
+            return _Found(clipped_share(self._measured.histograms[band], rule, (0.0, math.inf)))
+        if self._range is None:
+            assert self._why is not None
+            return self._why
+        if rule.check == checks.SIGNAL_TO_NOISE:
+            return self._noise(band, self._range)
+        if rule.check == checks.SEAM_CONTRAST:
+            return self._seam_contrast(band, self._range)
+        histogram = self._measured.histograms[band]
+        if rule.check == checks.PEAK:
+            return _Found(peak_deviation(histogram, self._range))
+        if rule.check == checks.CONTRAST:
+            return _Found(contrast(histogram, self._range))
+        return _Found(clipped_share(histogram, rule, self._range))
+
+    @property
+    def _starts_at_0(self) -> bool:
+        """Whether the dark end is known though the bright one is not."""
+        return self._range is None and self._measured.image.data_type == "uint16"
+
+    def _noise(self, band: str, available: ValueRange) -> _Found | Message:
+        ratio = signal_to_noise(self._measured.areas, self._measured.bands.index(band), available)
+        if ratio is None:
+            return messages.NO_UNIFORM_AREA(least=limits.MIN_AREAS, side=limits.AREA_PX)
+        return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else _Found(ratio)
+
+    def _colour(self) -> _Found | Message:
+        image, balance = self._measured.image, self.balance
+        if not image.has_luminance:
+            return messages.NO_COLOURS()
+        if self._range is None:
+            assert self._why is not None
+            return self._why
+        if balance is not None:
+            what = messages.GREYEST_NOT(area=balance.worst.number, share=balance.worst_value)
+            return _Found(balance.value, Spot(balance.worst.place, what))
+        if self._measured.grey is not None:
+            return messages.GREY_AREAS_UNUSABLE(least=limits.MIN_GREY_PIXELS)
+        if self.maybe_grey is None:
+            return messages.NO_GREY_AREAS()
+        place: tuple[object, object] = self.maybe_grey.middle
+        if image.is_north_up:
+            place = image.grid.to_map(*self.maybe_grey.middle)
+        return messages.GREY_AREAS_UNSEEN(
+            count=len(self.maybe_grey.corners), share=self.maybe_grey.share, x=place[0], y=place[1],
+            difference=self.maybe_grey.difference,
+        )  # fmt: skip
+
+    def _seam_step(self, band: str) -> _Found | Message:
+        steps, largest = self._measured.seams, self._measured.largest
+        if not steps or largest <= 0:
+            return _no_seam()
+        index = self._measured.bands.index(band)
+        worst = worst_step(steps, index)
+        what = messages.SEAM(number=worst.seam_id)
+        if worst.features:
+            what = messages.SEAM_OF_FEATURES(number=worst.seam_id, features=", ".join(worst.features))
+        return _Found(abs(worst.steps[index]) / largest, Spot(worst.places[index], what))
+
+    def _seam_contrast(self, band: str, available: ValueRange) -> _Found | Message:
+        steps = self._measured.seams
+        if not steps:
+            return _no_seam()
+        return _Found(seam_contrast(steps, self._measured.bands.index(band), available))
 
 
-def _histogram_figure(rule: Rule, histogram: Histogram, available: ValueRange) -> float | Message:
-    if rule.check == checks.PEAK:
-        return peak_deviation(histogram, available)
-    if rule.check == checks.CONTRAST:
-        return contrast(histogram, available)
-    return clipped_share(histogram, rule, available)
+def _no_seam() -> Message:
+    return messages.NO_SEAM_HERE(pixels=limits.MIN_SEAM_STATIONS * limits.SEAM_STATION_PX)
 
 
-def _noise_figure(statistics: ImageStatistics, band: int, available: ValueRange) -> float | Message:
-    ratio = signal_to_noise(statistics.areas, band, available)
-    if ratio is None:
-        return messages.NO_UNIFORM_AREA(least=limits.MIN_AREAS, side=limits.AREA_PX)
-    return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else ratio
-
-
-def _colour_figure(image: Raster, statistics: ImageStatistics, available: ValueRange) -> float | Message:
-    if not image.has_luminance:
-        return messages.NO_COLOURS()
-    balance = colour_balance(statistics.areas, range(3), available)
-    if balance is None:
-        return messages.NO_NEUTRAL_AREA(least=limits.MIN_AREAS, most=limits.MAX_NEUTRAL_SPREAD)
-    return balance
-
-
-def _seam_figure(
-    rule: Rule, band: int, available: ValueRange, steps: Sequence[SeamStep], largest: float
-) -> float | Message:
-    if not steps or largest <= 0:
-        return messages.NO_SEAM_HERE(pixels=limits.MIN_SEAM_STATIONS * limits.SEAM_STATION_PX)
-    if rule.check == checks.SEAM_STEP:
-        return max(abs(step.steps[band]) for step in steps) / largest
-    return seam_contrast(steps, band, available)
-
-
-def _checked_figure(band: str, rule: Rule, figure: float | Message) -> CheckedFigure:
-    """A figure against its rule, or why there is none."""
-    if isinstance(figure, Message):
-        return CheckedFigure(band, rule, None, None, messages.NOT_MEASURABLE(why=figure))
-    if not rule.has_limit:
-        return CheckedFigure(band, rule, figure, None, messages.NO_LIMIT())
-    return CheckedFigure(band, rule, figure, rule.passes(figure))
-
-
-def _not_measurable(image: Raster, rules: Sequence[Rule], why: Message) -> Iterator[CheckedFigure]:
+def _pairs(measured: MeasuredImage, rules: Sequence[Rule]) -> Iterator[tuple[Rule, str]]:
+    """Every rule with every band that it is for."""
     for rule in rules:
-        for band in (ALL_BANDS,) if rule.check == checks.COLOUR_BALANCE else image.band_names:
-            yield _checked_figure(band, rule, why)
+        for band in rule.bands_of(measured.image.band_names):
+            yield rule, band
 
 
+def _checked(measured: MeasuredImage, rule: Rule, band: str, figure: _Found | Message) -> CheckedFigure:
+    """A figure against its rule, or why there is none."""
+    image = measured.image
+    if isinstance(figure, Message):
+        applicable = rule.check != checks.COLOUR_BALANCE or image.has_luminance
+        reason = messages.NOT_MEASURABLE(why=figure)
+        return CheckedFigure(band, rule, None, None, reason, is_applicable=applicable)
+    if not rule.has_limit:
+        return CheckedFigure(band, rule, figure.value, None, messages.NO_LIMIT(), figure.spot)
+    return CheckedFigure(band, rule, figure.value, rule.passes(figure.value), spot=figure.spot)

@@ -14,6 +14,8 @@ from ...imagery.open_raster import OpenRaster, PixelBlock
 from ...imagery.rasters import Raster
 from ...imagery.value_ranges import ValueRange
 from . import limits
+from .luminosity import figure_bands, luminosity
+from .rules import LUMINOSITY
 from .uniform_areas import Areas, joined, sample_areas
 
 MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
@@ -62,6 +64,11 @@ class Histogram:
         """Whether each bin is one whole number."""
         return bool(self.values[1] - self.values[0] == 1)
 
+    def trimmed(self) -> Histogram:
+        """Without the empty bins above the largest value: to be kept while other images are looked at."""
+        end = max(int(np.flatnonzero(self.counts)[-1]) + 1, 2) if self.pixels else 2
+        return Histogram(self.values[:end].copy(), self.counts[:end].copy())
+
     def binned(self, available: ValueRange) -> tuple[np.ndarray, np.ndarray]:
         """Counts in up to 256 equal bins over a range, and their middles; values beyond it are in the outer bins."""
         low, high = available
@@ -72,12 +79,23 @@ class Histogram:
         return np.bincount(places, self.counts, bins).astype(np.int64), middles
 
 
+@dataclass(frozen=True)
+class Wanted:
+    """What is to be told of an image: names of its bands, and ``luminosity``."""
+
+    histograms: tuple[str, ...]
+    """Of which there are histograms, at least one."""
+    areas: tuple[str, ...]
+    """Of which areas are looked at."""
+
+
 @dataclass(frozen=True, eq=False)
 class ImageStatistics:
     """What streaming a raster, or a window of it, leaves."""
 
+    wanted: Wanted
     histograms: dict[str, Histogram]
-    """By band name."""
+    """By what was wanted."""
     areas: Areas
     """Areas of 16 x 16 px spread over it, those with an invalid pixel left out."""
     complete: bool
@@ -91,7 +109,7 @@ def can_count(image: Raster, given: ValueRange | None) -> bool:
 
 
 def stream_statistics(
-    source: OpenRaster, window: PixelWindow,
+    source: OpenRaster, window: PixelWindow, wanted: Wanted,
     given: ValueRange | None = None,
     progress: Callable[[float], bool] = lambda share: True,
 ) -> ImageStatistics:
@@ -102,21 +120,23 @@ def stream_statistics(
 
     Raises RasterError when the pixels can't be read.
     """
-    counts: np.ndarray | None = None
+    image = source.raster
+    counts: dict[str, np.ndarray] = {}
     areas: list[Areas] = []
     done = 0
     step = area_step(window)
     for block, (bands, invalid) in _read_ahead(source, source.blocks(window, MAX_BLOCK_PIXELS)):
-        own = np.stack([_counted(band, invalid, given) for band in bands])
-        counts = own if counts is None else counts + own
-        areas.append(sample_areas(bands, invalid, step))
+        for name in wanted.histograms:
+            band = luminosity(bands) if name == LUMINOSITY else bands[image.band_names.index(name)]
+            own = _counted(band, invalid, given)
+            counts[name] = counts[name] + own if name in counts else own
+        areas.append(sample_areas(figure_bands(image, bands, wanted.areas), invalid, step, (block.column, block.row)))
         done += block.width * block.height
         if not progress(done / (window.width * window.height)):
             break
-    assert counts is not None
-    values = _values(np.dtype(source.raster.data_type), given)
-    histograms = {name: Histogram(values, own) for name, own in zip(source.raster.band_names, counts)}
-    return ImageStatistics(histograms, joined(areas), done == window.width * window.height)
+    values = _values(np.dtype(image.data_type), given)
+    histograms = {name: Histogram(values, own) for name, own in counts.items()}
+    return ImageStatistics(wanted, histograms, joined(areas), done == window.width * window.height)
 
 
 def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, PixelBlock]]:

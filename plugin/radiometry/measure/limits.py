@@ -3,7 +3,11 @@ from __future__ import annotations
 
 AREA_PX = 16  # side of an area that is looked at: 256 pixels give the standard deviation to 4 %
 MIN_AREAS = 8  # 2048 pixels: fewer areas say nothing about an image
-MAX_NEUTRAL_SPREAD = 0.10  # of the range, between the bands: five times the JRC limit, so that a cast is still seen
+
+# Colour balance
+MAX_GREY_SPREAD = 0.10  # of the range, between the bands: five times the JRC limit, so that a cast is still seen
+MIN_GREY_PIXELS = 256  # in all grey areas together: their means are then known to a sixteenth of the noise
+GREY_TONES = (0.04, 0.96)  # of the range: beyond it a band may be cut off, and what is cut off has no colour
 
 # The step at a seam; French order of 16 September 2003, section 8.4
 SEAM_NEAR_PX = 2  # from the seam

@@ -4,25 +4,28 @@ from __future__ import annotations
 from ...imagery.message import INFO, WARNING, Message
 
 # a file with rules
-RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
-RULES_NOT_JSON = Message("The rules in {name} are no JSON (line {line}: {error}); mend the file.")
-RULES_NO_OBJECT = Message('{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.')
-RULES_KEY_UNKNOWN = Message("{place} in {name} has the unknown key '{key}'; known are {known}.")
-RULES_CHECK_UNKNOWN = Message("{place} in {name} names the unknown check '{check}'; known are {known}.")
-RULES_CHECK_TWICE = Message("{name} has two rules for '{check}'; leave one.")
-RULES_LIMIT_BAD = Message("{place} in {name}: '{key}' has to be a number of 0 or more.")
-RULES_LIMITS_CROSSED = Message("{place} in {name}: 'least' is larger than 'most'.")
-RULES_VALUES_BAD = Message("{place} in {name}: 'values' has to be a whole number of 1 or more.")
+RULES_CHECK_TWICE = Message("{place} in {name}: '{check}' of {band} has a rule already; leave one.")
 RULES_VALUES_UNUSED = Message("{place} in {name}: 'values' belongs to clipped_low and clipped_high only.")
-RULES_SOURCE_MISSING = Message("{place} in {name} has no 'source'; say in words where the limit comes from.")
-RULES_RANGE_BAD = Message("'value_range' in {name} has to be two numbers, the smaller one first.")
-RULE_PLACE = Message("Rule {number}", INFO)
-RULES_PLACE = Message("The object", INFO)
+RULES_BAND_UNUSED = Message("{place} in {name}: '{check}' is taken between red, green and blue and has no 'band'.")
+RULES_BAND_BAD = Message(
+    "{place} in {name}: 'band' has to be luminosity, each, or the name of a band such as red, nir or band_4."
+)
+RULES_RANGE_BAD = Message("{place} in {name}: 'value_range' has to be two numbers, the smaller one first.")
 # why a rule could not be checked, and what was assumed to check it
 NOT_MEASURABLE = Message("not measurable: {why}", INFO)
 TOO_FEW_VALID_PIXELS = Message("{count} pixels are valid and at least {least} are needed; choose a larger part.", INFO)
 NO_VALUE_RANGE = Message(
-    "values of type {data_type} have no range of their own; give 'value_range' in the rules file.", INFO
+    "values of type {data_type} have no range of their own; give the range of values, or 'value_range' in the rules "
+    "file.", INFO
+)
+RANGE_UNKNOWN = Message(
+    "the files do not say how many bits their values have; the largest value of all {count} images is {largest}, so "
+    "{possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or 'value_range' in the rules "
+    "file.", INFO
+)
+RANGE_CONTRADICTED = Message(
+    "the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or "
+    "'value_range' in the rules file.", INFO
 )
 NO_UNIFORM_AREA = Message(
     "fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such "
@@ -31,14 +34,31 @@ NO_UNIFORM_AREA = Message(
 NO_NOISE_AT_ALL = Message(
     "the uniform areas do not vary at all; a photograph would, so check how the image was made.", INFO
 )
-NO_NEUTRAL_AREA = Message(
-    "fewer than {least} uniform areas whose bands differ by less than {most:.0%} of the range were found; draw windows "
-    "on grey surfaces.", INFO
+NO_GREY_AREAS = Message(
+    "no grey areas are given, and none that may be grey were found; draw roads or roofs and give them as grey areas.",
+    INFO
+)
+GREY_AREAS_UNSEEN = Message(
+    "no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near "
+    "{x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of the "
+    "ground as well. Look at them and give those that are grey.", INFO
+)
+GREY_AREAS_UNUSABLE = Message(
+    "the grey areas show fewer than {least} valid pixels of it that are neither too dark nor too bright; draw more.",
+    INFO
 )
 NO_COLOURS = Message("it has no red, green and blue.", INFO)
+NO_LUMINOSITY = Message("it has no red, green and blue to mix; name one of its bands in the rules.", INFO)
+NO_SUCH_BAND = Message("it has no band {band}.", INFO)
 NO_SEAM_HERE = Message("no seam runs across valid pixels of it for {pixels} px or more.", INFO)
 NO_LIMIT = Message("The rules set no limit; give one in the rules file.", INFO)
-RANGE_ASSUMED = Message(
-    "{name}: the largest value is {largest}, so the range is taken as {low:g} to {high:g}; if it is another, give "
-    "'value_range' in the rules file.", WARNING
+# about an image as a whole
+NOT_JUDGED = Message("{name}, what depends on the range of values is not judged: {why}", WARNING)
+BEYOND_RANGE = Message(
+    "{name}: {share:.2%} of the pixels lie beyond the range of {low:g} to {high:g} that was given, and count as "
+    "clipped; check the range.", WARNING
 )
+# where a figure comes from
+SEAM = Message("seam {number}", INFO)
+SEAM_OF_FEATURES = Message("seam {number}, of feature {features}", INFO)
+GREYEST_NOT = Message("grey area {area} with {share:.1%}, the most of all", INFO)

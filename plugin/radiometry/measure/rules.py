@@ -1,55 +1,51 @@
-"""The rules of acceptance: which figures are checked, against which limits, and where those come from.
+"""The rules of acceptance: which figures are checked, of which bands, against which limits, and where those come from.
 
-A rules file is JSON:
+A rules file is JSON (``imagery/rule_files.py``):
 
     {"name": "...", "value_range": [0, 4095], "rules": [
-        {"check": "contrast", "least": 0.10, "most": 0.20, "source": "..."}, ...]}
+        {"check": "contrast", "band": "luminosity", "least": 0.10, "most": 0.20, "source": "..."}, ...]}
 
-``check`` is one of ``CHECKS``, each at most once; ``least`` and ``most`` are limits, both inclusive, and a rule with
-neither is measured and not judged; ``source`` says where the limit comes from. ``values`` (clipped_low and
-clipped_high only, 5 when left out) is how many values count as clipped. ``value_range``, optional, is the lowest and
-highest value that pixels could have; without it the data type and the largest value say it. Shares are fractions
-of 1. ``docs/radiometry.md`` shows the whole.
+``check`` is one of ``CHECKS``. ``band`` is ``luminosity``, ``each`` (also when it is left out) or a band's name; no
+band has two rules for one check. ``least`` and ``most`` are limits, both inclusive, and a rule with neither is measured
+and not judged. ``required`` (true when left out) says whether an image can be accepted when the figure is not
+measurable. ``values`` (clipped_low and clipped_high only, 5 when left out) is how many values count as clipped.
+``value_range``, optional, is the lowest and highest value that pixels could have. Shares are fractions of 1.
 """
 from __future__ import annotations
 
-import json
-import math
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ...imagery.errors import SettingsError
-from ...imagery.message import Message
+from ...imagery.band_names import COLOURS
+from ...imagery.rule_files import RuleObject, is_number, read_rules, ready_rules
 from ...imagery.value_ranges import ValueRange
 from . import messages
-
-_JRC = "JRC, Orthoimage technical specifications for the purpose of LPIS"
-_FRENCH_ORDER = "Arrêté du 16 septembre 2003, section 8.4 (France)"
-_TRADED = "Pyka 2010: tonal unity at the seams is bought with contrast"
-DEFAULT_RULES = {
-    "name": "JRC orthoimage specification for LPIS",
-    "rules": [
-        {"check": "clipped_low", "most": 0.005, "values": 5, "source": f"{_JRC}: overall clipping"},
-        {"check": "clipped_high", "most": 0.005, "values": 5, "source": f"{_JRC}: overall clipping"},
-        {"check": "peak", "most": 0.15, "source": f"{_JRC}: histogram peak"},
-        {"check": "contrast", "least": 0.10, "most": 0.20, "source": f"{_JRC}: contrast"},
-        {"check": "signal_to_noise", "least": 5, "source": f"{_JRC}: noise"},
-        {"check": "colour_balance", "most": 0.02, "source": f"{_JRC}: colour balance"},
-        {"check": "seam_step", "source": _FRENCH_ORDER},  # which leaves the limit to the contract
-        {"check": "seam_contrast", "source": _TRADED},  # a figure to stand beside the step; it has no limit of its own
-    ],
-}
 
 CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST = "clipped_low", "clipped_high", "peak", "contrast"
 SIGNAL_TO_NOISE, COLOUR_BALANCE = "signal_to_noise", "colour_balance"
 SEAM_STEP, SEAM_CONTRAST = "seam_step", "seam_contrast"
+FROM_HISTOGRAM = (CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST)
 AT_SEAMS = (SEAM_STEP, SEAM_CONTRAST)
 """Measured only where seamlines are given."""
-CHECKS = (CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST, SIGNAL_TO_NOISE, COLOUR_BALANCE, *AT_SEAMS)
+CHECKS = (*FROM_HISTOGRAM, SIGNAL_TO_NOISE, COLOUR_BALANCE, *AT_SEAMS)
+
+LUMINOSITY = "luminosity"
+"""0.299 R + 0.587 G + 0.114 B; of an image with one band that band."""
+EACH_BAND = "each"
+ALL_BANDS = "all"
+"""The band of a figure that is taken between the bands."""
+
+SUBJECT, DEFAULT_RULES = "radiometry", "jrc_lpis"
+"""The ready files, and the one that counts where none is named."""
+
 _CLIPPING = (CLIPPED_LOW, CLIPPED_HIGH)
-_RULE_KEYS, _FILE_KEYS = ("check", "least", "most", "values", "source"), ("name", "value_range", "rules")
+_RULE_KEYS = ("check", "band", "least", "most", "required", "values", "source")
+_FILE_KEYS = ("name", "value_range", "rules")
 _DEFAULT_VALUES = 5
+_OTHER_BAND = re.compile(r"band_[1-9]\d*")
 
 
 @dataclass(frozen=True)
@@ -66,6 +62,10 @@ class Rule:
     """Where the limits come from."""
     values: int = _DEFAULT_VALUES
     """How many values at the end of the range count as clipped."""
+    band: str = EACH_BAND
+    """``luminosity``, ``each`` or the name of a band; ``all`` for what is taken between the bands."""
+    required: bool = True
+    """Whether an image can't be accepted when the figure is not measurable."""
 
     @property
     def has_limit(self) -> bool:
@@ -76,6 +76,10 @@ class Rule:
         """Whether a value is within the limits."""
         return (self.least is None or value >= self.least) and (self.most is None or value <= self.most)
 
+    def bands_of(self, names: Sequence[str]) -> Sequence[str]:
+        """Which figures of an image with these bands it is for; a band it names need not be there."""
+        return names if self.band == EACH_BAND else (self.band,)
+
 
 @dataclass(frozen=True)
 class RuleSet:
@@ -84,82 +88,69 @@ class RuleSet:
     name: str
     rules: tuple[Rule, ...]
     value_range: ValueRange | None = None
-    """Lowest and highest value that pixels could have; None: as data type and largest value say."""
+    """Lowest and highest value that pixels could have; None: as the files say."""
+
+
+def ready_rule_files() -> dict[str, Path]:
+    """The ready files by their names, that of JRC's text first."""
+    ready = ready_rules(SUBJECT)
+    return {DEFAULT_RULES: ready[DEFAULT_RULES], **ready}
 
 
 def default_rules() -> RuleSet:
-    """JRC's orthoimage specification for LPIS."""
-    return _rule_set(DEFAULT_RULES, "")
+    """JRC's orthoimage specification for LPIS, as its text says."""
+    return load_rules(ready_rule_files()[DEFAULT_RULES])
 
 
 def load_rules(path: Path) -> RuleSet:
     """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        why = getattr(error, "strerror", None) or "no UTF-8 text"
-        raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=why)) from None
-    try:
-        content = json.loads(text)
-    except json.JSONDecodeError as error:
-        raise SettingsError(messages.RULES_NOT_JSON(name=path.name, line=error.lineno, error=error.msg)) from None
-    return _rule_set(content, path.name)
+    return read_rules(path, _rule_set)
 
 
-def _rule_set(content: Any, name: str) -> RuleSet:
-    if not isinstance(content, dict) or not isinstance(content.get("rules"), list) or not content["rules"]:
-        raise SettingsError(messages.RULES_NO_OBJECT(name=name))
-    _check_keys(content, _FILE_KEYS, messages.RULES_PLACE(), name)
-    rules = [_rule(rule, messages.RULE_PLACE(number=number), name) for number, rule in enumerate(content["rules"], 1)]
-    for index, rule in enumerate(rules):
-        if rule.check in (other.check for other in rules[:index]):
-            raise SettingsError(messages.RULES_CHECK_TWICE(name=name, check=rule.check))
-    return RuleSet(str(content.get("name") or name), tuple(rules), _range(content.get("value_range"), name))
+def _rule_set(whole: RuleObject, objects: Sequence[RuleObject]) -> RuleSet:
+    whole.allow(_FILE_KEYS)
+    rules: list[Rule] = []
+    for one in objects:
+        rule = _rule(one)
+        for other in rules:
+            if other.check == rule.check and (other.band == rule.band or EACH_BAND in _named(other, rule)):
+                raise one.fault(messages.RULES_CHECK_TWICE, check=rule.check, band=rule.band)
+        rules.append(rule)
+    return RuleSet(str(whole.content.get("name") or whole.file), tuple(rules), _range(whole))
 
 
-def _rule(content: Any, place: Message, name: str) -> Rule:
-    if not isinstance(content, dict):
-        raise SettingsError(messages.RULES_NO_OBJECT(name=name))
-    _check_keys(content, _RULE_KEYS, place, name)
-    check = content.get("check")
-    if check not in CHECKS:
-        raise SettingsError(messages.RULES_CHECK_UNKNOWN(place=place, name=name, check=check, known=", ".join(CHECKS)))
-    least, most = (_limit(content, key, place, name) for key in ("least", "most"))
-    if least is not None and most is not None and least > most:
-        raise SettingsError(messages.RULES_LIMITS_CROSSED(place=place, name=name))
-    values = content.get("values", _DEFAULT_VALUES)
-    if "values" in content and check not in _CLIPPING:
-        raise SettingsError(messages.RULES_VALUES_UNUSED(place=place, name=name))
-    if not isinstance(values, int) or isinstance(values, bool) or values < 1:
-        raise SettingsError(messages.RULES_VALUES_BAD(place=place, name=name))
-    source = content.get("source")
-    if not isinstance(source, str) or not source.strip():
-        raise SettingsError(messages.RULES_SOURCE_MISSING(place=place, name=name))
-    return Rule(check, least, most, source, values)
+def _named(*rules: Rule) -> set[str]:
+    """Bands of the image itself that rules name; luminosity may stand beside each of them."""
+    names = {rule.band for rule in rules}
+    return set() if LUMINOSITY in names else names
 
 
-def _limit(content: dict[str, Any], key: str, place: Message, name: str) -> float | None:
-    limit = content.get(key)
-    if limit is None:
-        return None
-    if not (_is_number(limit) and limit >= 0):
-        raise SettingsError(messages.RULES_LIMIT_BAD(place=place, name=name, key=key))
-    return float(limit)
+def _rule(one: RuleObject) -> Rule:
+    one.allow(_RULE_KEYS)
+    check = one.word("check", CHECKS)
+    least, most = one.limits()
+    if "values" in one.content and check not in _CLIPPING:
+        raise one.fault(messages.RULES_VALUES_UNUSED)
+    values = one.whole("values", _DEFAULT_VALUES)
+    return Rule(check, least, most, one.source(), values, _band(one, check), one.flag("required", True))
 
 
-def _range(content: Any, name: str) -> ValueRange | None:
+def _band(one: RuleObject, check: str) -> str:
+    if check == COLOUR_BALANCE:
+        if "band" in one.content:
+            raise one.fault(messages.RULES_BAND_UNUSED, check=check)
+        return ALL_BANDS
+    band = one.content.get("band", EACH_BAND)
+    known = (LUMINOSITY, EACH_BAND, *COLOURS, "nir")
+    if not isinstance(band, str) or not (band in known or _OTHER_BAND.fullmatch(band)):
+        raise one.fault(messages.RULES_BAND_BAD)
+    return band
+
+
+def _range(whole: RuleObject) -> ValueRange | None:
+    content: Any = whole.content.get("value_range")
     if content is None:
         return None
-    if isinstance(content, list) and len(content) == 2 and all(map(_is_number, content)) and content[0] < content[1]:
+    if isinstance(content, list) and len(content) == 2 and all(map(is_number, content)) and content[0] < content[1]:
         return float(content[0]), float(content[1])
-    raise SettingsError(messages.RULES_RANGE_BAD(name=name))
-
-
-def _check_keys(content: dict[str, Any], known: tuple[str, ...], place: Message, name: str) -> None:
-    for key in content:
-        if key not in known:
-            raise SettingsError(messages.RULES_KEY_UNKNOWN(place=place, name=name, key=key, known=", ".join(known)))
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    raise whole.fault(messages.RULES_RANGE_BAD)

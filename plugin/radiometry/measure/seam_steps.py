@@ -11,6 +11,7 @@ from ...imagery.lines.paths import vertex_stations
 from ...imagery.lines.seamlines import Seam
 from ...imagery.open_raster import OpenRaster
 from . import limits
+from .luminosity import figure_bands
 
 _RUN = 512  # px of seam read at a time
 
@@ -27,9 +28,15 @@ class SeamStep:
     """Of each band, DN: the means to the left less those to the right, the median over the stations."""
     contrasts: tuple[float, ...]
     """Of each band, DN: the standard deviation on either side of a station, root mean square over the stations."""
+    places: tuple[tuple[float, float], ...]
+    """Of each band: the middle of the station whose difference is nearest to the seam's step, on the map."""
+    features: tuple[str, ...] = ()
+    """The features of the seamline layer that the seam comes from, as its user knows them; empty where nobody asked."""
 
 
-def seam_steps(source: OpenRaster, window: PixelWindow, seams: Sequence[Seam]) -> list[SeamStep]:
+def seam_steps(
+    source: OpenRaster, window: PixelWindow, seams: Sequence[Seam], names: tuple[str, ...]
+) -> list[SeamStep]:
     """The steps at all seams with at least four stations on valid pixels of a window of a north-up raster.
 
     Left and right are what lies 2 to 10 px from the seam: nearer, a straightened pixel staircase and a feather would
@@ -37,16 +44,25 @@ def seam_steps(source: OpenRaster, window: PixelWindow, seams: Sequence[Seam]) -
     an edge of the ground that runs along the seam for a while (a lineament, which the order leaves out) does not
     count. A step goes the same way all along a seam, so signs are kept until then.
 
-    ``seams`` in the raster's reference system. Raises RasterError when the raster can't be read.
+    ``seams`` in the raster's reference system; ``names`` of the bands, luminosity among them. Raises RasterError when the raster can't be read.
     """
     found = []
     for seam in seams:
-        stations = [part for run in _runs(seam, source.raster.grid) for part in _stations(source, window, *run)]
+        grid = source.raster.grid
+        stations = [part for run in _runs(seam, grid) for part in _stations(source, window, names, *run)]
         if len(stations) >= limits.MIN_SEAM_STATIONS:
-            differences, variances = (np.array(figures) for figures in zip(*stations))
+            differences, variances, middles = (np.array(figures) for figures in zip(*stations))
             steps, contrasts = np.median(differences, axis=0), np.sqrt(variances.mean(axis=0))
-            found.append(SeamStep(seam.seam_id, len(stations), tuple(steps.tolist()), tuple(contrasts.tolist())))
+            typical = np.abs(differences - steps).argmin(axis=0)
+            places = tuple(grid.to_map(*middles[station]) for station in typical)
+            steps, contrasts = tuple(steps.tolist()), tuple(contrasts.tolist())
+            found.append(SeamStep(seam.seam_id, len(stations), steps, contrasts, places))
     return found
+
+
+def worst_step(steps: Sequence[SeamStep], band: int) -> SeamStep:
+    """The seam at which a band's tone steps most."""
+    return max(steps, key=lambda step: abs(step.steps[band]))
 
 
 def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
@@ -64,10 +80,10 @@ def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 
 
 def _stations(
-    source: OpenRaster, window: PixelWindow, points: np.ndarray, normals: np.ndarray
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """For every station of a run that has valid pixels on both sides, each (bands,): the left mean less the right one,
-    and the mean of the variances of both sides."""
+    source: OpenRaster, window: PixelWindow, names: tuple[str, ...], points: np.ndarray, normals: np.ndarray
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """For every station of a run that has valid pixels on both sides: (bands,) the left mean less the right one,
+    (bands,) the mean of the variances of both sides, and (2,) column and row of its middle."""
     reach = limits.SEAM_FAR_PX + 1
     first, last = (window.column, window.row), (window.column + window.width, window.row + window.height)
     left, top = np.maximum(np.floor(points.min(axis=0)) - reach, first).astype(int)
@@ -83,7 +99,7 @@ def _stations(
         inside = (columns >= left) & (columns < right) & (rows >= top) & (rows < bottom)
         columns, rows = np.where(inside, columns - left, 0), np.where(inside, rows - top, 0)
         valid = inside if invalid is None else inside & ~invalid[rows, columns]
-        sides.append((bands[:, rows, columns], valid))
+        sides.append((figure_bands(source.raster, bands[:, rows, columns], names), valid))
     for start in range(0, len(points) - limits.SEAM_STATION_PX + 1, limits.SEAM_STATION_PX):
         station = slice(start, start + limits.SEAM_STATION_PX)
         counts = [np.count_nonzero(valid[station]) for _, valid in sides]
@@ -92,7 +108,8 @@ def _stations(
                 values[:, station][:, valid[station]].astype(np.float64) for values, valid in sides
             )
             difference = left_values.mean(axis=1) - right_values.mean(axis=1)
-            yield difference, (left_values.var(axis=1) + right_values.var(axis=1)) / 2
+            variance = (left_values.var(axis=1) + right_values.var(axis=1)) / 2
+            yield difference, variance, points[station].mean(axis=0)
 
 
 def _on_grid(vertices: np.ndarray, grid: Grid) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Small areas of a raster: which of them are uniform, how noisy those are, and whether grey ones are grey.
+"""Small areas of a raster: which of them are uniform, how noisy those are, and which may be grey.
 
 An area is 16 x 16 pixels. It is uniform when its four quadrants have the same mean, as far as the noise within them
 lets one tell: the variance between the quadrants' means, times the pixels of one, is at most 3.86 times the variance
@@ -36,18 +36,27 @@ class Areas:
     """(n, b) float64: standard deviation within the quadrants."""
     uniform: np.ndarray
     """(n, b) bool."""
+    corners: np.ndarray
+    """(n, 2) int64: column and row of the upper left pixel."""
 
 
-def sample_areas(bands: np.ndarray, invalid: np.ndarray | None, step: int) -> Areas:
-    """The areas of (bands, rows, columns) whose upper left corners lie ``step`` px apart, without invalid pixels."""
+def sample_areas(
+    bands: np.ndarray, invalid: np.ndarray | None, step: int, corner: tuple[int, int] = (0, 0)
+) -> Areas:
+    """The areas of (bands, rows, columns) whose upper left corners lie ``step`` px apart, without invalid pixels.
+
+    ``corner``: column and row of the first pixel in the raster.
+    """
     side = limits.AREA_PX
     if min(bands.shape[1:]) < side:
         nothing = np.empty((0, len(bands)))
-        return Areas(nothing, nothing, nothing.astype(bool))
+        return Areas(nothing, nothing, nothing.astype(bool), np.empty((0, 2), np.int64))
     seen = np.lib.stride_tricks.sliding_window_view(bands, (side, side), axis=(1, 2))[:, ::step, ::step]
+    rows, columns = np.indices(seen.shape[1:3]).reshape(2, -1) * step
+    corners = np.column_stack([columns, rows]) + corner
     if invalid is not None:
         bad = np.lib.stride_tricks.sliding_window_view(invalid, (side, side))[::step, ::step].any(axis=(2, 3))
-        parts = seen[:, ~bad]
+        parts, corners = seen[:, ~bad], corners[~bad.ravel()]
     else:
         parts = seen.reshape(len(bands), -1, side, side)
     dtype = np.float32 if bands.dtype.kind in "iu" and bands.dtype.itemsize <= 2 else np.float64
@@ -61,7 +70,7 @@ def sample_areas(bands: np.ndarray, invalid: np.ndarray | None, step: int) -> Ar
     between = (sums / _PIXELS).var(axis=1, ddof=1) * _PIXELS
     means = origins + sums.sum(axis=1) / (4 * _PIXELS)
     uniform = between <= MAX_QUADRANT_RATIO * within
-    return Areas(*(figure.reshape(len(bands), -1).T for figure in (means, np.sqrt(within), uniform)))
+    return Areas(*(figure.reshape(len(bands), -1).T for figure in (means, np.sqrt(within), uniform)), corners)
 
 
 def joined(parts: Sequence[Areas]) -> Areas:
@@ -70,6 +79,7 @@ def joined(parts: Sequence[Areas]) -> Areas:
         np.concatenate([part.means for part in parts]),
         np.concatenate([part.noise for part in parts]),
         np.concatenate([part.uniform for part in parts]),
+        np.concatenate([part.corners for part in parts]),
     )
 
 
@@ -89,22 +99,17 @@ def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | N
     return float(means[best].mean()) / deviation if deviation > 0 else float("inf")
 
 
-def colour_balance(areas: Areas, bands: Sequence[int], available: ValueRange) -> float | None:
-    """Largest difference between the bands on neutral areas as a share of the range.
+def maybe_grey(areas: Areas, bands: Sequence[int], available: ValueRange) -> np.ndarray:
+    """(n,) bool: which areas may be grey, for somebody to look at.
 
-    Neutral are areas that are uniform in all the bands, of mid-tone, and whose bands differ by at most 10 % of the
-    range; of those the quarter with the least colour is taken. None where there are fewer than eight.
+    They are uniform in all the bands, of mid-tone, and their bands differ by at most 10 % of the range. Whether they
+    are grey, or bare soil under a clean light, or something blue under a warm one, no pixel tells.
     """
     extent = available[1] - available[0]
     means = areas.means[:, list(bands)]
     spread = np.ptp(means, axis=1) / extent if len(means) else np.empty(0)
     chosen = areas.uniform[:, list(bands)].all(axis=1) & _is_mid_tone(means, available).all(axis=1)
-    chosen &= spread <= limits.MAX_NEUTRAL_SPREAD
-    if np.count_nonzero(chosen) < limits.MIN_AREAS:
-        return None
-    means, spread = means[chosen], spread[chosen]
-    best = np.argsort(spread, kind="stable")[: _quarter(len(spread))]
-    return float(np.ptp(means[best].mean(axis=0))) / extent
+    return np.asarray(chosen & (spread <= limits.MAX_GREY_SPREAD))
 
 
 def _is_mid_tone(means: np.ndarray, available: ValueRange) -> np.ndarray:

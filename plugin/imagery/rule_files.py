@@ -1,0 +1,120 @@
+"""Rules of acceptance as JSON files: what all of them share, and the ready ones.
+
+A file is an object with a ``name`` and a list of ``rules``, each of them an object with the limits ``least`` and
+``most`` (both inclusive) and a ``source`` that says in words where they come from. What else stands in it, each subject
+says; whatever nobody knows is refused, so that no limit is overlooked for a slip of the pen.
+"""
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, TypeVar
+
+from . import messages
+from .errors import SettingsError
+from .message import Message
+
+_READY = Path(__file__).parents[2] / "resources" / "rules"
+
+Made = TypeVar("Made")
+
+
+@dataclass(frozen=True)
+class RuleObject:
+    """An object of a rules file, and where it stands; what it is asked for is right, or raises SettingsError."""
+
+    content: Mapping[str, Any]
+    file: str
+    """Name of the file."""
+    place: Message
+    """Of the object in it."""
+
+    def allow(self, known: Collection[str]) -> None:
+        """Refuse every other key."""
+        for key in self.content:
+            if key not in known:
+                raise self.fault(messages.RULES_KEY_UNKNOWN, key=key, known=", ".join(known))
+
+    def number(self, key: str, least: float = 0) -> float | None:
+        """Of ``least`` or more; None when it is left out."""
+        value = self.content.get(key)
+        if value is None:
+            return None
+        if not (is_number(value) and value >= least):
+            raise self.fault(messages.RULES_LIMIT_BAD, key=key, least=least)
+        return float(value)
+
+    def limits(self) -> tuple[float | None, float | None]:
+        """``least`` and ``most``."""
+        least, most = self.number("least"), self.number("most")
+        if least is not None and most is not None and least > most:
+            raise self.fault(messages.RULES_LIMITS_CROSSED)
+        return least, most
+
+    def whole(self, key: str, default: int) -> int:
+        """A whole number of 1 or more."""
+        value = self.content.get(key, default)
+        if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+            raise self.fault(messages.RULES_WHOLE_BAD, key=key)
+        return value
+
+    def flag(self, key: str, default: bool) -> bool:
+        """True or false."""
+        value = self.content.get(key, default)
+        if not isinstance(value, bool):
+            raise self.fault(messages.RULES_FLAG_BAD, key=key)
+        return value
+
+    def word(self, key: str, known: Collection[str]) -> str:
+        """One of some words."""
+        value = self.content.get(key)
+        if not isinstance(value, str) or value not in known:
+            raise self.fault(messages.RULES_WORD_UNKNOWN, key=key, value=value, known=", ".join(known))
+        return value
+
+    def source(self) -> str:
+        """Where the limits come from."""
+        source = self.content.get("source")
+        if not isinstance(source, str) or not source.strip():
+            raise self.fault(messages.RULES_SOURCE_MISSING)
+        return source
+
+    def fault(self, why: Message, **values: object) -> SettingsError:
+        """What is wrong with it, as an error to be raised."""
+        return SettingsError(why(place=self.place, name=self.file, **values))
+
+
+def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made]) -> Made:
+    """What ``make`` makes of a file's object and of its rules.
+
+    Raises SettingsError, also by ``make``, that says what is wrong with the file, and where.
+    """
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        why = getattr(error, "strerror", None) or "no UTF-8 text"
+        raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=why)) from None
+    try:
+        content = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise SettingsError(messages.RULES_NOT_JSON(name=path.name, line=error.lineno, error=error.msg)) from None
+    except RecursionError:
+        raise SettingsError(messages.RULES_NO_OBJECT(name=path.name)) from None
+    rules = content.get("rules") if isinstance(content, dict) else None
+    if not isinstance(rules, list) or not rules or not all(isinstance(rule, dict) for rule in rules):
+        raise SettingsError(messages.RULES_NO_OBJECT(name=path.name))
+    whole = RuleObject(content, path.name, messages.RULES_PLACE())
+    return make(whole, [RuleObject(rule, path.name, messages.RULE_PLACE(number=n)) for n, rule in enumerate(rules, 1)])
+
+
+def ready_rules(subject: str) -> dict[str, Path]:
+    """The ready files of a subject by their names."""
+    return {path.stem: path for path in sorted((_READY / subject).glob("*.json"))}
+
+
+def is_number(value: Any) -> bool:
+    """Whether it is a finite number."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)

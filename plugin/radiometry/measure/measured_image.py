@@ -1,0 +1,125 @@
+"""What the pixels of an image, or of a window of it, say, before anything is held against a range or a rule."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Callable
+
+from ...imagery.grids import PixelWindow
+from ...imagery.lines.seamlines import Seam
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import Raster
+from . import rules as checks
+from .grey_areas import GreyArea, GreyTone, grey_tones
+from .image_ranges import LargestValue, largest_value, own_range
+from .image_statistics import Histogram, ImageStatistics, Wanted, can_count, stream_statistics
+from .luminosity import has_luminosity
+from .rules import LUMINOSITY, RuleSet
+from .seam_steps import SeamStep, seam_steps
+from .uniform_areas import Areas
+
+MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of an image
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """What users drew on an image, in its reference system; None for what they gave no layer of."""
+
+    seams: Sequence[Seam] | None = None
+    grey_areas: Sequence[GreyArea] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredImage:
+    """What was read of an image."""
+
+    image: Raster
+    window_id: int | None
+    """None for the whole image."""
+    statistics: ImageStatistics | None
+    """None where the values can't be counted."""
+    seams: tuple[SeamStep, ...] | None
+    """With the bands of ``areas``; None without seamlines."""
+    grey: tuple[GreyTone, ...] | None
+    """None without grey areas, or where they can't be laid on the image."""
+
+    @property
+    def bands(self) -> tuple[str, ...]:
+        """Those that areas and seams are measured in: the image's own, and luminosity where a rule asks for it."""
+        assert self.statistics is not None
+        return self.statistics.wanted.areas
+
+    @property
+    def areas(self) -> Areas:
+        assert self.statistics is not None
+        return self.statistics.areas
+
+    @property
+    def histograms(self) -> dict[str, Histogram]:
+        """By band name, and luminosity; empty where the values can't be counted."""
+        return {} if self.statistics is None else self.statistics.histograms
+
+    @property
+    def pixels(self) -> int:
+        """How many valid ones there are."""
+        return min((histogram.pixels for histogram in self.histograms.values()), default=0)
+
+    @property
+    def largest(self) -> float:
+        """The largest value of any band; where only luminosity was counted, of that."""
+        return max(histogram.largest for histogram in self.histograms.values())
+
+    @property
+    def largest_value(self) -> LargestValue | None:
+        """For the range of the set; None where it is of no use to it."""
+        return largest_value(self.histograms.values()) if self._is_whole_16_bit and self.pixels else None
+
+    @property
+    def _is_whole_16_bit(self) -> bool:
+        return self.image.data_type == "uint16" and self.statistics is not None
+
+    def kept(self) -> MeasuredImage:
+        """Itself, in little memory, to wait for the other images of the set."""
+        assert self.statistics is not None
+        histograms = {name: histogram.trimmed() for name, histogram in self.histograms.items()}
+        return replace(self, statistics=replace(self.statistics, histograms=histograms))
+
+
+def measure(
+    source: OpenRaster, window: PixelWindow, rules: RuleSet, drawn: Drawn | None = None, window_id: int | None = None,
+    progress: Callable[[float], bool] = lambda share: True,
+) -> MeasuredImage | None:
+    """Stream a window of an image (all of it: ``image.whole``) for what rules ask of it.
+
+    ``progress`` is told the share that is done and ends the work by returning False: then there is no result.
+
+    Raises RasterError when the pixels can't be read.
+    """
+    image, drawn = source.raster, drawn or Drawn()
+    if not can_count(image, rules.value_range):
+        return MeasuredImage(image, window_id, None, None, None)
+    wanted = _wanted(image, rules, drawn.seams is not None)
+    statistics = stream_statistics(source, window, wanted, rules.value_range, progress)
+    if not statistics.complete:
+        return None
+    steps = None if drawn.seams is None else tuple(seam_steps(source, window, drawn.seams, wanted.areas))
+    grey = None
+    if drawn.grey_areas is not None and image.has_luminance and image.is_north_up:
+        grey = grey_tones(source, window, drawn.grey_areas)
+    return MeasuredImage(image, window_id, statistics, steps, grey)
+
+
+def _wanted(image: Raster, rules: RuleSet, has_seams: bool) -> Wanted:
+    """Histograms of what the rules hold against limits; of all bands where their largest value has to be known, for
+    the step at seams and for a range that only pixels can tell. Areas of all bands."""
+    own = image.band_names
+    mixed = (LUMINOSITY,) if has_luminosity(image) else ()
+    by_histogram = {band for rule in rules.rules if rule.check in checks.FROM_HISTOGRAM for band in rule.bands_of(own)}
+    if has_seams or own_range(image, rules.value_range) is None:
+        by_histogram.update(own)
+    others = {
+        band for rule in rules.rules if rule.check not in checks.FROM_HISTOGRAM for band in rule.bands_of(own)
+    }
+    shown = mixed if LUMINOSITY in by_histogram else ()
+    histograms = (*shown, *(name for name in own if name in by_histogram)) or mixed or own
+    return Wanted(histograms, (*own, *(mixed if LUMINOSITY in others else ())))
