@@ -9,8 +9,10 @@ import numpy as np
 from osgeo import gdal
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.radiometry.measure.assessment import assess
-from seam_inspector.plugin.radiometry.measure.image_statistics import stream_statistics
+from seam_inspector.plugin.radiometry.measure.assessment import judge
+from seam_inspector.plugin.radiometry.measure.image_ranges import known_range
+from seam_inspector.plugin.radiometry.measure.image_statistics import Wanted, stream_statistics
+from seam_inspector.plugin.radiometry.measure.measured_image import measure
 from seam_inspector.plugin.radiometry.measure.rules import default_rules
 
 from .ground import COMPRESSED, FORMATS, TILES, Ground
@@ -41,15 +43,20 @@ def bare_read(path: Path) -> None:
 
 
 def histograms(path: Path) -> object:
-    """Histograms and areas only."""
+    """Histograms of all bands and areas only."""
     source = OpenRaster(RasterRef(str(path)))
-    return stream_statistics(source, source.raster.whole)
+    names = source.raster.band_names
+    return stream_statistics(source, source.raster.whole, Wanted(names, names))
 
 
 def whole(path: Path) -> object:
-    """All figures of the default rules."""
+    """All figures of the default rules, of the luminosity where they say so."""
     source = OpenRaster(RasterRef(str(path)))
-    return assess(source, source.raster.whole, default_rules())
+    measured, rules = measure(source, source.raster.whole, default_rules()), default_rules()
+    assert measured is not None
+    of_image = known_range(source.raster, measured.largest_value, None)
+    assert of_image is not None
+    return judge(measured, rules, of_image)
 
 
 def run(ground: Ground, quick: bool) -> list[Goal]:

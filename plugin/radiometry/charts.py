@@ -4,28 +4,36 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+import numpy as np
 from matplotlib.figure import Figure
 
+from ..imagery.value_ranges import ValueRange
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.translation import tr
 from .measure.assessment import Assessment
-from .measure.rules import CLIPPED_HIGH, CLIPPED_LOW, PEAK, SEAM_CONTRAST, SEAM_STEP
+from .measure.rules import CLIPPED_HIGH, CLIPPED_LOW, LUMINOSITY, PEAK, SEAM_CONTRAST, SEAM_STEP
+from .words import band_words
 
 
 def histogram_figure(result: Assessment) -> Figure | None:
-    """The histograms of an image's bands, the tails that count as clipped and where the peak has to lie."""
-    if result.available is None or not result.histograms:
+    """The histograms of what is judged, the tails that count as clipped and where the peak has to lie.
+
+    Without a known range they end at the largest value, and nothing is marked.
+    """
+    if not result.histograms or not any(histogram.pixels for histogram in result.histograms.values()):
         return None
-    low, high = result.available
+    low, high = shown = result.available or _range_of_values(result)
     figure = new_figure(6.2, 2.7)
     axes = figure.subplots()
     spare = iter(PAPER.sources * 9)
     for name, histogram in result.histograms.items():
-        counts, middles = histogram.binned(result.available)
-        colour = BAND_COLOURS.get(name) or (PAPER.text if len(result.histograms) == 1 else next(spare))
-        axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=name)
-    rules = {checked.rule.check: checked.rule for checked in result.checked_figures}
+        counts, middles = histogram.binned(shown)
+        is_dark = name == LUMINOSITY or len(result.histograms) == 1
+        colour = PAPER.text if is_dark else BAND_COLOURS.get(name) or next(spare)
+        axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=band_words(name))
+    known = result.checked_figures if result.available is not None else ()
+    rules = {checked.rule.check: checked.rule for checked in known}
     whole = next(iter(result.histograms.values())).has_steps
     for check in (CLIPPED_LOW, CLIPPED_HIGH):
         if check in rules:
@@ -44,6 +52,13 @@ def histogram_figure(result: Assessment) -> Figure | None:
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(fontsize="small", frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
+
+
+def _range_of_values(result: Assessment) -> ValueRange:
+    histograms = result.histograms.values()
+    least = min(float(one.values[np.flatnonzero(one.counts)[0]]) for one in histograms if one.pixels)
+    most = max(one.largest for one in histograms if one.pixels)
+    return least, max(most, least + 1)
 
 
 def balance_figure(results: Sequence[Assessment]) -> Figure | None:

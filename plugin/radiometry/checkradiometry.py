@@ -1,39 +1,45 @@
 """``seaminspector:checkradiometry``: the radiometric acceptance of images against rules."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import math
+from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
-    QgsProcessingFeatureSource,
+    QgsProcessingOutputString,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRange,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery import messages as imagery_messages
-from ..imagery.errors import RasterError, SeamInspectorError, SettingsError, WindowError
+from ..imagery.errors import RasterError, SettingsError
 from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
+from .measure import messages
+from .measure.rules import DEFAULT_RULES, ready_rule_files
 
 if TYPE_CHECKING:
-    from ..imagery.drawn_windows import DrawnWindow
-    from ..imagery.grids import PixelWindow
-    from ..imagery.lines.seamlines import Seam
     from ..imagery.message import Message
     from ..imagery.rasters import Raster, RasterRef
+    from ..imagery.value_ranges import ValueRange
     from .measure.assessment import Assessment
+    from .measure.decision import RadiometricDecision
     from .measure.rules import RuleSet
 
-RULES, SEAMLINES, OUTPUT = "RULES", "SEAMLINES", "OUTPUT"
+READY_RULES, RULES, VALUE_RANGE, GREY_AREAS = "READY_RULES", "RULES", "VALUE_RANGE", "GREY_AREAS"
+SEAMLINES, OUTPUT, MAYBE_GREY = "SEAMLINES", "OUTPUT", "MAYBE_GREY"
 PASSED_COUNT, FAILED_COUNT, NOT_MEASURABLE_COUNT = "PASSED_COUNT", "FAILED_COUNT", "NOT_MEASURABLE_COUNT"
+DECISION, REASONS = "DECISION", "REASONS"
 
 
 class CheckRadiometry(RasterListAlgorithm):
@@ -45,9 +51,9 @@ class CheckRadiometry(RasterListAlgorithm):
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "
-        "tails, peak of the histogram, contrast, signal to noise on uniform mid-tone areas, colour balance on neutral "
-        "areas, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can't be "
-        "measured is said with the reason."
+        "tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, "
+        "colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters "
+        "are streamed in blocks. What can't be measured is said with the reason; nothing is accepted on a guess."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -58,10 +64,32 @@ class CheckRadiometry(RasterListAlgorithm):
             "each raster is checked as a whole."
         ))
         self.addDescribed(
+            common.choice(READY_RULES, tr("Ready rules"), list(ready_rule_files()), DEFAULT_RULES),
+            tr(
+                "jrc_lpis: as JRC's text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: "
+                "stricter, each band is held to the limits, and signal to noise and colour balance have to be known."
+            ),
+        )
+        self.addDescribed(
             QgsProcessingParameterFile(RULES, tr("Rules"), extension="json", optional=True),
             tr(
-                "A JSON file with the limits and where they come from; the documentation has one to start from. "
-                "Without it the JRC specification is used."
+                "A JSON file of your own with the limits and where they come from, instead of the ready rules; the "
+                "documentation has one to start from."
+            ),
+        )
+        number = QgsProcessingParameterNumber.Type.Double
+        self.addDescribed(
+            QgsProcessingParameterRange(VALUE_RANGE, tr("Range of values"), number, optional=True),
+            tr(
+                "The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where "
+                "neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(GREY_AREAS, tr("Grey areas"), [polygon], optional=True),
+            tr(
+                "Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; "
+                "without them it is not measurable, since no pixel tells a cast from the colour of the ground."
             ),
         )
         self.addDescribed(
@@ -75,7 +103,18 @@ class CheckRadiometry(RasterListAlgorithm):
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Radiometry"), QgsProcessing.SourceType.TypeVector),
             tr("One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."),
         )
-        self.addDescribed(*common.report(tr("All figures with the histograms on one HTML page.")))
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                MAYBE_GREY, tr("What may be grey"), polygon, optional=True, createByDefault=False
+            ),
+            tr(
+                "Uniform areas with little colour, where no grey areas are given: look at them, delete what is not "
+                "grey, and give the others as grey areas."
+            ),
+        )
+        self.addDescribed(*common.report(tr("The decision and all figures with the histograms on one HTML page.")))
+        self.addOutput(QgsProcessingOutputString(DECISION, tr("Decision: accepted, rejected or undecided")))
+        self.addOutput(QgsProcessingOutputString(REASONS, tr("Reasons of the decision")))
         self.addNumbers({
             PASSED_COUNT: tr("Figures that passed"),
             FAILED_COUNT: tr("Figures that failed"),
@@ -87,53 +126,72 @@ class CheckRadiometry(RasterListAlgorithm):
         self._rules(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from . import tables
+        from . import tables, words
+        from .image_set import ImageSet, jobs_on
+        from .measure.decision import decide
 
         super().check(run)
         rules = self._rules(run)
         drawn = self.drawn_windows(run)
-        seamlines = run.source(SEAMLINES) if run.parameters.get(SEAMLINES) else None
         images = [image for ref in dict.fromkeys(self.refs[RASTERS]) if (image := self._image(ref)) is not None]
         self.require_rasters(images)
         run.tell_once(self.left_out)
         sink, output_id = run.sink(OUTPUT, tables.radiometry_fields())
+        grey_sink, grey_id = run.optional_sink(MAYBE_GREY, *tables.maybe_grey_layout(images))
+        unseen = list(self.left_out)
+        jobs = list(jobs_on(images, drawn, unseen))
+        run.tell_once(unseen[len(self.left_out) :])
         results: list[Assessment] = []
-        notices = list(self.left_out)
-        jobs = list(self._jobs(images, drawn, notices))
-        run.tell_once(notices[len(self.left_out) :])
-        for done, (image, window, number) in enumerate(jobs):
-            if run.is_cancelled():
-                break
-            try:
-                seams = None if seamlines is None else self._seams(seamlines, image, run)
-                result = self._assess(image, window, number, rules, seams, (done, len(jobs)), run)
-            except SeamInspectorError as error:
-                notices.append(imagery_messages.SOURCE_LEFT_OUT(name=image.ref.name, why=error.message))
-                run.tell(notices[-1])
-                continue
-            if result is None:
-                break
+
+        def finish(result: Assessment) -> None:
             run.write(sink, tables.radiometry_features(result))
+            run.write(grey_sink, tables.maybe_grey_features(result, images, run.context.transformContext()))
             run.tell_once(result.notices)
-            notices += result.notices
+            for found in words.found_words(result):
+                run.inform(found)
             results.append(result)
+
+        layers = (run.source(name) if run.parameters.get(name) else None for name in (SEAMLINES, GREY_AREAS))
+        ImageSet(run, rules, *layers, unseen=unseen, finish=finish).check(jobs)
         if not results and not run.is_cancelled():
-            raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(notices[-1:])))
+            raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(unseen[-1:])))
+        decision = None
+        if not run.is_cancelled():
+            decision = decide(results, unseen)
+            _tell(decision, run)
         figures = [checked for result in results for checked in result.checked_figures]
         states = [checked.passed for checked in figures]
         return {
             OUTPUT: output_id,
-            **run.save(common.REPORT, lambda path: _save_report(path, results, notices, rules)),
+            MAYBE_GREY: grey_id,
+            **({} if decision is None else {
+                **run.save(common.REPORT, lambda path: _save_report(path, decision, unseen, rules)),
+                DECISION: decision.outcome.value,
+                REASONS: " ".join(words.decision_reasons(decision)),
+            }),
             PASSED_COUNT: states.count(True),
             FAILED_COUNT: states.count(False),
             NOT_MEASURABLE_COUNT: sum(checked.value is None for checked in figures),
-        }
+        }  # fmt: skip
 
     def _rules(self, run: Run) -> RuleSet:
-        from .measure.rules import default_rules, load_rules
+        from .measure.rules import load_rules
 
-        path = run.text(RULES) if run.parameters.get(RULES) else ""
-        return load_rules(Path(path)) if path else default_rules()
+        own = run.text(RULES) if run.parameters.get(RULES) else ""
+        rules = load_rules(Path(own) if own else ready_rule_files()[run.word(READY_RULES) or DEFAULT_RULES])
+        given = self._value_range(run)
+        return rules if given is None else replace(rules, value_range=given)
+
+    def _value_range(self, run: Run) -> ValueRange | None:
+        value = run.parameters.get(VALUE_RANGE)
+        if value is None or value == "":
+            return None
+        low, high = run.number_range(VALUE_RANGE)
+        if math.isnan(low) and math.isnan(high):
+            return None  # the form with nothing in it
+        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+            raise SettingsError(messages.VALUE_RANGE_BAD())
+        return low, high
 
     def _image(self, ref: RasterRef) -> Raster | None:
         from ..imagery.open_raster import describe
@@ -144,59 +202,17 @@ class CheckRadiometry(RasterListAlgorithm):
             self.left_out.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
             return None
 
-    @staticmethod
-    def _jobs(
-        images: Sequence[Raster], drawn: Sequence[DrawnWindow] | None, notices: list[Message]
-    ) -> Iterator[tuple[Raster, PixelWindow, int | None]]:
-        """What is checked: whole images, or the windows on them; ``notices`` is added to."""
-        from ..imagery.drawn_windows import pixels_under
 
-        if drawn is None:
-            yield from ((image, image.whole, None) for image in images)
-            return
-        seen: set[int] = set()
-        for image in images:
-            for window in drawn:
-                try:
-                    pixels = pixels_under(window, image)
-                except WindowError as error:
-                    name, why = image.ref.name, error.message
-                    notices.append(imagery_messages.WINDOW_LEFT_OUT(window=window.window_id, name=name, why=why))
-                    seen.add(window.window_id)
-                    continue
-                if pixels is not None:
-                    seen.add(window.window_id)
-                    yield image, pixels, window.window_id
-        unseen = [window.window_id for window in drawn if window.window_id not in seen]
-        notices += [imagery_messages.WINDOW_ON_NO_RASTER(window=window) for window in unseen]
+def _tell(decision: RadiometricDecision, run: Run) -> None:
+    """The decision, with its reasons, as the last lines of the log."""
+    from . import words
 
-    @staticmethod
-    def _seams(seamlines: QgsProcessingFeatureSource, image: Raster, run: Run) -> list[Seam]:
-        """The seams in the image's reference system; none for an image without a place on the map."""
-        from ..imagery.lines.seamlines import find_seams
-        from ..toolkit import layers
-
-        if not (image.is_north_up and image.has_place and image.wkt):
-            return []
-        crs = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
-        transform = run.transform(seamlines, crs)
-        lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
-        return find_seams(lines, image.grid.pixel_width)
-
-    @staticmethod
-    def _assess(
-        image: Raster, window: PixelWindow, number: int | None, rules: RuleSet, seams: Sequence[Seam] | None,
-        place: tuple[int, int], run: Run,
-    ) -> Assessment | None:
-        from ..imagery.open_raster import OpenRaster
-        from .measure.assessment import assess
-
-        done, count = place
-        source = OpenRaster(image.ref)
-        return assess(source, window, rules, seams, number, lambda share: run.goes_on((done + share) / count))
+    run.inform(tr("Decision: {word}.").format(word=words.decision_word(decision)))
+    for reason in words.decision_reasons(decision):
+        run.inform(reason)
 
 
-def _save_report(path: Path, results: Sequence[Assessment], notices: Iterable[Message], rules: RuleSet) -> None:
+def _save_report(path: Path, decision: RadiometricDecision, unseen: Iterable[Message], rules: RuleSet) -> None:
     from .report import save_radiometry_report
 
-    save_radiometry_report(path, results, notices, rules)
+    save_radiometry_report(path, decision, unseen, rules)

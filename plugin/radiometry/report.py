@@ -1,33 +1,42 @@
 """The report of a radiometric acceptance, one HTML page."""
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
 from ..imagery.message import Message
 from ..imagery.value_ranges import ValueRange
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, each_raster
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import decimals_beside, sentence, shown_number, tr
+from ..toolkit.translation import filled, sentence, shown_number, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
 from .measure import limits
 from .measure import rules as checks
-from .measure.assessment import ALL_BANDS, Assessment, CheckedFigure
-from .measure.rules import Rule, RuleSet
+from .measure.assessment import Assessment, CheckedFigure
+from .measure.decision import ImageDecision, RadiometricDecision, RadiometricOutcome
+from .measure.rules import RuleSet
+from .words import (
+    CHECK_WORDS,
+    OUTCOME_WORDS,
+    band_words,
+    checks_words,
+    decision_reasons,
+    decision_word,
+    figure_words,
+    found_words,
+    limit_words,
+    outcome_reasons,
+    spot_words,
+    title,
+)
 
-WORDS = {
-    checks.CLIPPED_LOW: QT_TRANSLATE_NOOP("@default", "clipped at the dark end"),
-    checks.CLIPPED_HIGH: QT_TRANSLATE_NOOP("@default", "clipped at the bright end"),
-    checks.PEAK: QT_TRANSLATE_NOOP("@default", "histogram peak from mid-scale"),
-    checks.CONTRAST: QT_TRANSLATE_NOOP("@default", "contrast"),
-    checks.SIGNAL_TO_NOISE: QT_TRANSLATE_NOOP("@default", "signal to noise"),
-    checks.COLOUR_BALANCE: QT_TRANSLATE_NOOP("@default", "colour balance"),
-    checks.SEAM_STEP: QT_TRANSLATE_NOOP("@default", "step at the seams"),
-    checks.SEAM_CONTRAST: QT_TRANSLATE_NOOP("@default", "contrast beside the seams"),
+_STATES = {
+    RadiometricOutcome.ACCEPTED: "good",
+    RadiometricOutcome.REJECTED: "bad",
+    RadiometricOutcome.UNDECIDED: "open",
 }
 
 
@@ -36,10 +45,12 @@ class ImageSection:
     """What the page shows of one image."""
 
     title: str
+    outcome: str
+    reasons: Sequence[str]
+    """Of the outcome, and what else has to be known of it."""
     available: ValueRange | None
     histogram: str | None
     """SVG."""
-    bands: Sequence[str]
     checks: Sequence[CheckRow]
 
 
@@ -48,8 +59,8 @@ class CheckRow:
     """One check of an image."""
 
     name: str
-    values: Sequence[str]
-    """Of every band."""
+    values: Sequence[tuple[str, str]]
+    """Bands and their figures."""
     limit: str
     passed: str
     """That all bands passed, or which failed; empty where nothing was judged."""
@@ -61,24 +72,25 @@ class CheckRow:
 
 
 def save_radiometry_report(
-    path: Path, results: Sequence[Assessment], notices: Iterable[Message], rules: RuleSet
+    path: Path, decision: RadiometricDecision, notices: Iterable[Message], rules: RuleSet
 ) -> None:
     """Write the report. Raises SettingsError where no file can be."""
+    results = [image.result for image in decision.images]
     pairs = [(result, pair) for result in results if (pair := step_and_contrast(result)) is not None]
     figure = balance_figure(results) if pairs else None
     sources = list(dict.fromkeys(rule.source for rule in rules.rules))
+    told = [*notices, *(notice for result in results for notice in result.notices)]
     save_page(
         path,
         "radiometry",
         HowMeasured([(tr("rules"), rules.name)], each_raster(tr("image"), (result.image for result in results))),
-        verdict=_verdict(results),
+        verdict=_verdict(decision),
         sources=sources,
-        overview=[_overview(result) for result in results],
-        notices=sentences_once(notices),
-        balance=[[_title(result), f"{shown_number(100 * step)} %", f"{shown_number(100 * contrast)} %"]
-                 for result, (step, contrast) in pairs],
+        overview=[_overview(image) for image in decision.images],
+        notices=sentences_once(told),
+        balance=[_balance_row(result, *pair) for result, pair in pairs],
         balance_chart=None if figure is None else svg_text(figure),
-        images=(_section(result, sources) for result in results),
+        images=(_section(image, sources) for image in decision.images),
         area_side=limits.AREA_PX,
         seam_near=limits.SEAM_NEAR_PX,
         seam_far=limits.SEAM_FAR_PX,
@@ -86,63 +98,59 @@ def save_radiometry_report(
     )  # fmt: skip
 
 
-def _verdict(results: Sequence[Assessment]) -> tuple[str, str, str]:
-    """Whether all images pass: a state, a word, and how many do."""
-    judged = [[one.passed for one in result.checked_figures if one.rule.has_limit] for result in results]
-    failed = sum(False in outcomes for outcomes in judged)
-    open_ones = sum(None in outcomes and False not in outcomes for outcomes in judged)
-    counts = tr("Images or windows: {count}; failed: {failed}; not measurable in full: {open}.").format(
-        count=len(results), failed=failed, open=open_ones
-    )
-    if failed:
-        return "bad", tr("failed"), counts
-    if open_ones or not results:
-        return "open", tr("passed as far as it can be measured"), counts
-    return "good", tr("passed"), counts
+def _balance_row(result: Assessment, step: float, contrast: float) -> list[str]:
+    """The worst seam of an image, where it is, and the contrast beside its seams."""
+    at_seams = [one for one in result.checked_figures if one.rule.check == checks.SEAM_STEP and one.value == step]
+    x, y = at_seams[0].spot.place if at_seams[0].spot is not None else (math.nan, math.nan)
+    return [
+        title(result),
+        f"{shown_number(100 * step)} % ({band_words(at_seams[0].band)})",
+        spot_words(at_seams[0]) or "",
+        filled("{x:.2f}, {y:.2f}", x=x, y=y),
+        f"{shown_number(100 * contrast)} %",
+    ]
 
 
-def _title(result: Assessment) -> str:
-    """The image, and the window where it is not all of it."""
-    name = result.image.ref.name
-    if result.window_id is None:
-        return name
-    return tr("{name}, window {window}").format(name=name, window=result.window_id)
+def _verdict(decision: RadiometricDecision) -> tuple[str, str, str]:
+    """Its state, its word and its reasons."""
+    return _STATES[decision.outcome], decision_word(decision), " ".join(decision_reasons(decision))
 
 
-def _overview(result: Assessment) -> list[object]:
-    states = [checked.passed for checked in result.checked_figures]
-    missing = sum(checked.value is None for checked in result.checked_figures)
-    failed = dict.fromkeys(tr(WORDS[one.rule.check]) for one in result.checked_figures if one.passed is False)
-    return [_title(result), states.count(True), states.count(False), missing, ", ".join(failed)]
+def _overview(image: ImageDecision) -> list[object]:
+    states = [checked.passed for checked in image.result.checked_figures]
+    missing = [checked for checked in image.result.checked_figures if checked.value is None]
+    word = tr(OUTCOME_WORDS[image.outcome])
+    return [
+        title(image.result), word, states.count(True), checks_words(image.failed) or tr("none"),
+        checks_words(missing) or tr("none"),
+    ]  # fmt: skip
 
 
-def _section(result: Assessment, sources: Sequence[str]) -> ImageSection:
+def _section(image: ImageDecision, sources: Sequence[str]) -> ImageSection:
+    result = image.result
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
-    bands = list(dict.fromkeys(checked.band for checked in result.checked_figures))
     figure = histogram_figure(result)
     return ImageSection(
-        _title(result),
+        title(result),
+        tr(OUTCOME_WORDS[image.outcome]),
+        [*outcome_reasons(image), *found_words(result)],
         result.available,
         None if figure is None else svg_text(figure),
-        [tr("between bands") if band == ALL_BANDS else band for band in bands],
-        [_check_row(check, own, bands, sources) for check, own in by_check.items()],
+        [_check_row(check, own, sources) for check, own in by_check.items()],
     )
 
 
-def _check_row(
-    check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str], sources: Sequence[str]
-) -> CheckRow:
-    values = [own[band].value if band in own else None for band in bands]
+def _check_row(check: str, own: Mapping[str, CheckedFigure], sources: Sequence[str]) -> CheckRow:
     rule = next(iter(own.values())).rule
-    failed = [checked.band for checked in own.values() if checked.passed is False]
+    failed = [band_words(checked.band) for checked in own.values() if checked.passed is False]
     passed = tr("passed") if any(checked.passed for checked in own.values()) else ""
     names = "" if len(failed) == len(own) else f" ({', '.join(failed)})"
     return CheckRow(
-        tr(WORDS[check]),
-        ["" if value is None else _worded(rule, value) for value in values],
-        _limit(rule),
+        tr(CHECK_WORDS[check]),
+        [(band_words(band), figure_words(rule, one.value)) for band, one in own.items() if one.value is not None],
+        limit_words(rule),
         tr("failed") + names if failed else passed,
         bool(failed),
         _remarks(own),
@@ -150,35 +158,12 @@ def _check_row(
     )
 
 
-def _worded(rule: Rule, value: float) -> str:
-    """So precisely that it lies on the same side of its limits as the figure does."""
-    is_share = rule.check != checks.SIGNAL_TO_NOISE
-    scale, least = (100, 2) if is_share else (1, 1)
-    limits = [scale * limit for limit in (rule.least, rule.most) if limit is not None]
-    shown = shown_number(scale * value, decimals_beside(scale * value, limits, least))
-    return f"{shown}\u00a0%" if is_share else shown
-
-
-def _limit(rule: Rule) -> str:
-    least, most = (None if limit is None else _short(rule.check, limit) for limit in (rule.least, rule.most))
-    if least and most:
-        return tr("{least} to {most}").format(least=least, most=most)
-    if most:
-        return tr("at most {most}").format(most=most)
-    return tr("at least {least}").format(least=least) if least else tr("none")
-
-
-def _short(check: str, limit: float) -> str:
-    text = f"{limit:g}" if check == checks.SIGNAL_TO_NOISE else f"{100 * limit:g}\u00a0%"
-    return text.replace(".", QLocale().decimalPoint())
-
-
 def _remarks(own: Mapping[str, CheckedFigure]) -> list[str]:
     """Each reason with the bands that it concerns, where it doesn't concern all."""
     reasons: dict[str, list[str]] = {}
     for checked in own.values():
         if checked.reason is not None:
-            reasons.setdefault(sentence(checked.reason), []).append(checked.band)
+            reasons.setdefault(sentence(checked.reason), []).append(band_words(checked.band))
     return [
         reason if len(concerned) == len(own) else f"{', '.join(concerned)}: {reason}"
         for reason, concerned in reasons.items()

@@ -1,20 +1,36 @@
 """The table of a radiometric acceptance: its fields, and rows from results. The field names are contracts."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from qgis.core import QgsFeature, QgsFields
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsCsException,
+    QgsFeature,
+    QgsFields,
+    QgsWkbTypes,
+)
 
-from ..toolkit.table_fields import Column, column_features, column_fields
+from ..imagery.grids import PixelWindow
+from ..imagery.rasters import Raster
+from ..toolkit.layers import rectangle
+from ..toolkit.table_fields import Column, column_features, column_fields, column_values, feature
 from ..toolkit.translation import sentence
+from .drawn_layers import has_map
+from .measure import limits
 from .measure.assessment import Assessment, CheckedFigure
+from .measure.decision import decide_image
 from .measure.rules import Rule
+from .words import spot_words
 
 
 class _Row(NamedTuple):
     result: Assessment
     checked: CheckedFigure
+    decision: str
 
 
 _COLUMNS: tuple[Column[_Row], ...] = (
@@ -29,18 +45,71 @@ _COLUMNS: tuple[Column[_Row], ...] = (
     Column("reason", "text", lambda row: sentence(row.checked.reason) if row.checked.reason else None),
     Column("least", "real", lambda row: row.checked.rule.least),
     Column("most", "real", lambda row: row.checked.rule.most),
+    Column("required", "integer", lambda row: int(row.checked.rule.required)),
+    Column("decision", "text", lambda row: row.decision),
+    Column("place", "text", lambda row: spot_words(row.checked)),
+    Column("x", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[0]),
+    Column("y", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[1]),
+)
+
+
+class _Area(NamedTuple):
+    raster: str
+    means: tuple[float, float, float]
+    spread: float
+
+
+_AREA_COLUMNS: tuple[Column[_Area], ...] = (
+    Column("raster", "text", lambda area: area.raster),
+    Column("red", "real", lambda area: area.means[0]),
+    Column("green", "real", lambda area: area.means[1]),
+    Column("blue", "real", lambda area: area.means[2]),
+    Column("difference", "real", lambda area: area.spread),
 )
 
 
 def radiometry_fields() -> QgsFields:
     """OUTPUT: one row per raster (or window of it), check and band. Shares are fractions of 1; ``passed`` is 1, 0, or
-    nothing where the figure can't be measured or has no limit."""
+    nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
+    ``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
     return column_fields(_COLUMNS)
 
 
 def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image or a window of it."""
-    return column_features(_COLUMNS, (_Row(result, checked) for checked in result.checked_figures))
+    decision = decide_image(result).outcome.value
+    return column_features(_COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
+
+
+def maybe_grey_layout(images: Sequence[Raster]) -> tuple[QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem]:
+    """MAYBE_GREY: polygons of areas that may be grey, in the reference system of the first raster on the map."""
+    return column_fields(_AREA_COLUMNS), QgsWkbTypes.Type.Polygon, _first_system(images)
+
+
+def maybe_grey_features(
+    result: Assessment, images: Sequence[Raster], transforms: QgsCoordinateTransformContext
+) -> Iterator[QgsFeature]:
+    """The rows of MAYBE_GREY for an image; none for one without a place on the map."""
+    found, image = result.maybe_grey, result.image
+    if found is None or not has_map(image):
+        return
+    system = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
+    transform = QgsCoordinateTransform(system, _first_system(images), transforms)
+    fields = column_fields(_AREA_COLUMNS)
+    for (column, row), means, spread in zip(found.corners.tolist(), found.means.tolist(), found.spreads.tolist()):
+        window = PixelWindow(column, row, limits.AREA_PX, limits.AREA_PX)
+        outline = rectangle(image.grid.window_extent(window))
+        try:
+            outline.transform(transform)
+        except QgsCsException:
+            continue
+        values = column_values(_AREA_COLUMNS, _Area(image.ref.name, means, spread))
+        yield feature(fields, values, outline)
+
+
+def _first_system(images: Sequence[Raster]) -> QgsCoordinateReferenceSystem:
+    wkt = next((image.wkt for image in images if has_map(image)), "")
+    return QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
 
 
 def limit_text(rule: Rule) -> str | None:

@@ -13,8 +13,8 @@ from xml.etree.ElementTree import ParseError
 
 import numpy as np
 
+from ...imagery.documents.xml_documents import looks_like_xml, xml_root
 from ...imagery.errors import PhotoError
-from ...imagery.xml_documents import looks_like_xml, xml_root
 from . import messages
 from .transformations import LEAST_MARKS, PlaneModel
 

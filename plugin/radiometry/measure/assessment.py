@@ -74,6 +74,11 @@ class Assessment:
     balance: ColourBalance | None = None
     """By the grey areas that were given."""
 
+    @property
+    def pixels(self) -> int:
+        """How many valid ones there are."""
+        return min((histogram.pixels for histogram in self.histograms.values()), default=0)
+
 
 @dataclass(frozen=True)
 class _Found:
@@ -97,7 +102,9 @@ def judge(measured: MeasuredImage, rules: RuleSet, of_image: ImageRange) -> Asse
         bands = measured.image.band_names
         return Assessment(measured.image, measured.window_id, figures, None, measured.histograms, (), bands, ())
     judged = _Judged(measured, of_image)
-    figures = tuple(_checked(measured, rule, band, judged.figure(rule, band)) for rule, band in _pairs(measured, applied))
+    figures = tuple(
+        _checked(measured, rule, band, judged.figure(rule, band)) for rule, band in _pairs(measured, applied)
+    )
     return Assessment(
         measured.image, measured.window_id, figures, of_image.available, measured.histograms, measured.seams or (),
         measured.bands, tuple(judged.notices(rules)), judged.maybe_grey, judged.balance,

@@ -9,7 +9,7 @@ from ...imagery.message import Message
 from .assessment import Assessment, CheckedFigure
 
 
-class Outcome(Enum):
+class RadiometricOutcome(Enum):
     """What is decided."""
 
     ACCEPTED = "accepted"
@@ -25,7 +25,7 @@ class ImageDecision:
     """The decision on an image or a window of it."""
 
     result: Assessment
-    outcome: Outcome
+    outcome: RadiometricOutcome
     failed: tuple[CheckedFigure, ...]
     """Those beyond their limits."""
     missed: tuple[CheckedFigure, ...]
@@ -35,15 +35,15 @@ class ImageDecision:
 
 
 @dataclass(frozen=True, eq=False)
-class Decision:
+class RadiometricDecision:
     """The decision on all images together."""
 
-    outcome: Outcome
+    outcome: RadiometricOutcome
     images: tuple[ImageDecision, ...]
     left_out: tuple[Message, ...]
     """Why images or windows were not looked at; nothing is accepted unseen."""
 
-    def those(self, outcome: Outcome) -> list[ImageDecision]:
+    def those(self, outcome: RadiometricOutcome) -> list[ImageDecision]:
         """The images with this outcome."""
         return [image for image in self.images if image.outcome is outcome]
 
@@ -57,18 +57,20 @@ def decide_image(result: Assessment) -> ImageDecision:
         if one.value is None and one.rule.has_limit and one.is_applicable and not one.is_missed
     )  # fmt: skip
     is_judged = any(one.passed is not None for one in result.checked_figures)
-    outcome = Outcome.REJECTED if failed else Outcome.UNDECIDED if missed or not is_judged else Outcome.ACCEPTED
+    outcome = RadiometricOutcome.UNDECIDED if missed or not is_judged else RadiometricOutcome.ACCEPTED
+    if failed:
+        outcome = RadiometricOutcome.REJECTED
     return ImageDecision(result, outcome, failed, missed, unmeasured)
 
 
-def decide(results: Sequence[Assessment], left_out: Sequence[Message] = ()) -> Decision:
+def decide(results: Sequence[Assessment], left_out: Sequence[Message] = ()) -> RadiometricDecision:
     """One rejected image rejects all; one that is open, or was not looked at, leaves all open."""
     images = tuple(map(decide_image, results))
     outcomes = {image.outcome for image in images}
-    if Outcome.REJECTED in outcomes:
-        outcome = Outcome.REJECTED
-    elif Outcome.UNDECIDED in outcomes or left_out or not images:
-        outcome = Outcome.UNDECIDED
+    if RadiometricOutcome.REJECTED in outcomes:
+        outcome = RadiometricOutcome.REJECTED
+    elif RadiometricOutcome.UNDECIDED in outcomes or left_out or not images:
+        outcome = RadiometricOutcome.UNDECIDED
     else:
-        outcome = Outcome.ACCEPTED
-    return Decision(outcome, images, tuple(left_out))
+        outcome = RadiometricOutcome.ACCEPTED
+    return RadiometricDecision(outcome, images, tuple(left_out))

@@ -11,6 +11,7 @@ RULES_BAND_BAD = Message(
     "{place} in {name}: 'band' has to be luminosity, each, or the name of a band such as red, nir or band_4."
 )
 RULES_RANGE_BAD = Message("{place} in {name}: 'value_range' has to be two numbers, the smaller one first.")
+VALUE_RANGE_BAD = Message("The range of values has to be two numbers, the smaller one first, as 0,4095.")
 # why a rule could not be checked, and what was assumed to check it
 NOT_MEASURABLE = Message("not measurable: {why}", INFO)
 TOO_FEW_VALID_PIXELS = Message("{count} pixels are valid and at least {least} are needed; choose a larger part.", INFO)
@@ -40,8 +41,8 @@ NO_GREY_AREAS = Message(
 )
 GREY_AREAS_UNSEEN = Message(
     "no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near "
-    "{x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of the "
-    "ground as well. Look at them and give those that are grey.", INFO
+    "{x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of "
+    "the ground as well. Look at them and give those that are grey.", INFO
 )
 GREY_AREAS_UNUSABLE = Message(
     "the grey areas show fewer than {least} valid pixels of it that are neither too dark nor too bright; draw more.",

@@ -17,12 +17,15 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...imagery.band_names import COLOURS
-from ...imagery.rule_files import RuleObject, is_number, read_rules, ready_rules
-from ...imagery.value_ranges import ValueRange
+from ...imagery.documents.rule_files import RuleObject, is_number, read_rules, ready_rules
+from ...imagery.errors import SettingsError
 from . import messages
+
+if TYPE_CHECKING:
+    from ...imagery.value_ranges import ValueRange
 
 CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST = "clipped_low", "clipped_high", "peak", "contrast"
 SIGNAL_TO_NOISE, COLOUR_BALANCE = "signal_to_noise", "colour_balance"
@@ -114,7 +117,9 @@ def _rule_set(whole: RuleObject, objects: Sequence[RuleObject]) -> RuleSet:
         rule = _rule(one)
         for other in rules:
             if other.check == rule.check and (other.band == rule.band or EACH_BAND in _named(other, rule)):
-                raise one.fault(messages.RULES_CHECK_TWICE, check=rule.check, band=rule.band)
+                raise SettingsError(
+                    messages.RULES_CHECK_TWICE(place=one.place, name=one.file, check=rule.check, band=rule.band)
+                )
         rules.append(rule)
     return RuleSet(str(whole.content.get("name") or whole.file), tuple(rules), _range(whole))
 
@@ -130,7 +135,7 @@ def _rule(one: RuleObject) -> Rule:
     check = one.word("check", CHECKS)
     least, most = one.limits()
     if "values" in one.content and check not in _CLIPPING:
-        raise one.fault(messages.RULES_VALUES_UNUSED)
+        raise SettingsError(messages.RULES_VALUES_UNUSED(place=one.place, name=one.file))
     values = one.whole("values", _DEFAULT_VALUES)
     return Rule(check, least, most, one.source(), values, _band(one, check), one.flag("required", True))
 
@@ -138,12 +143,12 @@ def _rule(one: RuleObject) -> Rule:
 def _band(one: RuleObject, check: str) -> str:
     if check == COLOUR_BALANCE:
         if "band" in one.content:
-            raise one.fault(messages.RULES_BAND_UNUSED, check=check)
+            raise SettingsError(messages.RULES_BAND_UNUSED(place=one.place, name=one.file, check=check))
         return ALL_BANDS
     band = one.content.get("band", EACH_BAND)
     known = (LUMINOSITY, EACH_BAND, *COLOURS, "nir")
     if not isinstance(band, str) or not (band in known or _OTHER_BAND.fullmatch(band)):
-        raise one.fault(messages.RULES_BAND_BAD)
+        raise SettingsError(messages.RULES_BAND_BAD(place=one.place, name=one.file))
     return band
 
 
@@ -153,4 +158,4 @@ def _range(whole: RuleObject) -> ValueRange | None:
         return None
     if isinstance(content, list) and len(content) == 2 and all(map(is_number, content)) and content[0] < content[1]:
         return float(content[0]), float(content[1])
-    raise whole.fault(messages.RULES_RANGE_BAD)
+    raise SettingsError(messages.RULES_RANGE_BAD(place=whole.place, name=whole.file))

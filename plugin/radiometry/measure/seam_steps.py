@@ -44,7 +44,8 @@ def seam_steps(
     an edge of the ground that runs along the seam for a while (a lineament, which the order leaves out) does not
     count. A step goes the same way all along a seam, so signs are kept until then.
 
-    ``seams`` in the raster's reference system; ``names`` of the bands, luminosity among them. Raises RasterError when the raster can't be read.
+    ``seams`` in the raster's reference system; ``names`` of the bands to be measured, which may have luminosity among
+    them. Raises RasterError when the raster can't be read.
     """
     found = []
     for seam in seams:

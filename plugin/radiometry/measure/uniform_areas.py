@@ -70,7 +70,8 @@ def sample_areas(
     between = (sums / _PIXELS).var(axis=1, ddof=1) * _PIXELS
     means = origins + sums.sum(axis=1) / (4 * _PIXELS)
     uniform = between <= MAX_QUADRANT_RATIO * within
-    return Areas(*(figure.reshape(len(bands), -1).T for figure in (means, np.sqrt(within), uniform)), corners)
+    means, noise, uniform = (figure.reshape(len(bands), -1).T for figure in (means, np.sqrt(within), uniform))
+    return Areas(means, noise, uniform, corners)
 
 
 def joined(parts: Sequence[Areas]) -> Areas:

@@ -28,13 +28,13 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QUrl
 
+from ...imagery.documents.xml_documents import xml_root
 from ...imagery.errors import SettingsError
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.xml_documents import xml_root
 from .. import messages
 from . import parameters as common
 
-_OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "string"}  # parameters that name no file
+_OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
 _DATABASES = {".gpkg", ".sqlite"}  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
     ".shp": (".shx", ".dbf", ".prj", ".cpg"),

@@ -70,6 +70,11 @@ class Run:
     def real(self, name: str) -> float:
         return float(self._algorithm.parameterAsDouble(self.parameters, name, self.context))
 
+    def number_range(self, name: str) -> tuple[float, float]:
+        """Two numbers; NaN where one is not given or is none."""
+        low, high = self._algorithm.parameterAsRange(self.parameters, name, self.context)
+        return float(low), float(high)
+
     def flag(self, name: str) -> bool:
         return bool(self._algorithm.parameterAsBool(self.parameters, name, self.context))
 

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from seam_inspector.plugin.imagery.documents.rule_files import RuleObject, read_rules, ready_rules
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.rule_files import RuleObject, read_rules, ready_rules
 
 
 def read(folder: Path, content: Any) -> tuple[RuleObject, list[RuleObject]]:
@@ -48,12 +48,16 @@ def test_a_byte_order_mark_is_no_fault(tmp_path: Path) -> None:
 )
 def test_what_is_wrong_is_named_with_its_place(tmp_path: Path, rule: dict[str, Any], words: str) -> None:
     _, (one,) = read(tmp_path, {"rules": [{"check": "a", "source": "s", **rule}]})
-    with pytest.raises(SettingsError, match=words):
+
+    def ask() -> None:
         one.allow(["check", "least", "most", "source", "count"])
         one.word("check", ["a", "b"])
         one.limits()
         one.whole("count", 1)
         one.source()
+
+    with pytest.raises(SettingsError, match=words):
+        ask()
 
 
 @pytest.mark.parametrize("content", [b"[" * 100_000, b"[]", b'{"rules": {}}', b'{"rules": []}', b'{"rules": [1]}'])

@@ -8,7 +8,15 @@ from typing import Any
 
 import pytest
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.radiometry.measure.rules import CHECKS, Rule, RuleSet, default_rules, load_rules
+from seam_inspector.plugin.radiometry.measure.rules import (
+    CHECKS,
+    FROM_HISTOGRAM,
+    Rule,
+    RuleSet,
+    default_rules,
+    load_rules,
+    ready_rule_files,
+)
 
 GOOD: dict[str, Any] = {"check": "contrast", "least": 0.1, "most": 0.2, "source": "contract 7"}
 
@@ -30,6 +38,26 @@ def test_the_default_is_the_jrc_specification() -> None:
     }
     assert all("JRC" in rule.source for rule in rules.rules[:-2])
     assert "16 septembre 2003" in rules.rules[-2].source
+    bands = {rule.check: rule.band for rule in rules.rules}
+    assert {bands[check] for check in FROM_HISTOGRAM} == {"luminosity"}
+    assert (bands["signal_to_noise"], bands["colour_balance"]) == ("each", "all")
+    assert [rule.check for rule in rules.rules if not rule.required] == ["signal_to_noise", "colour_balance"]
+
+
+def test_the_stricter_ready_file_holds_each_band_to_the_same_limits() -> None:
+    assert list(ready_rule_files()) == ["jrc_lpis", "jrc_lpis_each_band"]
+    text, strict = default_rules(), load_rules(ready_rule_files()["jrc_lpis_each_band"])
+    assert [(one.check, one.least, one.most, one.source) for one in text.rules] == [
+        (one.check, one.least, one.most, one.source) for one in strict.rules
+    ]
+    assert {rule.band for rule in strict.rules} == {"each", "all"}
+    assert all(rule.required for rule in strict.rules)
+
+
+def test_a_band_may_have_a_rule_of_its_own_beside_luminosity(tmp_path: Path) -> None:
+    rules = load(tmp_path, {"rules": [{**GOOD, "band": band} for band in ("luminosity", "nir", "band_5")]})
+    assert [rule.band for rule in rules.rules] == ["luminosity", "nir", "band_5"]
+    assert load(tmp_path, {"rules": [GOOD]}).rules[0].band == "each"
 
 
 def test_the_documented_file_is_the_default(repository: Path, tmp_path: Path) -> None:
@@ -55,11 +83,16 @@ def test_a_rule_and_its_range(tmp_path: Path) -> None:
         ({"rules": []}, "holds no rules"),
         ({"rules": ["contrast"]}, "holds no rules"),
         ({"rules": [GOOD], "limits": 3}, "The object in rules.json has the unknown key 'limits'"),
-        ({"rules": [{**GOOD, "max": 3}]}, "Rule 1 in rules.json has the unknown key 'max'; known are check, least"),
-        ({"rules": [{**GOOD, "check": "sharpness"}]}, "Rule 1 in rules.json names the unknown check 'sharpness'"),
-        ({"rules": [GOOD, {"source": "s"}]}, "Rule 2 in rules.json names the unknown check 'None'"),
+        ({"rules": [{**GOOD, "max": 3}]}, "Rule 1 in rules.json has the unknown key 'max'; known are check, band"),
+        ({"rules": [{**GOOD, "check": "sharpness"}]}, "Rule 1 in rules.json has the unknown check 'sharpness'"),
+        ({"rules": [GOOD, {"source": "s"}]}, "Rule 2 in rules.json has the unknown check 'None'"),
         ({"rules": [{**GOOD, "check": ["contrast"]}]}, "unknown check"),
-        ({"rules": [GOOD, GOOD]}, "has two rules for 'contrast'"),
+        ({"rules": [GOOD, GOOD]}, "Rule 2 in rules.json: 'contrast' of each has a rule already"),
+        ({"rules": [GOOD, {**GOOD, "band": "red"}]}, "Rule 2 in rules.json: 'contrast' of red has a rule already"),
+        ({"rules": [{**GOOD, "band": "infrared"}]}, "'band' has to be luminosity, each, or the name of a band"),
+        ({"rules": [{**GOOD, "band": 3}]}, "'band' has to be luminosity, each, or the name of a band"),
+        ({"rules": [{"check": "colour_balance", "band": "red", "source": "s"}]}, "and has no 'band'"),
+        ({"rules": [{**GOOD, "required": "no"}]}, "'required' has to be true or false"),
         ({"rules": [{**GOOD, "most": "20 %"}]}, "'most' has to be a number"),
         ({"rules": [{**GOOD, "least": -1}]}, "'least' has to be a number"),
         ({"rules": [{**GOOD, "least": True}]}, "'least' has to be a number"),
@@ -68,8 +101,8 @@ def test_a_rule_and_its_range(tmp_path: Path) -> None:
         ({"rules": [{**GOOD, "values": 5}]}, "'values' belongs to clipped_low and clipped_high"),
         ({"rules": [{"check": "clipped_low", "values": 0, "source": "s"}]}, "'values' has to be a whole number"),
         ({"rules": [{**GOOD, "source": " "}]}, "has no 'source'"),
-        ({"rules": [GOOD], "value_range": [5, 5]}, "'value_range' in rules.json has to be two numbers"),
-        ({"rules": [GOOD], "value_range": "0-255"}, "'value_range' in rules.json has to be two numbers"),
+        ({"rules": [GOOD], "value_range": [5, 5]}, "in rules.json: 'value_range' has to be two numbers"),
+        ({"rules": [GOOD], "value_range": "0-255"}, "in rules.json: 'value_range' has to be two numbers"),
     ],
 )
 def test_a_wrong_file_is_refused_in_one_sentence(tmp_path: Path, content: Any, words: str) -> None:

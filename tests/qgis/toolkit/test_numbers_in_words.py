@@ -9,7 +9,7 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QLocale
 from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.radiometry.measure.rules import Rule
-from seam_inspector.plugin.radiometry.report import _worded
+from seam_inspector.plugin.radiometry.words import figure_words
 from seam_inspector.plugin.toolkit.translation import decimals_beside, filled, percent, sentence
 
 SHARE = Message("A share of {share:.1%} in {name}, {count} of {most:.1f}.")
@@ -45,6 +45,6 @@ def test_as_precise_as_its_limit_needs(value: float, limit: float, decimals: int
 
 def test_a_figure_that_fails_is_not_written_as_its_limit(qgis_app: QgsApplication) -> None:
     rule = Rule("clipped_low", None, 0.0005, "a contract")
-    assert _worded(rule, 0.000503) == "0.0503\u00a0%"
-    assert _worded(rule, 0.0005) == "0.05\u00a0%"
-    assert _worded(rule, 0.000514) == "0.051\u00a0%"
+    assert figure_words(rule, 0.000503) == "0.0503\u00a0%"
+    assert figure_words(rule, 0.0005) == "0.05\u00a0%"
+    assert figure_words(rule, 0.000514) == "0.051\u00a0%"

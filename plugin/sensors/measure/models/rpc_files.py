@@ -11,11 +11,11 @@ import numpy as np
 
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import save_text
+from ....imagery.documents.xml_documents import looks_like_xml, xml_root
 from ....imagery.errors import SensorModelError
 from ....imagery.message import Message
 from ....imagery.open_raster import OpenRaster
 from ....imagery.rasters import Raster
-from ....imagery.xml_documents import looks_like_xml, xml_root
 from .. import messages
 from ..sensor_images import rpc_metadata
 from .least_squares import Scaling

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, TypeVar
 
-from . import messages
-from .errors import SettingsError
-from .message import Message
+from .. import messages
+from ..errors import SettingsError
+from ..message import Message
 
-_READY = Path(__file__).parents[2] / "resources" / "rules"
+_READY = Path(__file__).parents[3] / "resources" / "rules"
 
 Made = TypeVar("Made")
 
@@ -36,7 +36,9 @@ class RuleObject:
         """Refuse every other key."""
         for key in self.content:
             if key not in known:
-                raise self.fault(messages.RULES_KEY_UNKNOWN, key=key, known=", ".join(known))
+                raise SettingsError(
+                    messages.RULES_KEY_UNKNOWN(place=self.place, name=self.file, key=key, known=", ".join(known))
+                )
 
     def number(self, key: str, least: float = 0) -> float | None:
         """Of ``least`` or more; None when it is left out."""
@@ -44,47 +46,45 @@ class RuleObject:
         if value is None:
             return None
         if not (is_number(value) and value >= least):
-            raise self.fault(messages.RULES_LIMIT_BAD, key=key, least=least)
+            raise SettingsError(messages.RULES_LIMIT_BAD(place=self.place, name=self.file, key=key, least=least))
         return float(value)
 
     def limits(self) -> tuple[float | None, float | None]:
         """``least`` and ``most``."""
         least, most = self.number("least"), self.number("most")
         if least is not None and most is not None and least > most:
-            raise self.fault(messages.RULES_LIMITS_CROSSED)
+            raise SettingsError(messages.RULES_LIMITS_CROSSED(place=self.place, name=self.file))
         return least, most
 
     def whole(self, key: str, default: int) -> int:
         """A whole number of 1 or more."""
         value = self.content.get(key, default)
         if not isinstance(value, int) or isinstance(value, bool) or value < 1:
-            raise self.fault(messages.RULES_WHOLE_BAD, key=key)
+            raise SettingsError(messages.RULES_WHOLE_BAD(place=self.place, name=self.file, key=key))
         return value
 
     def flag(self, key: str, default: bool) -> bool:
         """True or false."""
         value = self.content.get(key, default)
         if not isinstance(value, bool):
-            raise self.fault(messages.RULES_FLAG_BAD, key=key)
+            raise SettingsError(messages.RULES_FLAG_BAD(place=self.place, name=self.file, key=key))
         return value
 
     def word(self, key: str, known: Collection[str]) -> str:
         """One of some words."""
         value = self.content.get(key)
         if not isinstance(value, str) or value not in known:
-            raise self.fault(messages.RULES_WORD_UNKNOWN, key=key, value=value, known=", ".join(known))
+            raise SettingsError(messages.RULES_WORD_UNKNOWN(
+                place=self.place, name=self.file, key=key, value=value, known=", ".join(known)
+            ))  # fmt: skip
         return value
 
     def source(self) -> str:
         """Where the limits come from."""
         source = self.content.get("source")
         if not isinstance(source, str) or not source.strip():
-            raise self.fault(messages.RULES_SOURCE_MISSING)
+            raise SettingsError(messages.RULES_SOURCE_MISSING(place=self.place, name=self.file))
         return source
-
-    def fault(self, why: Message, **values: object) -> SettingsError:
-        """What is wrong with it, as an error to be raised."""
-        return SettingsError(why(place=self.place, name=self.file, **values))
 
 
 def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made]) -> Made:

@@ -1,0 +1,189 @@
+"""Figures, limits and the decision in words."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
+
+from ..toolkit.translation import decimals_beside, filled, sentence, shown_number, tr
+from .measure import rules as checks
+from .measure.assessment import Assessment, CheckedFigure
+from .measure.decision import ImageDecision, RadiometricDecision, RadiometricOutcome
+from .measure.rules import ALL_BANDS, EACH_BAND, LUMINOSITY, Rule
+
+_MOST_NAMED = 5  # images in one sentence; the others are counted
+
+CHECK_WORDS = {
+    checks.CLIPPED_LOW: QT_TRANSLATE_NOOP("@default", "clipped at the dark end"),
+    checks.CLIPPED_HIGH: QT_TRANSLATE_NOOP("@default", "clipped at the bright end"),
+    checks.PEAK: QT_TRANSLATE_NOOP("@default", "histogram peak from mid-scale"),
+    checks.CONTRAST: QT_TRANSLATE_NOOP("@default", "contrast"),
+    checks.SIGNAL_TO_NOISE: QT_TRANSLATE_NOOP("@default", "signal to noise"),
+    checks.COLOUR_BALANCE: QT_TRANSLATE_NOOP("@default", "colour balance"),
+    checks.SEAM_STEP: QT_TRANSLATE_NOOP("@default", "step at the seams"),
+    checks.SEAM_CONTRAST: QT_TRANSLATE_NOOP("@default", "contrast beside the seams"),
+}
+OUTCOME_WORDS = {
+    RadiometricOutcome.ACCEPTED: QT_TRANSLATE_NOOP("@default", "accepted"),
+    RadiometricOutcome.REJECTED: QT_TRANSLATE_NOOP("@default", "rejected"),
+    RadiometricOutcome.UNDECIDED: QT_TRANSLATE_NOOP("@default", "undecided"),
+}
+_BAND_WORDS = {
+    ALL_BANDS: QT_TRANSLATE_NOOP("@default", "between bands"),
+    EACH_BAND: QT_TRANSLATE_NOOP("@default", "each band"),
+    LUMINOSITY: QT_TRANSLATE_NOOP("@default", "luminosity"),
+}
+
+
+def band_words(band: str) -> str:
+    """A band as the user reads it."""
+    return tr(_BAND_WORDS[band]) if band in _BAND_WORDS else band
+
+
+def title(result: Assessment) -> str:
+    """The image, and the window where it is not all of it."""
+    name = result.image.ref.name
+    if result.window_id is None:
+        return name
+    return tr("{name}, window {window}").format(name=name, window=result.window_id)
+
+
+def figure_words(rule: Rule, value: float) -> str:
+    """So precisely that it lies on the same side of its limits as the figure does."""
+    is_share = rule.check != checks.SIGNAL_TO_NOISE
+    scale, least = (100, 2) if is_share else (1, 1)
+    limits = [scale * limit for limit in (rule.least, rule.most) if limit is not None]
+    shown = shown_number(scale * value, decimals_beside(scale * value, limits, least))
+    return f"{shown}\u00a0%" if is_share else shown
+
+
+def limit_words(rule: Rule) -> str:
+    """What a rule allows."""
+    least, most = (None if limit is None else _short(rule.check, limit) for limit in (rule.least, rule.most))
+    if least and most:
+        return tr("{least} to {most}").format(least=least, most=most)
+    if most:
+        return tr("at most {most}").format(most=most)
+    return tr("at least {least}").format(least=least) if least else tr("none")
+
+
+def _short(check: str, limit: float) -> str:
+    text = f"{limit:g}" if check == checks.SIGNAL_TO_NOISE else f"{100 * limit:g}\u00a0%"
+    return text.replace(".", QLocale().decimalPoint())
+
+
+def check_words(checked: CheckedFigure) -> str:
+    """A check with its band, as "contrast (luminosity)"."""
+    words = tr(CHECK_WORDS[checked.rule.check])
+    return words if checked.band == ALL_BANDS else f"{words} ({band_words(checked.band)})"
+
+
+def checks_words(figures: Iterable[CheckedFigure]) -> str:
+    """Several checks, each once, with the bands that they concern."""
+    bands: dict[str, list[str]] = {}
+    for checked in figures:
+        own = bands.setdefault(checked.rule.check, [])
+        if checked.band != ALL_BANDS:
+            own.append(band_words(checked.band))
+    named = ((tr(CHECK_WORDS[check]), own) for check, own in bands.items())
+    return ", ".join(f"{words} ({', '.join(own)})" if own else words for words, own in named)
+
+
+def spot_words(checked: CheckedFigure) -> str | None:
+    """Where a figure comes from, as "seam 3, of feature 12"."""
+    return None if checked.spot is None else sentence(checked.spot.what)
+
+
+def worst_seam_words(result: Assessment) -> str | None:
+    """The band and the seam at which tone steps most, with its place; None without seams."""
+    found = [one for one in result.checked_figures if one.rule.check == checks.SEAM_STEP and one.value is not None]
+    if not found:
+        return None
+    worst = max(found, key=lambda one: one.value or 0.0)
+    assert worst.value is not None
+    assert worst.spot is not None
+    x, y = worst.spot.place
+    return filled(
+        tr("{title}: the largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}."),
+        title=title(result), step=figure_words(worst.rule, worst.value), band=band_words(worst.band),
+        seam=spot_words(worst), x=x, y=y,
+    )  # fmt: skip
+
+
+def balance_words(result: Assessment) -> str | None:
+    """Which grey areas the colour balance comes from; None without any."""
+    balance = result.balance
+    if balance is None:
+        return None
+    x, y = balance.worst.place
+    red, green, blue = balance.means
+    return filled(
+        tr(
+            "{title}: colour balance by {count} grey areas, {pixels} px, {share:.2%} of the pixels; their red, green "
+            "and blue are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}, {worst:.1%}, near {x:.2f}, "
+            "{y:.2f}."
+        ),
+        title=title(result), count=len(balance.tones), pixels=sum(tone.pixels for tone in balance.tones),
+        share=sum(tone.pixels for tone in balance.tones) / max(result.pixels, 1), red=red, green=green, blue=blue,
+        area=balance.worst.number, worst=balance.worst_value, x=x, y=y,
+    )  # fmt: skip
+
+
+def found_words(result: Assessment) -> list[str]:
+    """What an operator has to know of an image besides its figures."""
+    return [words for words in (worst_seam_words(result), balance_words(result)) if words is not None]
+
+
+def outcome_reasons(image: ImageDecision) -> list[str]:
+    """Why an image is accepted, rejected or undecided, sentence by sentence."""
+    said = [
+        tr("{check} is {value}, the limit {limit}.").format(
+            check=check_words(one), value=figure_words(one.rule, one.value or 0.0), limit=limit_words(one.rule)
+        )
+        for one in image.failed
+    ]
+    if image.missed:
+        said.append(tr("Not measurable and required: {checks}.").format(checks=checks_words(image.missed)))
+    if image.unmeasured:
+        said.append(tr("Not measurable and not required: {checks}.").format(checks=checks_words(image.unmeasured)))
+    if image.outcome is RadiometricOutcome.UNDECIDED and not image.missed:
+        said.append(tr("The rules set no limit that it could be held against."))
+    return said
+
+
+def decision_word(decision: RadiometricDecision) -> str:
+    return tr(OUTCOME_WORDS[decision.outcome])
+
+
+def decision_reasons(decision: RadiometricDecision) -> list[str]:
+    """Why, sentence by sentence: the images that reject it or leave it open, what was not measured, what is missing."""
+    said = []
+    rejected, undecided = map(decision.those, (RadiometricOutcome.REJECTED, RadiometricOutcome.UNDECIDED))
+    if rejected:
+        failed = checks_words(_first_of_each(one for image in rejected for one in image.failed))
+        said.append(tr("Beyond their limits: {images}; by {checks}.").format(images=_names(rejected), checks=failed))
+    if undecided:
+        missed = checks_words(_first_of_each(one for image in undecided for one in image.missed))
+        said.append(tr("Not measurable and required: {checks}; in {images}.").format(
+            images=_names(undecided), checks=missed) if missed
+            else tr("The rules set no limit that it could be held against."))  # fmt: skip
+    if decision.left_out:
+        said.append(tr("Not looked at: {count}.").format(count=len(decision.left_out)))
+    without = [image for image in decision.images if image.unmeasured]
+    if without:
+        unmeasured = checks_words(_first_of_each(one for image in without for one in image.unmeasured))
+        said.append(tr("Not measurable and not required: {checks}; in {images}.").format(
+            images=_names(without), checks=unmeasured))  # fmt: skip
+    if not said:
+        said.append(tr("All figures keep their limits."))
+    return said
+
+
+def _first_of_each(figures: Iterable[CheckedFigure]) -> list[CheckedFigure]:
+    return list({(one.rule.check, one.band): one for one in figures}.values())
+
+
+def _names(images: Sequence[ImageDecision]) -> str:
+    named = ", ".join(title(image.result) for image in images[:_MOST_NAMED])
+    more = len(images) - _MOST_NAMED
+    return named if more <= 0 else tr("{names} and {count} more").format(names=named, count=more)

@@ -1,0 +1,63 @@
+"""Images held against rules, as the algorithm does it."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.lines.seamlines import Seam
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.radiometry.measure.assessment import Assessment, CheckedFigure, judge
+from seam_inspector.plugin.radiometry.measure.grey_areas import GreyArea
+from seam_inspector.plugin.radiometry.measure.image_ranges import known_range, range_of_set
+from seam_inspector.plugin.radiometry.measure.measured_image import Drawn, MeasuredImage, measure
+from seam_inspector.plugin.radiometry.measure.rules import FROM_HISTOGRAM, LUMINOSITY, RuleSet, default_rules
+
+
+def measured(path: str, rules: RuleSet, window: PixelWindow | None = None, **options: Any) -> MeasuredImage:
+    source = OpenRaster(RasterRef(path))
+    found = measure(source, window or source.raster.whole, rules, **options)
+    assert found is not None
+    return found
+
+
+def checked_set(paths: Sequence[str], rules: RuleSet | None = None) -> list[Assessment]:
+    """All images of a delivery."""
+    rules = rules or default_rules()
+    found = [measured(path, rules) for path in paths]
+    own = [known_range(one.image, one.largest_value, rules.value_range) for one in found]
+    open_ones = [one.largest_value for one, known in zip(found, own) if known is None]
+    of_set = range_of_set([one for one in open_ones if one is not None]) if open_ones else None
+    return [judge(one, rules, known or of_set) for one, known in zip(found, own)]  # type: ignore[arg-type]
+
+
+def checked(
+    path: str, window: PixelWindow | None = None, rules: RuleSet | None = None, seams: Sequence[Seam] | None = None,
+    grey_areas: Sequence[GreyArea] | None = None,
+) -> Assessment:
+    """One image alone."""
+    rules = rules or default_rules()
+    found = measured(path, rules, window, drawn=Drawn(seams, grey_areas))
+    of_image = known_range(found.image, found.largest_value, rules.value_range)
+    if of_image is None:
+        assert found.largest_value is not None
+        of_image = range_of_set([found.largest_value])
+    return judge(found, rules, of_image)
+
+
+def checked_figure(result: Assessment, check: str, band: str = "") -> CheckedFigure:
+    """Of a band, else of what the default rules hold against limits in an image with one band."""
+    band = band or (LUMINOSITY if check in FROM_HISTOGRAM else "band_1")
+    (found,) = [one for one in result.checked_figures if (one.rule.check, one.band) == (check, band)]
+    return found
+
+
+def figure(result: Assessment, check: str, band: str = "") -> float:
+    value = checked_figure(result, check, band).value
+    assert value is not None
+    return value
+
+
+def reasons(result: Assessment) -> dict[str, str]:
+    return {one.rule.check: str(one.reason) for one in result.checked_figures if one.value is None}
