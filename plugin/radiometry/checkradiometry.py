@@ -151,8 +151,8 @@ class CheckRadiometry(RasterListAlgorithm):
                 run.inform(found)
             results.append(result)
 
-        layers = (run.source(name) if run.parameters.get(name) else None for name in (SEAMLINES, GREY_AREAS))
-        ImageSet(run, rules, *layers, unseen=unseen, finish=finish).check(jobs)
+        seamlines, greys = (run.source(name) if run.parameters.get(name) else None for name in (SEAMLINES, GREY_AREAS))
+        ImageSet(run, rules, seamlines, greys, unseen, finish).check(jobs)
         if not results and not run.is_cancelled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(unseen[-1:])))
         decision = None

@@ -10,8 +10,8 @@ from xml.etree.ElementTree import Element, ParseError
 import numpy as np
 
 from ....imagery import messages as imagery_messages
+from ....imagery.documents.xml_documents import looks_like_xml, xml_root
 from ....imagery.errors import SensorModelError
-from ....imagery.xml_documents import looks_like_xml, xml_root
 from .. import messages
 from ..models.frame_camera import FrameInterior
 
