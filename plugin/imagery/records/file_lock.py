@@ -3,6 +3,8 @@ from __future__ import annotations
 
 import errno
 import os
+from contextlib import suppress
+from pathlib import Path
 from typing import BinaryIO
 
 _FAR = 1 << 43  # a byte that no journal has (8 TiB): on Windows others can't read what is locked
@@ -26,6 +28,20 @@ def lock_file(file: BinaryIO) -> bool:
             return False
         raise
     return True
+
+
+def remove_locked(file: BinaryIO, path: Path) -> None:
+    """Delete an open file before others can lock it, and close it."""
+    if os.name == "nt":  # where no open file can be deleted
+        _close(file)
+    with suppress(OSError):
+        path.unlink()
+    _close(file)
+
+
+def _close(file: BinaryIO) -> None:
+    with suppress(OSError):
+        file.close()
 
 
 def _lock_on_windows(file: BinaryIO) -> None:

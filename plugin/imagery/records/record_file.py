@@ -9,7 +9,7 @@ from typing import BinaryIO
 
 from .. import messages
 from ..errors import SettingsError
-from .file_lock import lock_file
+from .file_lock import lock_file, remove_locked
 from .record_bytes import append_record, is_cut_off, read_all, record_at, record_ends, write_all
 
 
@@ -117,11 +117,7 @@ class RecordFile:
 
     def remove(self) -> None:
         """Delete the file."""
-        if os.name == "nt":  # where no open file can be deleted
-            self.close()
-        with contextlib.suppress(OSError):
-            self.path.unlink()
-        self.close()
+        remove_locked(self._file, self.path)
 
     def _note(self, key: str, place: int, length: int) -> None:
         if length:

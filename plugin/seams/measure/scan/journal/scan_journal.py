@@ -15,7 +15,7 @@ from typing import BinaryIO
 
 from .....imagery.errors import SettingsError
 from .....imagery.message import Message
-from .....imagery.records.file_lock import lock_file
+from .....imagery.records.file_lock import lock_file, remove_locked
 from .....imagery.records.record_bytes import append_record, is_cut_off, read_all, record_at, record_size, write_all
 from .. import messages
 from .scan_fingerprint import what_changed
@@ -97,11 +97,7 @@ class ScanJournal:
 
     def remove(self) -> None:
         """Delete the file, as its scan is complete."""
-        if os.name == "nt":  # where no open file can be deleted
-            self.close()
-        with contextlib.suppress(OSError):
-            self.path.unlink()
-        self.close()
+        remove_locked(self._file, self.path)
 
 
 def _opened(path: Path) -> BinaryIO:
