@@ -4,10 +4,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from qgis.gui import QgsLayerTreeView, QgsMapCanvas
-from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtWidgets import QApplication, QToolBar, QWidget
 
+from ....toolkit.desk.focus_filter import FocusFilter
 from ....toolkit.desk.keyboard import is_keyboard_free
 
 _KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
@@ -18,10 +18,9 @@ _PLAIN = (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
 class JudgeKeys(QObject):
     """Takes its keys before anybody else does, so that no shortcut of QGIS on the same key is ambiguous with them.
 
-    It listens while the desk is in sight, to the widget that has the focus: a filter of all of the application's
-    events would make Python objects of receivers that are being deleted. Keys stay with a text field that has the
-    focus, with menus and dialogs, with other docks, whose lists find a row by its letter, with other windows than
-    QGIS's main one and the desk's, and with a tool of QGIS that is editing on the map.
+    It listens while the desk is in sight. Keys stay with a text field that has the focus, with menus and dialogs, with
+    other docks, whose lists find a row by its letter, with other windows than QGIS's main one and the desk's, and with
+    a tool of QGIS that is editing on the map.
     """
 
     def __init__(self, desk: QWidget, main_window: QWidget, is_editing: Callable[[], bool]) -> None:
@@ -31,8 +30,7 @@ class JudgeKeys(QObject):
         self._is_editing = is_editing
         self._actions: Mapping[int, Callable[[], bool]] = {}
         self._repeating: frozenset[int] = frozenset()
-        self._is_listening = False
-        self._focused: QWidget | None = None
+        self._keyboard = FocusFilter(self)
 
     def set_keys(self, actions: Mapping[int, Callable[[], bool]], repeating: frozenset[int]) -> None:
         """What each key does; an action that has nothing to do says so by False, and the key is somebody else's then.
@@ -43,28 +41,11 @@ class JudgeKeys(QObject):
 
     def listen(self, listening: bool) -> None:
         """While the desk is in sight."""
-        if listening == self._is_listening:
-            return
-        self._is_listening = listening
-        if listening:
-            self._main_window.installEventFilter(self)  # has the keys when nothing in it has the focus
-            QApplication.instance().focusChanged.connect(self._follow_focus)
-            self._follow_focus(None, QApplication.focusWidget())
-        else:
-            QApplication.instance().focusChanged.disconnect(self._follow_focus)
-            self._main_window.removeEventFilter(self)
-            self._follow_focus(None, None)
+        self._keyboard.listen(listening)
 
     def close(self) -> None:
         """Listen no more."""
         self.listen(False)
-
-    def _follow_focus(self, _old: QWidget | None, now: QWidget | None) -> None:
-        before, self._focused = self._focused, now
-        if before is not None and before is not self._main_window and not sip.isdeleted(before):
-            before.removeEventFilter(self)
-        if now is not None:
-            now.installEventFilter(self)
 
     def eventFilter(self, _receiver: QObject | None, event: QEvent | None) -> bool:
         if event is None or event.type() not in _KEYS:
