@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from qgis.core import (
     QgsApplication,
     QgsCoordinateTransform,
-    QgsCsException,
     QgsGeometry,
     QgsMapLayerProxyModel,
     QgsPointXY,
@@ -39,6 +38,7 @@ from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.layer_box import LayerBox, vectors_without
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.layers import layer_ref, mosaic_crs
+from ...toolkit.map_places import transformed_point
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from .. import line_layer
@@ -165,12 +165,8 @@ class BarDock(ToolDock):
         if self._raster is None:
             return None
         map_crs, crs = self._canvas.mapSettings().destinationCrs(), mosaic_crs(self._raster)
-        transform = QgsCoordinateTransform(map_crs, crs, QgsProject.instance().transformContext())
-        try:
-            ends = [transform.transform(start), transform.transform(end)]
-        except QgsCsException:
-            return None
-        if ends[0] == ends[1]:
+        ends = [found for one in (start, end) if (found := transformed_point(one, map_crs, crs)) is not None]
+        if len(ends) < 2 or ends[0] == ends[1]:
             return None
         return BarLine(self.group.value(), self.direction.currentData(), pixel_segment(ends, self._raster.grid))
 

@@ -5,14 +5,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Callable
 
-from qgis.core import (
-    QgsApplication,
-    QgsCoordinateTransform,
-    QgsCsException,
-    QgsProject,
-    QgsRectangle,
-    QgsVectorLayer,
-)
+from qgis.core import QgsApplication, QgsProject, QgsRectangle
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
@@ -31,6 +24,7 @@ from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.timers import single_shot
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.layer_styles import load_style
+from ...toolkit.map_places import transformed_box
 from ...toolkit.resources import icon_path
 from ...toolkit.translation import sentence, tr
 from ..measure import messages
@@ -134,18 +128,10 @@ class InspectionDock(ToolDock):
         width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
         height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
         view = QgsRectangle.fromCenterAndSize(QgsRectangle(*row.extent).center(), width, height)
-        if (shown := self._on_map(layer, view)) is not None:
+        shown = transformed_box(view, layer.crs(), self._canvas.mapSettings().destinationCrs())
+        if shown is not None:
             self._canvas.setExtent(shown)
             self._canvas.refresh()
-
-    def _on_map(self, layer: QgsVectorLayer, box: QgsRectangle) -> QgsRectangle | None:
-        """A rectangle in the map's reference system; None where it has no place there."""
-        map_crs = self._canvas.mapSettings().destinationCrs()
-        transform = QgsCoordinateTransform(layer.crs(), map_crs, QgsProject.instance().transformContext())
-        try:
-            return transform.transformBoundingBox(box)
-        except QgsCsException:
-            return None
 
     def judge_worst(self) -> None:
         """Take the worst windows of the last scan for the desk's own: inspected, and walked through, worst first."""

@@ -3,10 +3,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCsException, QgsPointXY, QgsProject
+from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
+from ....toolkit.map_places import transformed_point
 from .loss_overlay import placed_picture
 from .picture_overlay import PictureOverlay, rgba_image
 
@@ -68,10 +69,8 @@ class ProfileOnMap(QObject):
         layer, grid, result = self._session.mosaic_layer(), self._session.mosaic_grid(), self._result
         if layer is None or grid is None or result is None or result.window is None:
             return None
-        map_crs = self._canvas.mapSettings().destinationCrs()
-        try:
-            place = QgsCoordinateTransform(map_crs, layer.crs(), QgsProject.instance()).transform(point)
-        except QgsCsException:
+        place = transformed_point(point, self._canvas.mapSettings().destinationCrs(), layer.crs())
+        if place is None:
             return None
         column = (place.x() - grid.left) / grid.pixel_width - result.window.column
         row = (grid.top - place.y()) / grid.pixel_height - result.window.row

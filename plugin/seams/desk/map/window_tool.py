@@ -4,7 +4,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateTransform, QgsCsException, QgsPointXY, QgsProject, QgsRectangle
+from qgis.core import QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas, QgsMapMouseEvent
 from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt
 from qgis.PyQt.QtGui import QKeyEvent
@@ -14,6 +14,7 @@ from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
 from ....toolkit.desk.drawing_tool import DrawingTool, is_drag
+from ....toolkit.map_places import transformed_point
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from ...measure.placing.window_sides import window_side_px
@@ -229,12 +230,8 @@ class WindowTool(DrawingTool):
         layer = self._session.mosaic_layer()
         if layer is None:
             return None
-        map_crs = self.canvas().mapSettings().destinationCrs()
-        try:
-            found = QgsCoordinateTransform(map_crs, layer.crs(), QgsProject.instance()).transform(point)
-        except QgsCsException:
-            return None
-        return found.x(), found.y()
+        found = transformed_point(point, self.canvas().mapSettings().destinationCrs(), layer.crs())
+        return (found.x(), found.y()) if found is not None else None
 
     def _seam_reach(self) -> float:
         """How near a seam counts as near, in the mosaic's units."""

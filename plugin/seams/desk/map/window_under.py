@@ -3,15 +3,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsCsException,
-    QgsPointXY,
-    QgsProject,
-    QgsVectorLayer,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsVectorLayer
 
+from ....toolkit.map_places import transformed_point
 from ...measure.window_records import WindowRecord
 
 
@@ -19,9 +13,8 @@ def window_under(
     windows: Iterable[WindowRecord], layer: QgsVectorLayer, point: QgsPointXY, crs: QgsCoordinateReferenceSystem
 ) -> WindowRecord | None:
     """The window of a layer under a point; of several the one whose middle is nearest. None where there is none."""
-    try:
-        here = QgsCoordinateTransform(crs, layer.crs(), QgsProject.instance()).transform(point)
-    except QgsCsException:
+    here = transformed_point(point, crs, layer.crs())
+    if here is None:
         return None
     found = [row for row in windows if _holds(row, here.x(), here.y())]
     return min(found, key=lambda row: _distance(row, here.x(), here.y()), default=None)

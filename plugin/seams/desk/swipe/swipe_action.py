@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateTransform, QgsCsException, QgsProject
+from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtGui import QIcon
@@ -13,6 +13,7 @@ from ....imagery.grids import Extent, extents_meet
 from ....imagery.message import Message
 from ....toolkit.desk.greyed import allow
 from ....toolkit.layers import box_extent
+from ....toolkit.map_places import transformed_box
 from ....toolkit.message_bar import bar_level
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import sentence, tr
@@ -174,11 +175,8 @@ class SwipeAction(QObject):
         if mosaic is None:
             return None
         settings = self._canvas.mapSettings()
-        transform = QgsCoordinateTransform(settings.destinationCrs(), mosaic.crs(), QgsProject.instance())
-        try:
-            return box_extent(transform.transformBoundingBox(settings.visibleExtent()))
-        except QgsCsException:
-            return None
+        seen = transformed_box(settings.visibleExtent(), settings.destinationCrs(), mosaic.crs())
+        return box_extent(seen) if seen is not None else None
 
 
 def _shared(first: Extent, second: Extent) -> float:
