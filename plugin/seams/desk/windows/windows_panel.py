@@ -3,8 +3,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import partial
-from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,38 +11,32 @@ from qgis.PyQt.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, pyqtS
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QApplication,
-    QComboBox,
     QFileDialog,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
-from ....imagery.statistics.observers import FIRST, UNSURE
+from ....imagery.statistics.observers import Operator
 from ....toolkit.desk.confirmation import is_confirmed
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.message_bar import bar_level
 from ....toolkit.translation import sentence, tr
 from ...measure import messages
-from ...verdict_words import VERDICTS, verdict_word
-from ..judging.window_orders import ORDERS, TABLE, WindowOrder, operators_disagree, tool_and_observer_disagree
+from ..judging.window_orders import TABLE, WindowOrder
+from .filter_boxes import KindBox, OrderBox
 from .rows_menu import rows_menu
 from .table_export import copied_rows, write_csv
-from .verdict_chips import verdict_chip
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 from .windows_table import WindowsTable
 
 if TYPE_CHECKING:
-    from ...measure.window_records import WindowRecord
     from ..session import Session
 
-_BOX_LETTERS = 8  # of the boxes beside the search
 _WIDE_LETTERS = 60  # the count of windows has room beside the search
 _TYPED_MS = 500  # without a letter: what is searched for stands
-_DIFFERENCES = ("tool_differs", "operators_differ")
 _SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
 
 
@@ -72,14 +64,11 @@ class WindowsPanel(QWidget):
         self._confirm = confirm
         self._is_following = False
         self._own: frozenset[str] | None = None  # the fields that are seen while others are hidden
-        self._lifted = ""  # the kind of windows that is shown again when nothing is hidden
-        self.operator = FIRST
-        """Whose verdicts the filter asks for."""
         self._windows = WindowsModel(self, session.result)
         self._shown = WindowsFilter(self._windows, self)
         self._search = QgsFilterLineEdit(self)  # before the table, for Tab
-        self._verdicts = QComboBox(self)
-        self._orders = QComboBox(self)
+        self._verdicts = KindBox(self)
+        self._orders = OrderBox(self)
         self._problem = QLabel(self)
         self._filter_time = single_shot(self, self._tell_filter, _TYPED_MS)
         self._count = QLabel(self)
@@ -89,7 +78,11 @@ class WindowsPanel(QWidget):
                "the headings chooses columns, a drag moves them.")
         )
         self.table.setAccessibleName(tr("Windows"))
-        self._set_up_filter()
+        self._search.setShowSearchIcon(True)
+        self._search.setShowClearButton(True)
+        self._search.setPlaceholderText(tr("Filter windows"))
+        self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
+        self._count.setToolTip(tr("How many windows are shown."))
         self._menu = rows_menu(
             self, zoom=self._zoom, inspect=self._inspect, judge=self._judge, copy=self.copy,
             save_csv=self._ask_for_csv, remove=self._remove,
@@ -117,7 +110,7 @@ class WindowsPanel(QWidget):
 
     def show_order(self, order: WindowOrder) -> None:
         """Show the windows in an order that is no column's, or go on in a column's."""
-        self._orders.setCurrentIndex(self._orders.findData(order.name))
+        self._orders.show_order(order)
         if order.key is not None:
             with self._following():
                 self._windows.sort_by(order.key)
@@ -128,31 +121,29 @@ class WindowsPanel(QWidget):
     def set_blind(self, own: frozenset[str] | None) -> None:
         """Show these columns and no others, and offer nothing that tells what was found; None: show all."""
         self.table.set_blind(own)
-        for box, telling in ((self._verdicts, self._telling_kinds), (self._orders, self._telling_orders)):
-            for place in telling:
-                box.model().item(place).setEnabled(own is None)
-        kind = self.filter()[1]
         self._own = own
-        self._show_kind(kind)
+        for box in (self._verdicts, self._orders):
+            box.set_blind(own is not None)
         self._filter()
 
     def filter(self) -> tuple[str, str]:
         """What is searched for, and the name of the kind of windows that is shown."""
-        place = self._verdicts.currentIndex()
-        return self._search.text(), self._kinds[place] if place > 0 else self._lifted
+        return self._search.text(), self._verdicts.kind()
 
     def set_filter(self, search: str, kind: str) -> None:
         """Filter as it was before."""
         if (search, kind) != self.filter():
             self._search.setText(search)
-            self._show_kind(kind)
+            self._verdicts.show_kind(kind)
 
-    def _show_kind(self, kind: str) -> None:
-        """A kind that tells what is hidden is lifted until that is seen again."""
-        place = self._kinds.index(kind) if kind in self._kinds else 0
-        is_lifted = self._own is not None and place in self._telling_kinds
-        self._lifted = kind if is_lifted else ""
-        self._verdicts.setCurrentIndex(0 if is_lifted else place)
+    @property
+    def operator(self) -> Operator:
+        """Whose verdicts the filter asks for."""
+        return self._verdicts.operator
+
+    @operator.setter
+    def operator(self, operator: Operator) -> None:
+        self._verdicts.operator = operator
 
     def copy(self) -> None:
         """The selected rows to the clipboard."""
@@ -177,7 +168,7 @@ class WindowsPanel(QWidget):
 
     def _filter(self, *_: object) -> None:
         with self._following():
-            problem = self._shown.set_filter(self._search.text(), self._verdicts.currentData(), self._own)
+            problem = self._shown.set_filter(self._search.text(), self._verdicts.test(), self._own)
         self._problem.setText("" if problem is None else sentence(problem))
         self._problem.setVisible(problem is not None)
         self._filter_time.start()
@@ -305,49 +296,6 @@ class WindowsPanel(QWidget):
 
     # Widgets
 
-    def _set_up_filter(self) -> None:
-        self._search.setShowSearchIcon(True)
-        self._search.setShowClearButton(True)
-        self._search.setPlaceholderText(tr("Filter windows"))
-        self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
-        self._kinds = [""]
-        self._verdicts.addItem(tr("all"), None)
-        for verdict in VERDICTS:
-            self._verdicts.addItem(verdict_chip(verdict), verdict_word(verdict), partial(_has_verdict, verdict))
-            self._kinds.append(verdict or "not_inspected")
-        for kind, text, tip, accepts in (
-            ("not_judged", tr("not judged"), tr("Windows without the observer's word."), self._is_not_judged),
-            ("unsure", tr("not sure"), tr("Windows where the observer was not sure."), self._is_unsure),
-            ("stale", tr("changed"), tr("Windows to be inspected again."), attrgetter("stale")),
-            (
-                "tool_differs", tr("tool differs"),
-                tr("Windows where the tool's verdict and an observer's word disagree."), tool_and_observer_disagree,
-            ),
-            (
-                "operators_differ", tr("operators differ"), tr("Windows where the two operators disagree."),
-                operators_disagree,
-            ),
-        ):
-            self._verdicts.addItem(text, accepts)
-            self._verdicts.setItemData(self._verdicts.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
-            self._kinds.append(kind)
-        self._telling_kinds = [place for place, kind in enumerate(self._kinds) if kind in (*VERDICTS, *_DIFFERENCES)]
-        self._telling_kinds.remove(0)
-        for order in ORDERS:
-            self._orders.addItem(tr(order.title), order.name)
-            self._orders.setItemData(self._orders.count() - 1, tr(order.tooltip), Qt.ItemDataRole.ToolTipRole)
-        self._telling_orders = [place for place, order in enumerate(ORDERS) if order.tells_verdict]
-        self._orders.setCurrentIndex(self._orders.findData(TABLE.name))
-        self._orders.setToolTip(tr("In which order windows are shown and judged."))
-        for box in (self._verdicts, self._orders):  # the longest of their words would leave little room for the search
-            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(_BOX_LETTERS)
-            box.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
-            box.view().setMinimumWidth(box.view().sizeHintForColumn(0) + 2 * self.fontMetrics().height())
-        self._verdicts.setMaxVisibleItems(self._verdicts.count())
-        self._verdicts.setToolTip(tr("Which windows are shown."))
-        self._count.setToolTip(tr("How many windows are shown."))
-
     def _lay_out(self) -> None:
         line = QHBoxLayout()
         line.addWidget(self._search, 1)
@@ -362,13 +310,3 @@ class WindowsPanel(QWidget):
         layout.addWidget(self._problem)
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
-
-    def _is_not_judged(self, row: WindowRecord) -> bool:
-        return not getattr(row, self.operator.observer)
-
-    def _is_unsure(self, row: WindowRecord) -> bool:
-        return bool(getattr(row, self.operator.observer) == UNSURE)
-
-
-def _has_verdict(verdict: str, row: WindowRecord) -> bool:
-    return row.verdict == verdict
