@@ -10,7 +10,7 @@ from scipy import ndimage
 from ..toolkit.pages.how_measured import HowMeasured, measured_raster
 from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import filled, sentence, tr
 from .measure import messages
 from .measure.measuring_marks import MarkWindow
 from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, PhotoOrientation
@@ -29,19 +29,27 @@ def save_orientation_report(path: Path, photo: Photo, made: PhotoOrientation) ->
         "interior_orientation",
         HowMeasured(rasters=[measured_raster(tr("photo"), photo.raster)]),
         name=photo.ref.name,
-        columns=photo.columns,
-        rows=photo.rows,
-        measured=made.count(MarkStatus.MEASURED),
-        given=made.count(MarkStatus.GIVEN),
-        failed=made.count(MarkStatus.FAILED),
+        figures=_figures(made),
         notices=sentences_once(made.notices),
         marks=[_row(mark) for mark in made.marks],
         pictures=[_picture(mark, made.views[mark.name]) for mark in made.marks if mark.name in made.views],
-        magnification=PICTURE_MAGNIFICATION,
         transformation=None if made.fitted is None else _transformation(made.fitted),
         scan_orientation=made.scan_orientation,
         evidence=None if made.evidence is None else sentence(messages.WORDS[made.evidence.value]),
     )
+
+
+def _figures(made: PhotoOrientation) -> list[tuple[str, str]]:
+    """What the page says first."""
+    words = (
+        (MarkStatus.MEASURED, tr("marks measured")), (MarkStatus.GIVEN, tr("marks given")),
+        (MarkStatus.FAILED, tr("marks failed")),
+    )  # fmt: skip
+    figures = [(str(made.count(status)), name) for status, name in words]
+    if made.fitted is not None and made.fitted.redundancy:
+        rms = filled("{rms:.1f} um", rms=made.fitted.rms)
+        figures.insert(0, (rms, tr("root mean square of the residuals")))
+    return figures
 
 
 def _row(mark: MarkResult) -> list[str | None]:
@@ -60,9 +68,11 @@ def _transformation(fitted: FittedTransformation) -> dict[str, object]:
         "model": sentence(messages.WORDS[fitted.to_mm.model.value]),
         "marks": fitted.marks,
         "redundancy": fitted.redundancy,
-        "rms": fitted.rms,
-        "to_mm": [f"{value:.9g}" for value in fitted.to_mm.matrix.ravel()],
-        "to_pixels": [f"{value:.9g}" for value in fitted.to_pixels.matrix.ravel()],
+        "elements": [
+            (f"m{row + 1}{column + 1}", f"{fitted.to_mm.matrix[row, column]:.9g}",
+             f"{fitted.to_pixels.matrix[row, column]:.9g}")
+            for row in range(3) for column in range(3)
+        ],
     }
 
 

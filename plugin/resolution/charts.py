@@ -1,28 +1,25 @@
-"""Bar groups -> matplotlib: profiles with their extremes, threshold and verdict, and the target as a picture."""
+"""Bar groups -> matplotlib: profiles with their extremes, threshold and verdict."""
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..imagery.grids import PixelWindow
-from ..imagery.open_raster import OpenRaster
-from ..imagery.rasters import Raster
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import PAPER, ChartStyle
-from ..toolkit.charts.figure_files import new_figure
-from ..toolkit.translation import tr
+from ..toolkit.charts.figure_files import new_figure, plain_figure
+from ..toolkit.translation import filled, tr
 from .measure.bar_groups import GroupResult
 from .measure.bars import BarReading
 from .measure.target import DIRECTIONS
 
 BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir": "#cc79a7"}
 _OTHERS = ("#0072b2", "#e69f00", "#56b4e9", "#d55e00", "#009e73", "#cc79a7")
-_VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "#cc79a7", "unmeasured": "#777777"}
-_LARGEST_PICTURE = 1600
+VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "#cc79a7", "unmeasured": "#777777"}
 _MOST_ROWS = 10  # of panels below each other
+_ROW_WIDTH, _ROW_HEIGHT = 7.08, 1.32  # inches of a row of two panels: as wide as A4 between its margins
+_PANELS = ((0.075, 0.16, 0.41, 0.66), (0.575, 0.16, 0.41, 0.66))  # left, bottom, width and height in a row
 
 
 def direction_title(direction: str) -> str:
@@ -52,8 +49,7 @@ def verdict_word(verdict: str) -> str:
 def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: float, style: ChartStyle = PAPER) -> None:
     """The profiles of one line by band, their bars and gaps, and for the weakest band the threshold of its gaps."""
     for place, (band, reading) in enumerate(readings.items()):
-        profile = reading.profile
-        colour = BAND_COLOURS.get(band, style.text if len(readings) == 1 else _OTHERS[place % len(_OTHERS)])
+        profile, colour = reading.profile, band_colour(band, place, len(readings), style)
         axes.plot(profile.positions, profile.values, color=colour, linewidth=1.4 * style.scale, label=band_title(band))
         for extremes, face in ((reading.bars, colour), (reading.gaps, style.background)):
             axes.plot(
@@ -73,6 +69,11 @@ def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: flo
     axes.margins(x=0.01, y=0.08)
 
 
+def band_colour(band: str, place: int, count: int, style: ChartStyle = PAPER) -> str:
+    """Of a band's profile among those of ``count`` bands."""
+    return BAND_COLOURS.get(band, style.text if count == 1 else _OTHERS[place % len(_OTHERS)])
+
+
 def _draw_threshold(axes: Axes, reading: BarReading, criterion: float, style: ChartStyle) -> None:
     """A gap on the bars' side of this line is too shallow."""
     down = -1 if reading.bright else 1
@@ -84,7 +85,7 @@ def _draw_threshold(axes: Axes, reading: BarReading, criterion: float, style: Ch
 
 def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
     """The profiles group by group, the coarsest first: along the flight on the left, across on the right."""
-    lines = _by_line(results)
+    lines = lines_of(results)
     directions = [one for one in DIRECTIONS if any(line[0].measured.line.direction == one for line in lines)]
     directions = directions or [DIRECTIONS[0]]
     groups = sorted(
@@ -113,6 +114,24 @@ def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
     return figure
 
 
+def profile_rows(results: Sequence[GroupResult], criterion: float) -> Iterator[Figure]:
+    """The profiles two by two, the coarsest group first, each row a figure that breaks across no page.
+
+    Along the flight on the left and across it on the right; of one direction alone, group after group.
+    """
+    lines = [line for line in lines_of(results) if line[0].grd_cm is not None]
+    by_place = {(line[0].measured.line.group, line[0].measured.line.direction): line for line in reversed(lines)}
+    widths = {group: line[0].grd_cm or 0.0 for (group, _), line in by_place.items()}
+    groups = sorted(widths, key=lambda group: -widths[group])
+    directions = [one for one in DIRECTIONS if any(direction == one for _, direction in by_place)]
+    panels = [by_place.get((group, direction), []) for group in groups for direction in directions]
+    for first in range(0, len(panels), len(_PANELS)):
+        figure = plain_figure(_ROW_WIDTH, _ROW_HEIGHT)
+        for place, line in zip(_PANELS, panels[first : first + len(_PANELS)]):
+            _draw_panel(figure.add_axes(place), line, criterion, with_direction=True)
+        yield figure
+
+
 def _write_heading(panel: Axes, words: str) -> None:
     panel.annotate(
         words, (0, 1), xytext=(0, 22), xycoords="axes fraction", textcoords="offset points", fontsize=10,
@@ -127,17 +146,23 @@ def _write_legend(axes: Axes, handles: Mapping[str, object]) -> None:
         axes.legend(handles.values(), handles.keys(), loc="center", ncol=6, fontsize=8, frameon=False)
 
 
-def _draw_panel(panel: Axes, results: Sequence[GroupResult], criterion: float) -> None:
+def _draw_panel(
+    panel: Axes, results: Sequence[GroupResult], criterion: float, with_direction: bool = False
+) -> None:
     panel.tick_params(labelsize=7)
     if not results:
         panel.set_axis_off()
         return
     readings = {result.band: result.reading for result in results if result.reading is not None}
     verdict, first = verdict_of(results), results[0]
-    title = tr("group {group}, {grd:.2f} cm: {verdict}").format(
-        group=first.measured.line.group, grd=first.grd_cm, verdict=verdict_word(verdict)
+    words = tr("group {group}, {grd:.2f} cm: {verdict}")
+    if with_direction:
+        words = tr("group {group} {direction}, {grd:.2f} cm: {verdict}")
+    title = filled(
+        words, group=first.measured.line.group, direction=direction_title(first.measured.line.direction),
+        grd=first.grd_cm, verdict=verdict_word(verdict),
     )
-    panel.set_title(title, fontsize=8, loc="left", color=_VERDICT_COLOURS[verdict], fontweight="bold")
+    panel.set_title(title, fontsize=8, loc="left", color=VERDICT_COLOURS[verdict], fontweight="bold")
     if readings:
         draw_profiles(panel, readings, criterion)
         panel.set_ylabel("DN", fontsize=7)
@@ -145,50 +170,8 @@ def _draw_panel(panel: Axes, results: Sequence[GroupResult], criterion: float) -
         panel.set_axis_off()
 
 
-def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:
-    """The image around all lines, each line in the colour of its verdict; None when no line lies on the image."""
-    lines = [line for line in _by_line(results) if line[0].measured.segment is not None]
-    if not lines:
-        return None
-    ends = np.array([end for line in lines for end in _ends(line)])
-    (left, top), (right, bottom) = ends.min(axis=0), ends.max(axis=0)
-    margin = 0.06 * max(right - left, bottom - top) + 6
-    column, row = max(0, int(left - margin)), max(0, int(top - margin))
-    width = min(raster.grid.columns, int(right + margin)) - column
-    height = min(raster.grid.rows, int(bottom + margin)) - row
-    if max(width, height) > 2 * _LARGEST_PICTURE:
-        return None
-    bands = OpenRaster(raster.ref).read(PixelWindow(column, row, width, height)).bands
-    shown = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
-    low, high = np.percentile(shown, (0.5, 99.5))
-    toned = np.clip((shown - low) / max(high - low, 1e-9), 0, 1)
-    side = 7.0
-    figure = new_figure(side * min(1.0, width / height), side * min(1.0, height / width) + 0.4)
-    parts = figure.add_gridspec(2, 1, height_ratios=[1.0, 0.04])
-    axes = figure.add_subplot(parts[0])
-    extent = (column, column + width, row + height, row)
-    axes.imshow(toned, cmap="gray", extent=extent, interpolation="nearest")
-    words = {}
-    for line in lines:
-        verdict = verdict_of(line)
-        (x1, y1), (x2, y2) = _ends(line)
-        words[verdict] = axes.plot([x1, x2], [y1, y2], color=_VERDICT_COLOURS[verdict], linewidth=1.8)[0]
-        axes.annotate(
-            str(line[0].measured.line.group), (x2, y2), xytext=(2, 2), textcoords="offset points", fontsize=6,
-            color="white", bbox={"facecolor": "black", "alpha": 0.6, "pad": 0.8, "linewidth": 0},
-        )
-    axes.set_axis_off()
-    _write_legend(figure.add_subplot(parts[1]), {verdict_word(verdict): handle for verdict, handle in words.items()})
-    return figure
-
-
-def _ends(line: Sequence[GroupResult]) -> tuple[tuple[float, float], tuple[float, float]]:
-    segment = line[0].measured.segment
-    assert segment is not None
-    return segment.start, segment.end
-
-
-def _by_line(results: Sequence[GroupResult]) -> list[list[GroupResult]]:
+def lines_of(results: Sequence[GroupResult]) -> list[list[GroupResult]]:
+    """The results of each line, over its bands."""
     lines: dict[int, list[GroupResult]] = {}
     for result in results:
         lines.setdefault(id(result.measured), []).append(result)

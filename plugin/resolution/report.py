@@ -1,6 +1,8 @@
 """The ground resolved distance of a target as one HTML page."""
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..imagery.rasters import Raster
@@ -8,10 +10,19 @@ from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, measured_raster
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import filled, percent, sentence, tr
-from .charts import direction_title, group_chart, target_picture, verdict_of, verdict_word
+from ..toolkit.translation import filled, percent, sentence, shown_number, tr
+from .charts import (
+    VERDICT_COLOURS,
+    band_colour,
+    direction_title,
+    lines_of,
+    profile_rows,
+    verdict_of,
+    verdict_word,
+)
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import DIRECTIONS, Target
+from .target_picture import target_picture
 
 
 def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolution, target: Target) -> None:
@@ -27,28 +38,67 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
         HowMeasured(_settings(target), [measured_raster(tr("image"), raster)]),
         name=raster.ref.name,
         summary=_summary(resolution),
+        figures=_figures(resolution),
         notices=sentences_once(resolution.notices),
-        distances=[
-            (direction_title(direction), band_title(band), tr("none") if grd is None else f"{grd:.2f}")
-            for (direction, band), grd in sorted(resolution.grd_cm.items())
-        ],
+        **_distances(resolution),
         picture=None if picture is None else svg_text(picture),
-        chart=svg_text(group_chart(results, target.criterion)),
+        verdicts=[(VERDICT_COLOURS[one], verdict_word(one)) for one in _verdicts(results)],
+        profiles=map(svg_text, profile_rows(results, target.criterion)),
+        bands=_bands(results),
         criterion=target.criterion,
         measurements=[_row(result) for result in results],
-        reasons=[(*_names(result), sentence(result.reason)) for result in results if result.reason is not None],
+        reasons=_reasons(results),
     )
 
 
-def _summary(resolution: TargetResolution) -> str:
-    words = []
+def _distances(resolution: TargetResolution) -> dict[str, object]:
+    """The bands, and a row for each direction."""
+    known = resolution.grd_cm
+    bands = list(dict.fromkeys(band for _, band in known))
+    rows = []
     for direction in DIRECTIONS:
-        grd = resolution.worst(direction)
-        if grd is not None:
-            words.append(filled(tr("{direction}: {grd:.2f} cm"), direction=direction_title(direction), grd=grd))
-    if resolution.mean is not None:
-        words.append(filled(tr("geometric mean: {grd:.2f} cm"), grd=resolution.mean))
-    return "; ".join(words) + "." if words else tr("No group is resolved in every band.")
+        found = [known.get((direction, band), math.nan) for band in bands]
+        if any(grd is None or grd == grd for grd in found):
+            words = (tr("none") if grd is None else "" if grd != grd else shown_number(grd) for grd in found)
+            rows.append([direction_title(direction), *words])
+    return {"distance_bands": [band_title(band) for band in bands], "distances": rows}
+
+
+def _reasons(results: Sequence[GroupResult]) -> list[tuple[str, str, str, str]]:
+    """Direction, band, reason, and the groups that it is true of: each sentence is said once."""
+    groups: dict[tuple[str, str, str], list[str]] = {}
+    for result in results:
+        if result.reason is not None:
+            group, direction, band = _names(result)
+            groups.setdefault((direction, band, sentence(result.reason)), []).append(str(group))
+    return [(*known, ", ".join(filter(None, numbers))) for known, numbers in groups.items()]
+
+
+def _verdicts(results: Sequence[GroupResult]) -> list[str]:
+    """Those of the lines in the picture, the best first."""
+    known = {verdict_of(line) for line in lines_of(results)}
+    return [verdict for verdict in VERDICT_COLOURS if verdict in known]
+
+
+def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
+    """Colours and names of the bands that were measured; empty for a single one."""
+    names = list(dict.fromkeys(result.band for result in results if result.band))
+    if len(names) < 2:
+        return []
+    return [(band_colour(name, place, len(names)), band_title(name)) for place, name in enumerate(names)]
+
+
+def _figures(resolution: TargetResolution) -> list[tuple[str, str]]:
+    """The ground resolved distances with what they are."""
+    known = [(resolution.worst(direction), direction_title(direction)) for direction in DIRECTIONS]
+    known.append((resolution.mean, tr("geometric mean")))
+    return [(filled("{grd:.2f} cm", grd=grd), words) for grd, words in known if grd is not None]
+
+
+def _summary(resolution: TargetResolution) -> str:
+    if _figures(resolution):
+        return tr("Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.")
+    return tr("No group is resolved in every band.")
 
 
 def _settings(target: Target) -> list[tuple[str, str]]:

@@ -24,6 +24,13 @@ def new_figure(width: float, height: float) -> Figure:
     return figure
 
 
+def plain_figure(width: float, height: float) -> Figure:
+    """An empty figure, its size in inches, whose parts are put into their places: many alike, or to scale."""
+    figure = Figure(figsize=(width, height))
+    FigureCanvasAgg(figure)
+    return figure
+
+
 def check_figure_path(path: Path) -> None:
     """Raise SettingsError for another ending than those that can be written."""
     if path.suffix.lower().lstrip(".") not in FORMATS:

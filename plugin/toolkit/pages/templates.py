@@ -20,6 +20,7 @@ from ..translation import language, sentence, tr
 from .how_measured import HowMeasured, MeasuredRaster
 
 _LONGEST_WORD = 24  # letters that a column of a table makes room for
+_LONGEST_UNBROKEN = 18  # letters of a cell that stays in one line
 _LONGEST_FOOT = 110  # letters of a title at the foot of a printed page
 
 
@@ -49,8 +50,8 @@ def environment() -> Environment:
     )
     made.globals.update(tr=tr, language=language)
     made.filters.update(
-        data_address=_data_address, number_columns=_number_columns, has_long_word=_has_long_word, css_text=_css_text,
-        facts_row=_facts_row,
+        data_address=_data_address, facts_row=_facts_row, css_text=_css_text, filled_columns=_filled_columns,
+        number_columns=_number_columns, has_long_word=_has_long_word, is_short=_is_short,
     )
     return made
 
@@ -70,10 +71,24 @@ def _has_long_word(value: object) -> bool:
     return isinstance(value, str) and any(len(word) > _LONGEST_WORD for word in value.split())
 
 
+def _is_short(value: object) -> bool:
+    """Whether a cell of a table stays in one line."""
+    return value is not None and 1 < len(str(value)) <= _LONGEST_UNBROKEN
+
+
 def _css_text(words: str) -> str:
     """As a string of CSS, in which nothing but letters and digits means what it says."""
     short = words if len(words) <= _LONGEST_FOOT else words[: _LONGEST_FOOT - 1] + "…"
     return re.sub(r"[^A-Za-z0-9 ]", lambda one: f"\\{ord(one.group()):x} ", short)
+
+
+def _filled_columns(
+    headings: Sequence[str], rows: Iterable[Sequence[object]]
+) -> tuple[list[str], list[list[object]]]:
+    """Headings and rows of a table without the columns that say nothing in any row."""
+    known = [list(row) for row in rows]
+    kept = [place for place in range(len(headings)) if not known or any(row[place] not in (None, "") for row in known)]
+    return [headings[place] for place in kept], [[row[place] for place in kept] for row in known]
 
 
 def _number_columns(headings: Sequence[str], rows: Sequence[Sequence[object]]) -> list[bool]:

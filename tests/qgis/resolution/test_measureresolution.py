@@ -92,7 +92,7 @@ def test_chart_and_report(target: BarScene, tmp_path: Path) -> None:
     for words in ("group 1, 100.00 cm: resolved", "group 5, 39.69 cm: not resolved", "along the flight"):
         assert words in drawn
     assert f"{made.results['GRD_ALONG']:.2f} cm" in page
-    assert page.count("data:image/svg+xml") == 2
+    assert page.count("data:image/svg+xml") == 1 + 5  # the target, and a row for each group
     assert "http" not in page.replace("http://www.w3.org", "")
 
 
