@@ -46,7 +46,7 @@ def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list
         else:
             rows.append((name, numbers, role))
     if not rows:
-        raise SensorModelError(messages.NO_POINTS())
+        raise SensorModelError(messages.NO_POINTS_LEFT(why=notices[0]) if notices else messages.NO_POINTS())
     values = np.array([numbers for _, numbers, _ in rows])
     roles = [role for *_, role in rows]
     points = Points(

@@ -171,6 +171,8 @@ class FitSensorModel(SensorAlgorithm):
 
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
+        from ..measure.adjustment import suspects
+
         notices: list[Message] = []
         if not done.fitted.converged:
             notices.append(messages.NOT_CONVERGED(iterations=done.fitted.iterations))
@@ -181,6 +183,9 @@ class FitSensorModel(SensorAlgorithm):
         if done.blunder.any():
             names = [name for name, one in zip(done.points.ids, done.blunder) if one]
             notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
+        elif (doubted := suspects(done)).any():
+            names = [name for name, one in zip(done.points.ids, doubted) if one]
+            notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
         return notices
 
     @staticmethod

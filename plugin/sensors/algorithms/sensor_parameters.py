@@ -108,6 +108,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         """The points with roles, and heights where the model (None: any model) needs them."""
         from ...toolkit.layers import system_wkt
         from .. import point_tables
+        from ..measure.plausible_points import check_plausible
         from ..measure.point_heights import with_heights
         from ..measure.points import choose_check_points
 
@@ -118,6 +119,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         else:
             points, with_roles, notices = point_tables.layer_points(run.source(GCPS))
         run.tell(*notices)
+        check_plausible(points, (image.columns, image.rows) if image is not None else None)
         if request is None or request.needs_heights:
             datum, dem_datum = (run.text(name) for name in (HEIGHTS, DEM_HEIGHTS))
             points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))

@@ -196,6 +196,15 @@ def _robust_sigma(residuals: np.ndarray, redundancy: float) -> float:
     return max(float(np.median(rest)) / RAYLEIGH_MEDIAN, limits.MIN_SIGMA_PX)
 
 
+def suspects(done: Adjustment) -> np.ndarray:
+    """(n,) bool: control points that miss the model by far more than most of them do, blunders perhaps."""
+    control = ~done.points.check & ~done.blunder
+    size = np.linalg.norm(done.residuals_px, axis=1)
+    usual = float(np.median(size[control])) / RAYLEIGH_MEDIAN if control.any() else 0.0
+    found: np.ndarray = control & (size > MAX_BLUNDER_SIGMAS * max(usual, limits.MIN_SIGMA_PX))
+    return found
+
+
 def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
     """(n,) bool: check points that differ from the others as well as from what the control points let expect."""
     usual = SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals)))

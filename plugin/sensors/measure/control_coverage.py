@@ -31,9 +31,10 @@ def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     """What part of an image (n, 2) control points cover."""
     outline = convex_hull(control)
     area = (image[2] - image[0]) * (image[3] - image[1])
+    within = _area(_clipped(outline, image))  # points may be measured a little beyond the image
     singular = np.linalg.svd(control - control.mean(axis=0), compute_uv=False)
     spread = float(singular[1] / singular[0]) if len(singular) > 1 and singular[0] > 0 else 0.0
-    return ControlCoverage(float(np.clip(1 - _area(outline) / area, 0, 1)) if area > 0 else 1.0, spread, outline)
+    return ControlCoverage(float(np.clip(1 - within / area, 0, 1)) if area > 0 else 1.0, spread, outline)
 
 
 def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
@@ -59,6 +60,21 @@ def convex_hull(points: np.ndarray) -> np.ndarray:
             chain.append(point)
         chains += chain[:-1]
     return np.array(chains)
+
+
+def _clipped(corners: np.ndarray, box: ImageBox) -> np.ndarray:
+    """(k, 2) corners of what of a convex outline lies in a box (Sutherland and Hodgman)."""
+    for axis, limit, sign in ((0, box[0], 1), (1, box[1], 1), (0, box[2], -1), (1, box[3], -1)):
+        kept: list[np.ndarray] = []
+        inner = sign * (corners[:, axis] - limit) if len(corners) else np.zeros(0)
+        for number in range(len(corners)):
+            here, there = inner[number - 1], inner[number]
+            if (here < 0) != (there < 0):
+                kept.append(corners[number - 1] + here / (here - there) * (corners[number] - corners[number - 1]))
+            if there >= 0:
+                kept.append(corners[number])
+        corners = np.array(kept).reshape(-1, 2)
+    return corners
 
 
 def _turn(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -> float:

@@ -5,6 +5,7 @@ from ...imagery.message import INFO, WARNING, Message
 
 # points
 NO_POINTS = Message("There are no points to fit a model to; measure some, or choose another layer.")
+NO_POINTS_LEFT = Message("No point is left to fit a model to: {why} Correct the layer, or choose another one.")
 NO_POINTS_FILE = Message(
     "{name} is no points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose "
     "one, or a point layer with the fields column and row."
@@ -22,6 +23,29 @@ POINT_LEFT_OUT = Message("Point {name} is left out: {why}", WARNING)
 POINT_WITHOUT_PLACE = Message("its place in the image or on the ground is missing.", INFO)
 POINT_ROLE_UNKNOWN = Message("its role '{role}' is neither control nor check.", INFO)
 POINT_OFF_DEM = Message("it has no height and the terrain model has none there.", INFO)
+# points that can't be what they are said to be
+POINTS_NO_DEGREES = Message(
+    "The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their "
+    "coordinates are in."
+)
+POINT_HEIGHT_IMPLAUSIBLE = Message(
+    "Point {name} is {height:.6g} m high, as no place on earth is; give heights in metres."
+)
+PIXEL_IMPLAUSIBLE = Message(
+    "By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that "
+    "their coordinates are in."
+)
+ROWS_NEGATIVE = Message(
+    "The points' rows are negative, as QGIS's georeferencer shows them; give them from the upper edge downwards, all "
+    "positive, or the .points file itself."
+)
+COLUMNS_AND_ROWS_INTERCHANGED = Message(
+    "The points lie in the image only with columns and rows interchanged; interchange the two fields."
+)
+POINTS_OUTSIDE_IMAGE = Message(
+    "{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose "
+    "their image."
+)
 # points that do not determine a model
 NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "
@@ -57,6 +81,10 @@ CONTROL_ON_A_LINE = Message(
 CONTROL_IN_A_CORNER = Message(
     "The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add "
     "points towards the image's corners.", WARNING
+)
+BLUNDERS_POSSIBLE = Message(
+    "{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for "
+    "(ROBUST).", WARNING
 )
 CHECK_POINTS_MISSING = Message(
     "There are no check points, so the errors given are those of the fit on its own points; set roles or a share of "
