@@ -30,7 +30,7 @@ ARRANGEMENT_PAIRS = 6  # all pairs of four marks, the widest of eight
 TELLING_PIXEL_MM = 0.2  # a ring of 2 mm is ten pixels wide
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Arrangement:
     """Candidates that lie as the calibration says."""
 
@@ -63,34 +63,47 @@ class Arrangement:
         return float(math.hypot(self.matrix[0, 0], self.matrix[1, 0]))
 
 
+FramedArrangement = tuple[MarkFrame, Arrangement]
+
+
 def find_arrangements(
     scene: Scene,
     frames: Sequence[MarkFrame],
     groups: Sequence[Patterns],
     sign: int | None = None,
     cancelled: Callable[[], bool] = lambda: False,
-) -> list[tuple[MarkFrame, Arrangement]]:
-    """The best arrangement of each group of patterns, the best first; none for a group where nothing fits together.
+) -> list[list[FramedArrangement]]:
+    """The arrangements of each group of patterns, the best group and its best first: one at most for each frame.
+
+    A calibration that looks different when it is turned has several frames, and a photo may hold marks for more than
+    one of them. A group where nothing fits together is left out.
 
     Levels are taken coarse to fine. The search ends at the first level that has a sure arrangement, not before a
     level at which a mark can be told from the frame's own corners. ``sign`` is as in ``Arrangement``, None for
     either.
     """
-    best: dict[int, tuple[MarkFrame, Arrangement]] = {}
+    best: dict[int, dict[int, FramedArrangement]] = {}
     scenes = [scene(frame) for frame in frames]
     for at_level in zip(*scenes):
-        for frame, views in zip(frames, at_level):
+        for way, (frame, views) in enumerate(zip(frames, at_level)):
             images = [CorrelatedImage(view.pixels, np.float32) for view in views]
             for number, patterns in enumerate(groups):
                 if cancelled():
                     return []
                 found = _at_level(views, images, frame, patterns, (1, -1) if sign is None else (sign,))
-                if found is not None and (number not in best or found.score > best[number][1].score):
-                    best[number] = frame, found
+                ways = best.setdefault(number, {})
+                if found is not None and (way not in ways or found.score > ways[way][1].score):
+                    ways[way] = frame, found
         width = at_level[0][0].factor * frames[0].scales[1] ** -1
-        if width <= TELLING_PIXEL_MM and any(is_sure(found) for _, found in best.values()):
+        arranged = (found for ways in best.values() for _, found in ways.values())
+        if width <= TELLING_PIXEL_MM and any(is_sure(found) for found in arranged):
             break
-    return sorted(best.values(), key=lambda one: -one[1].score)
+    groups_found = [sorted(ways.values(), key=_score, reverse=True) for ways in best.values() if ways]
+    return sorted(groups_found, key=lambda ways: _score(ways[0]), reverse=True)
+
+
+def _score(one: FramedArrangement) -> float:
+    return one[1].score
 
 
 def is_sure(found: Arrangement) -> bool:

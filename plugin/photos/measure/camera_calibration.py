@@ -16,7 +16,7 @@ import numpy as np
 from ...imagery.documents.xml_documents import looks_like_xml, xml_root
 from ...imagery.errors import PhotoError
 from . import messages
-from .transformations import LEAST_MARKS, PlaneModel
+from .transformations import LEAST_MARKS, PlaneModel, fit_transformation
 
 MIN_FRAME_MM = 24.0  # the short side of 35 mm film, the smallest frame; 23 cm given in centimetres is below it
 MAX_FRAME_MM = 1000.0  # no frame is that long; 23 cm given in micrometres is far above it
@@ -78,6 +78,7 @@ def check_calibration(calibration: CameraCalibration, model: PlaneModel) -> None
     for (one, a), (other, b) in combinations(calibration.marks.items(), 2):
         if math.dist(a, b) < MIN_MARK_DISTANCE * span:
             raise PhotoError(messages.MARKS_AT_ONE_PLACE(one=one, other=other))
+    fit_transformation(model, calibration.points, calibration.points)  # refuses marks on a line
 
 
 def _micmac(content: bytes, name: str) -> CameraCalibration:

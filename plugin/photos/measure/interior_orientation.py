@@ -11,7 +11,8 @@ import numpy as np
 from ...imagery.errors import PhotoError
 from . import limits, messages, scan_orientation
 from .camera_calibration import CameraCalibration, check_calibration
-from .finding_marks import FoundMarks, find_marks
+from .finding.finding_marks import find_marks
+from .finding.found_marks import FoundMarks
 from .fitting_marks import fail_misplaced_marks, fit_marks
 from .mark_templates import CutOut, MarkShape
 from .measuring_marks import MarkWindow, UnmeasuredMark, window_around
@@ -28,7 +29,6 @@ from .photo_views import Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
 
 MIN_PICTURE_PX = 20  # half a side of the picture of a mark
-ONE_PLACE_PX = 3.0  # two marks nearer than that are one that was found twice
 
 
 def orient_photo(
@@ -43,31 +43,35 @@ def orient_photo(
     Raises PhotoError where nothing can be measured at all.
     """
     check_calibration(calibration, settings.model)
-    _check_positions(calibration, positions)
+    _check_positions(photo, calibration, positions)
     given = {name: one.place for name, one in positions.items() if not one.measure}
     found = FoundMarks(template=settings.template)
     if set(given) != set(calibration.marks):
         found = find_marks(photo, calibration, positions, settings, cancelled)
     marks = _without_doubles([_mark(name, place, given, found) for name, place in calibration.marks.items()])
-    marks, off = fail_misplaced_marks(marks, settings.model)
+    marks = fail_misplaced_marks(marks)
     marks = _supported(marks, positions)
     fitted, marks, left_out = fit_marks(marks, settings.model)
     if fitted is None and not any(mark.place for mark in marks):
-        _raise_nothing(photo, marks)
+        _raise_nothing(photo, marks, bool(given))
     way, evidence = found.scan_orientation, found.evidence
     if fitted is not None and way is None:
         way, evidence = _nearest_scan_orientation(fitted), OrientationEvidence.POSITIONS
-    notices = (*found.notices, *off, *left_out)
+    notices = (*found.notices, *left_out)
     views = _surroundings(photo, marks, found.template)
     return PhotoOrientation(tuple(marks), fitted, way, evidence, found.template, notices, views)
 
 
-def _check_positions(calibration: CameraCalibration, positions: Mapping[str, GivenPosition]) -> None:
+def _check_positions(
+    photo: Photo, calibration: CameraCalibration, positions: Mapping[str, GivenPosition]
+) -> None:
     unknown = [name for name in positions if name not in calibration.marks]
     if unknown:
         raise PhotoError(messages.POSITION_UNKNOWN(mark=unknown[0], marks=", ".join(calibration.marks)))
     seen: dict[Place, str] = {}
     for name, position in positions.items():
+        if not position.measure and not photo.contains(position.place):
+            raise PhotoError(messages.POSITION_OUTSIDE(mark=name))
         for place, other in seen.items():
             if math.dist(place, position.place) < 1:
                 raise PhotoError(messages.POSITIONS_AT_ONE_PLACE(one=other, other=name))
@@ -91,7 +95,7 @@ def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
             (
                 other for other in marks
                 if other is not mark and mark.place and other.place
-                and math.dist(mark.place, other.place) < ONE_PLACE_PX
+                and math.dist(mark.place, other.place) < limits.ONE_PLACE_PX
             ),
             None,
         )
@@ -104,7 +108,7 @@ def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
 def _supported(marks: Sequence[MarkResult], positions: Mapping[str, GivenPosition]) -> list[MarkResult]:
     """Marks that nobody pointed at have to confirm each other."""
     count = sum(mark.place is not None for mark in marks)
-    least = min(limits.MIN_SUPPORT, len(marks))
+    least = limits.MIN_SUPPORT
     if count >= least:
         return list(marks)
     reason = messages.MARK_UNSUPPORTED(count=count, least=least)
@@ -115,9 +119,10 @@ def _supported(marks: Sequence[MarkResult], positions: Mapping[str, GivenPositio
     ]
 
 
-def _raise_nothing(photo: Photo, marks: Sequence[MarkResult]) -> None:
+def _raise_nothing(photo: Photo, marks: Sequence[MarkResult], given: bool) -> None:
     why = next(mark.reason for mark in marks if mark.reason is not None)
-    raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
+    message = messages.NO_MARK_TRUSTED if given else messages.NO_MARK_FOUND
+    raise PhotoError(message(name=photo.ref.name, why=why))
 
 
 def _surroundings(

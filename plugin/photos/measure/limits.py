@@ -8,4 +8,5 @@ PIXEL_SOFTNESS = 0.35  # px, standard deviation: a pixel averages over its squar
 MIN_TEMPLATE_PX = 5  # below that a surface over 5 x 5 px has no room
 FILM_DEFORMATION = 0.001  # of the frame: film and scanner against a similarity, twice what is usual
 MAX_ROTATION_DEG = 6.0  # of a photo in the scanner
+ONE_PLACE_PX = 3.0  # two marks nearer than that are one that was found twice
 MIN_SUPPORT = 3  # marks that have to agree where no position is given: two lie right for any scale and rotation

@@ -14,7 +14,7 @@ from .photo_views import Place, block_means
 COARSE_SIZES_PX = (10.0, 12.0, 14.3, 17.0)  # of a mark at each level: an octave in steps of 1.19
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Pattern:
     """One template at one level: its pixels, and where its centre lies in them."""
 

@@ -183,7 +183,7 @@ def chosen_shapes(kind: str | None, diagonal: bool | None, interrupted: bool | N
     return tuple(made)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CutOut:
     """A mark cut out of a photo by the user."""
 

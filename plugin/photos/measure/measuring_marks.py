@@ -36,7 +36,7 @@ class SurfaceBasis(Enum):
     BRIGHTNESS = "brightness"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MarkWindow:
     """A piece of the photo around where a mark should be."""
 

@@ -66,8 +66,12 @@ SCAN_ORIENTATION_ASSUMED = Message(
     "Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the "
     "positions of three marks if that is wrong.", WARNING
 )
-GIVEN_IS_OFF = Message(
-    "The given mark '{mark}' lies {worst:.2f} mm from where the others want it; check its place and its name.", WARNING
+MARK_STANDS_OUT = Message(
+    "The mark '{mark}' stands out: the others, which agree well, want it {worst:.2f} mm elsewhere; look at its "
+    "picture.", WARNING
+)
+NO_MARK_TRUSTED = Message(
+    "No mark of {name} can be trusted ({why}); check the positions, their names and the calibration."
 )
 # why a mark failed
 SURFACE_FLAT = Message("the surface around the best place is flat, so it has no extremum")
@@ -91,6 +95,10 @@ MARK_UNSUPPORTED = Message(
 )
 MARK_TWICE = Message("it was found at the same place as '{other}'", WARNING)
 MARK_OFF = Message("it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most", WARNING)
+GIVEN_OFF = Message(
+    "the given place lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most; check it "
+    "and its name", WARNING
+)
 MARKS_DISAGREE = Message(
     "the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it "
     "can't be told which is wrong", WARNING

@@ -13,14 +13,16 @@ from ...imagery.gdal_calls import gdal_call
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 
+MOST_GREY = 65535  # of 16 bits; a float raster's 3.4e38 is no grey value
 STRIP_PIXELS = 4_000_000  # read at a time: 16 MB as float32
 
 
 class Photo(OpenRaster):
     """A raster read as grey values.
 
-    Colour becomes luminance, a palette its colours' luminance; of other bands the first counts, alpha never. Invalid
-    pixels hold the mean of the valid ones around.
+    Colour becomes luminance, a palette its colours' luminance; of other bands the first counts, alpha never. A value
+    that a photo can have is one though the file calls it nodata: the black of a frame is the ground of its marks.
+    Pixels without any (masked, transparent, NaN, a negative nodata value) hold the mean of the others around.
     """
 
     def contains(self, place: tuple[float, float]) -> bool:
@@ -41,9 +43,10 @@ class Photo(OpenRaster):
         rows, columns = self.rows // factor, self.columns // factor
         if factor == 1:
             return self.grey()
-        if self.roles.palette is None and self.raster.bits != 1:
+        if self.roles.palette is None and self.raster.bits != 1 and not self._nodata_is_grey:
             return self._grey(PixelWindow(0, 0, columns * factor, rows * factor), (columns, rows))
-        made = np.empty((rows, columns), np.float32)  # GDAL would average to the nearest of two values
+        # GDAL would average to the nearest of two values, and leave nodata out
+        made = np.empty((rows, columns), np.float32)
         step = max(1, STRIP_PIXELS // (self.columns * factor))
         for row in range(0, rows, step):
             count = min(step, rows - row)
@@ -54,7 +57,7 @@ class Photo(OpenRaster):
     def strips(self, margin: int, grey: bool) -> Iterator[Strip]:
         """The photo from top to bottom, mirrored by ``margin`` px at its upper and lower edge, float64.
 
-        Invalid pixels hold the mean of the valid ones of their strip.
+        Pixels without a value hold the mean of the others of their strip.
         """
         step = max(1, STRIP_PIXELS // self.columns)
         for row in range(0, self.rows, step):
@@ -64,8 +67,9 @@ class Photo(OpenRaster):
             pixels = (luminance(bands)[np.newaxis] if grey and len(bands) >= 3 else bands).astype(np.float64)
             if grey:
                 pixels = pixels[:1]
-            if invalid is not None and not invalid.all():
-                pixels[:, invalid] = pixels[:, ~invalid].mean(axis=1, keepdims=True)
+            without = self._without_value(bands, invalid)
+            if without is not None and not without.all():
+                pixels[:, without] = pixels[:, ~without].mean(axis=1, keepdims=True)
             above, below = margin - (row - top), margin - (bottom - row - count)
             if above or below:
                 pixels = np.pad(pixels, ((0, 0), (above, below), (0, 0)), mode="symmetric")
@@ -85,12 +89,26 @@ class Photo(OpenRaster):
     def _grey(self, window: PixelWindow, size: tuple[int, int] | None = None) -> np.ndarray:
         bands, invalid = self.read(window, size, averaged=True)
         grey = judged_plane(bands, self.roles.names)
-        if invalid is not None and not invalid.all():
-            grey[invalid] = grey[~invalid].mean()
+        without = self._without_value(bands, invalid)
+        if without is not None and not without.all():
+            grey[without] = grey[~without].mean()
         return np.nan_to_num(grey, copy=False)
 
+    @property
+    def _nodata_is_grey(self) -> bool:
+        """Whether what the file calls nodata is a value that a photo can have."""
+        nodata = self.nodata
+        return nodata is not None and 0 <= nodata <= MOST_GREY and self.roles.palette is None
 
-@dataclass(frozen=True)
+    def _without_value(self, bands: np.ndarray, invalid: np.ndarray | None) -> np.ndarray | None:
+        """(rows, columns) of the invalid pixels that hold no grey value; None where all do."""
+        if invalid is None or not self._nodata_is_grey:
+            return invalid
+        held = self._nodata_mask(bands)
+        return invalid if held is None else invalid & ~held
+
+
+@dataclass(frozen=True, eq=False)
 class Strip:
     """Some rows of a photo with the ones around them."""
 

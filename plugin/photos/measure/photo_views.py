@@ -24,7 +24,7 @@ class SearchArea:
     bottom: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MarkFrame:
     """The marks of a calibration as they lie in the photo but for shift, scale and a small rotation."""
 
@@ -53,7 +53,7 @@ def block_means(pixels: np.ndarray, step: int) -> np.ndarray:
     return np.asarray(pixels[: rows * step, : columns * step].reshape(rows, step, columns, step).mean(axis=(1, 3)))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ReducedView:
     """A piece of the photo, reduced."""
 

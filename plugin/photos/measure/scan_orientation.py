@@ -102,7 +102,7 @@ class Labelling:
     places: Mapping[str, Place]
     """Where each mark of the calibration should be, px: by the arrangement."""
     sites: Mapping[str, str]
-    """The mark as the frame calls it, by the mark's own name."""
+    """The place where each mark was looked for (as the frame calls it), by the mark's own name."""
 
 
 def labellings(calibration: CameraCalibration, frame: MarkFrame, found: Arrangement) -> list[Labelling]:
@@ -134,7 +134,7 @@ def matching_positions(
 def matching_dots(candidates: Sequence[Labelling], dot_counts: Mapping[str, int]) -> list[Labelling]:
     """Those whose marks' numbers are the dots beside them; none where the dots decide nothing.
 
-    ``dot_counts`` are by the frame's names. A mark's number is what its name ends with. All but one of the counts
+    ``dot_counts`` are by the names of the places. A mark's number is what its name ends with. All but one of the counts
     must agree, three at least (two where the calibration has no more).
     """
     def agreeing(one: Labelling) -> int:
@@ -143,8 +143,16 @@ def matching_dots(candidates: Sequence[Labelling], dot_counts: Mapping[str, int]
     if len(dot_counts) < 2 or not candidates:
         return []
     best = max(agreeing(one) for one in candidates)
-    least = max(len(dot_counts) - 1, min(3, len(candidates[0].sites)))
-    return [one for one in candidates if agreeing(one) == best] if best >= least else []
+    chosen = [one for one in candidates if agreeing(one) == best]
+    counted = min(sum(site in dot_counts for site in one.sites.values()) for one in chosen)
+    least = max(counted - 1, min(3, min(len(one.sites) for one in chosen)))
+    return chosen if best >= least else []
+
+
+def matching_count(candidates: Sequence[Labelling], measured: Mapping[str, Place]) -> list[Labelling]:
+    """Those with the most marks at places where one was measured (``measured``, by the names of the places)."""
+    counts = [sum(site in measured for site in one.sites.values()) for one in candidates]
+    return [one for one, count in zip(candidates, counts) if count == max(counts)]
 
 
 def matching_residuals(
@@ -152,7 +160,7 @@ def matching_residuals(
 ) -> list[Labelling]:
     """The one whose residuals are much smaller than all others'; none where they tell nothing.
 
-    ``measured`` are places by the frame's names.
+    ``measured`` are places by their names.
     """
     misfits = []
     for one in candidates:

@@ -18,13 +18,16 @@ class PlaneModel(Enum):
     PROJECTIVE = "projective"
 
 
+MIN_WIDTH = 0.05  # of marks across the line that they lie along: thinner, an error grows twentyfold beside it
+MIN_CONDITION = 0.02  # of the projective model's equations: four corners have 0.38, three on a line and one beside 0.01
+
 LEAST_MARKS = {PlaneModel.SIMILARITY: 2, PlaneModel.AFFINE: 3, PlaneModel.PROJECTIVE: 4}
 """Marks that determine a model without any left over for a check."""
 
 _PARAMETERS = {PlaneModel.SIMILARITY: 4, PlaneModel.AFFINE: 6, PlaneModel.PROJECTIVE: 8}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Transformation:
     """A plane to a plane."""
 
@@ -68,9 +71,10 @@ def fit_transformation(
         raise PhotoError(messages.TOO_FEW_MARKS(model=word, least=least, count=len(source)))
     source, target = np.asarray(source, dtype=np.float64), np.asarray(target, dtype=np.float64)
     centre, size = source.mean(axis=0), max(float(np.abs(source - source.mean(axis=0)).max()), 1e-300)
-    spread = np.linalg.svd(source - centre, compute_uv=False)
-    if spread[0] < 1e-9 or (model is not PlaneModel.SIMILARITY and spread[1] < 1e-6 * spread[0]):
-        raise PhotoError(messages.MARKS_ON_A_LINE(model=messages.WORDS[model.value]))
+    for points in (source, target):
+        spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+        if spread[0] < 1e-9 or (model is not PlaneModel.SIMILARITY and spread[1] < MIN_WIDTH * spread[0]):
+            raise PhotoError(messages.MARKS_ON_A_LINE(model=messages.WORDS[model.value]))
     normalise = np.array([[1 / size, 0, -centre[0] / size], [0, 1 / size, -centre[1] / size], [0, 0, 1]])
     scaled = (source - centre) / size
     if model is PlaneModel.SIMILARITY:
@@ -106,11 +110,12 @@ def _affine(source: np.ndarray, target: np.ndarray) -> np.ndarray:
 
 def _projective(source: np.ndarray, target: np.ndarray) -> np.ndarray:
     """Direct linear transformation, then a few steps of Gauss and Newton on the residuals themselves."""
+    undetermined = messages.MARKS_ON_A_LINE(model=messages.WORDS[PlaneModel.PROJECTIVE.value])
     shift, scale = target.mean(axis=0), max(float(np.abs(target - target.mean(axis=0)).max()), 1e-300)
     aim = (target - shift) / scale
     parameters = np.append(_affine(source, aim)[:2].ravel(), [0.0, 0.0])
     x, y = source.T
-    for _ in range(20):
+    for turn in range(20):
         a, b, c, d, e, f, g, h = parameters
         below = g * x + h * y + 1
         u, v = (a * x + b * y + c) / below, (d * x + e * y + f) / below
@@ -121,7 +126,11 @@ def _projective(source: np.ndarray, target: np.ndarray) -> np.ndarray:
             np.column_stack([columns, nothing, -u * x / below, -u * y / below]),
             np.column_stack([nothing, columns, -v * x / below, -v * y / below]),
         ])
-        step = np.linalg.lstsq(rows, np.concatenate([aim[:, 0] - u, aim[:, 1] - v]), rcond=None)[0]
+        if not np.isfinite(rows).all():
+            raise PhotoError(undetermined)
+        step, _, _, singular = np.linalg.lstsq(rows, np.concatenate([aim[:, 0] - u, aim[:, 1] - v]), rcond=None)
+        if turn == 0 and singular[-1] < MIN_CONDITION * singular[0]:
+            raise PhotoError(undetermined)
         parameters = parameters + step
         if np.abs(step).max() < 1e-14:
             break

@@ -13,6 +13,8 @@ from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.photos.measure import interior_orientation
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, read_calibration
+from seam_inspector.plugin.photos.measure.finding import finding_marks
+from seam_inspector.plugin.photos.measure.fitting_marks import fit_marks
 from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
 from seam_inspector.plugin.photos.measure.mark_templates import chosen_shapes
 from seam_inspector.plugin.photos.measure.orientation import (
@@ -28,6 +30,7 @@ from seam_inspector.plugin.photos.measure.scan_orientation import (
     OrientationEvidence,
     ScanOrientation,
 )
+from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
 from tests.numbers.photos.photos import CAMERA, Frame, Look, Place, make_frame
 from tests.numbers.synthetic import write_plain
@@ -183,6 +186,64 @@ def test_bits_and_colours_do_not_matter(tmp_path: Path) -> None:
     assert max(errors(orient_photo(Photo(RasterRef(bit)), CameraCalibration(CAMERA), {}, settings), frame)) < 0.5
 
 
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
+@pytest.mark.parametrize("reduced", [False, True])
+def test_black_that_the_file_calls_nodata_is_a_grey_value(
+    tmp_path: Path, dtype: type, reduced: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A frame as black as can be around its marks: filled with the picture's mean it would have no marks."""
+    if reduced:
+        monkeypatch.setattr(finding_marks, "SEARCH_SIDE_PX", 300)
+    frame = make_frame(Look(dots=True, diagonal=True), side=500, seed=14)
+    pixels = np.where(frame.pixels < 62, 0, frame.pixels)
+    near = np.minimum.reduce([np.hypot(*(np.indices(pixels.shape)[::-1] + 0.5 - np.reshape(place, (2, 1, 1))))
+                              for place in frame.places.values()])
+    pixels = np.where((near > 60) & (pixels == 0), 1, pixels)  # the picture itself has none
+    path = write_plain(tmp_path / "photo.tif", pixels.astype(dtype))
+    dataset = gdal.Open(path, gdal.GA_Update)
+    dataset.GetRasterBand(1).SetNoDataValue(0)
+    del dataset
+    settings = OrientationSettings(shapes=chosen_shapes("ring with cross", True, None))
+    made = orient_photo(Photo(RasterRef(path)), CameraCalibration(CAMERA), {}, settings)
+    assert made.count(MarkStatus.MEASURED) == 4
+    assert max(errors(made, frame)) < 0.1
+
+
+@pytest.mark.parametrize("nodata", [math.nan, -9999.0, 3.4e38])
+def test_what_no_photo_can_have_is_filled(tmp_path: Path, nodata: float) -> None:
+    pixels = np.full((20, 30), 50, np.float32)
+    pixels[5:9, 5:9] = nodata
+    path = write_plain(tmp_path / "photo.tif", pixels)
+    dataset = gdal.Open(path, gdal.GA_Update)
+    dataset.GetRasterBand(1).SetNoDataValue(float(np.float32(nodata)))
+    del dataset
+    assert (Photo(RasterRef(path)).grey() == 50).all()
+    assert (Photo(RasterRef(path)).reduced(4) == 50).all()
+
+
+def test_a_given_place_that_is_off_takes_no_part(tmp_path: Path) -> None:
+    """30 px beside its mark it went into the transformation, with residuals of a millimetre."""
+    frame = make_frame(Look(dots=True, diagonal=True), side=500, seed=14)
+    settings = OrientationSettings(shapes=chosen_shapes("ring with cross", True, None))
+    for away, status in ((0.2, MarkStatus.GIVEN), (30, MarkStatus.FAILED)):
+        column, row = frame.places["2"]
+        given = {"2": GivenPosition((column + away, row), measure=False)}
+        made = measured(frame.pixels, tmp_path, settings=settings, positions=given)
+        assert [mark.status for mark in made.marks] == [
+            MarkStatus.MEASURED, status, MarkStatus.MEASURED, MarkStatus.MEASURED
+        ]
+        assert made.fitted is not None
+        assert made.fitted.marks == 3 + (status is MarkStatus.GIVEN)
+    everywhere = {name: GivenPosition((x + 40 * (name == "2"), y), False) for name, (x, y) in frame.places.items()}
+    made = measured(frame.pixels, tmp_path, positions=everywhere)
+    assert [mark.name for mark in made.marks if mark.place is None] == ["2"]
+    everywhere["3"] = GivenPosition((frame.places["3"][0], frame.places["3"][1] + 60), False)
+    with pytest.raises(PhotoError, match="can be trusted"):
+        measured(frame.pixels, tmp_path, positions=everywhere)
+    with pytest.raises(PhotoError, match="The position of '2' lies outside the photo"):
+        measured(frame.pixels, tmp_path, positions={"2": GivenPosition((-5.0, 10.0), False)})
+
+
 # --- real photos -----------------------------------------------------------------------------------------------
 
 UNBC = "15BCC02013_114.jpg"
@@ -205,6 +266,15 @@ def test_a_whole_scanned_frame(unbc: Path) -> None:
     assert made.fitted is not None
     assert (made.fitted.rms_x, made.fitted.rms_y) < (14, 14.5)
     assert min(mark.correlation or 0 for mark in made.marks) > 0.9
+
+
+def test_the_published_places_leave_the_residuals_that_are_known_of_them(unbc: Path) -> None:
+    calibration = read_calibration(unbc / "MeasuresCamera.xml").marks
+    published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
+    given = [MarkResult(name, calibration[name], MarkStatus.GIVEN, place) for name, place in published.items()]
+    fitted = fit_marks(given, PlaneModel.AFFINE)[0]
+    assert fitted is not None
+    assert (fitted.rms_x, fitted.rms_y) == pytest.approx((11.6, 14.3), abs=0.05)
 
 
 def test_a_marks_own_symmetry_confirms_its_place(unbc: Path) -> None:

@@ -8,13 +8,13 @@ from typing import Callable
 
 import numpy as np
 
-from .arrangements import Arrangement, find_arrangements
-from .mark_patterns import cut_out_patterns, drawn_patterns
-from .mark_templates import CutOut, MarkShape, all_shapes
-from .measuring_marks import window_around
-from .orientation import OrientationSettings
-from .photo import Photo
-from .photo_views import MarkFrame, Scene
+from ..arrangements import Arrangement, FramedArrangement, find_arrangements
+from ..mark_patterns import cut_out_patterns, drawn_patterns
+from ..mark_templates import CutOut, MarkShape, all_shapes
+from ..measuring_marks import window_around
+from ..orientation import OrientationSettings
+from ..photo import Photo
+from ..photo_views import MarkFrame, Scene
 from .refining_shapes import refine_shape, without_plane
 
 REFINING_SIZE_PX = 40.0  # of a mark while its figure is fitted: larger ones are reduced for it
@@ -24,7 +24,7 @@ WORTH_A_LOOK = 0.75  # of the best arrangement's sum of correlations
 NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one that explains most pixels is the mark
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Candidate:
     """Places that may be the marks."""
 
@@ -33,6 +33,8 @@ class Candidate:
     template: MarkShape | CutOut
     fitness: float = 1.0
     """How like the figure its marks are: the median correlation, less where marks are missing."""
+    others: tuple[FramedArrangement, ...] = ()
+    """What looks alike and lies as the calibration says when it is turned another way."""
 
     @property
     def side(self) -> int:
@@ -58,15 +60,15 @@ def candidates(
     groups = [cut_out_patterns(template)] if template is not None else [drawn_patterns([shape]) for shape in shapes]
     found = find_arrangements(scene, frames, groups, settings.sign, cancelled)
     if template is not None:
-        yield from (Candidate(frame, arrangement, template) for frame, arrangement in found[:1])
+        yield from (Candidate(*best, template, others=tuple(others)) for best, *others in found[:1])
         return
-    worth = WORTH_A_LOOK * found[0][1].score if found else 0.0
+    worth = WORTH_A_LOOK * found[0][0][1].score if found else 0.0
     looked_at = []
-    for frame, arrangement in found[: REFINED_ARRANGEMENTS]:
+    for (frame, arrangement), *others in found[: REFINED_ARRANGEMENTS]:
         if arrangement.score >= worth and arrangement.shape is not None:
             shape, fitness = _refined(photo, frame, arrangement, arrangement.shape, GLANCING_SIZE_PX)
             fitness *= len(arrangement.values) / len(frame.marks)
-            looked_at.append(Candidate(frame, arrangement, shape, fitness))
+            looked_at.append(Candidate(frame, arrangement, shape, fitness, tuple(others)))
     for one in _by_fitness(looked_at):
         assert isinstance(one.template, MarkShape)
         shape, _ = _refined(photo, one.frame, one.arrangement, one.template, REFINING_SIZE_PX)

@@ -3,26 +3,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Callable
 
 import numpy as np
 
-from ...imagery.errors import PhotoError
-from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
-from . import limits, messages, scan_orientation
-from .arrangements import placing_tolerance
-from .camera_calibration import CameraCalibration
+from ....imagery.errors import PhotoError
+from ....imagery.grids import PixelWindow
+from .. import limits, messages, scan_orientation
+from ..arrangements import placing_tolerance
+from ..camera_calibration import CameraCalibration
+from ..mark_templates import CutOut, MarkKind, MarkShape
+from ..measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, measure_mark, window_around
+from ..orientation import GivenPosition, OrientationSettings
+from ..photo import Photo
+from ..photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
+from ..transformations import PlaneModel, fit_transformation
+from .found_marks import FoundMarks
 from .mark_candidates import Candidate, candidates
-from .mark_templates import CutOut, MarkKind, MarkShape
-from .measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, measure_mark, window_around
-from .orientation import GivenPosition, OrientationSettings
-from .photo import Photo
-from .photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
+from .naming_marks import MeasuredFrame, name_marks
 from .refining_shapes import turned_with_frame
-from .scan_orientation import Labelling, OrientationEvidence, ScanOrientation
-from .transformations import PlaneModel, fit_transformation
 
 SEARCH_SIDE_PX = 3000  # the longer side of the photo for the first search: 80 um on a 23 cm photo
 SEARCH_WINDOW_PX = 768  # of a search window at its finest: larger ones are reduced
@@ -30,27 +30,6 @@ SCALE_RANGE = (0.9, 1.1)  # against the scale that the positions imply, roughly 
 DISTINCT_SHARE = 1.5  # of a mark's size: so far around it nothing may look alike
 DISTINCT_FRAME_SHARE = 0.03  # of the frame: 6 mm on 23 cm, so that an arm's end is told from its counterpart
 MARK_ROOM = 0.05  # of the frame: around a search area, so that a mark at its edge is seen whole
-
-
-@dataclass(frozen=True)
-class FoundMarks:
-    """What became of the marks that were looked for."""
-
-    results: Mapping[str, MeasuredMark | UnmeasuredMark] = field(default_factory=dict)
-    """By the calibration's names; marks with a given place are not among them."""
-    template: MarkShape | CutOut | None = None
-    """What they were measured with."""
-    scan_orientation: ScanOrientation | None = None
-    """How the photo lies, where the search told."""
-    evidence: OrientationEvidence | None = None
-    """What told."""
-    notices: tuple[Message, ...] = ()
-    """What the user should know."""
-
-    @property
-    def found(self) -> int:
-        """How many were measured."""
-        return sum(isinstance(one, MeasuredMark) for one in self.results.values())
 
 
 def find_marks(
@@ -81,6 +60,7 @@ class _Finder:
         cancelled: Callable[[], bool],
     ) -> None:
         self._photo, self._calibration, self._settings, self._cancelled = photo, calibration, settings, cancelled
+        self._positions = positions
         self._given = {name for name, one in positions.items() if not one.measure}
         self._near = {name: one.place for name, one in positions.items()}
 
@@ -175,62 +155,14 @@ class _Finder:
 
     def _named(self, candidate: Candidate) -> FoundMarks:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
-        frame, found = candidate.frame, candidate.arrangement
-        candidates = scan_orientation.labellings(self._calibration, frame, found)
-        evidence = OrientationEvidence.MARKS
-        if self._near:
-            reach = found.scale * self._settings.search_mm
-            candidates = scan_orientation.matching_positions(candidates, self._near, reach)
-            evidence = OrientationEvidence.POSITIONS
-            if not candidates:
-                return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
-        measured = self._measured(candidate, found.scale)
-        chosen, evidence, notices = self._decide(candidates, measured, candidate, evidence)
-        results = {mark: measured.results[site] for mark, site in chosen.sites.items() if site in measured.results}
-        return FoundMarks(results, candidate.template, chosen.orientation, evidence, notices)
-
-    def _decide(
-        self, candidates: Sequence[Labelling], measured: FoundMarks, candidate: Candidate, evidence: OrientationEvidence
-    ) -> tuple[Labelling, OrientationEvidence, tuple[Message, ...]]:
-        """The way to name the marks that the photo itself tells, what told it, and what is to be said of it."""
-        marks = {name: one for name, one in measured.results.items() if isinstance(one, MeasuredMark)}
-        places = {name: (one.column, one.row) for name, one in marks.items()}
-        size, found = (self._photo.columns, self._photo.rows), candidate.arrangement
-        tests: tuple[tuple[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]], ...] = (
-            (
-                OrientationEvidence.DOTS,
-                lambda some: scan_orientation.matching_dots(some, self._dot_counts(places, candidate)),
-            ),
-            (
-                OrientationEvidence.DATA_STRIP,
-                lambda some: scan_orientation.matching_data_strip(some, self._calibration, found, *size),
-            ),
-            (
-                OrientationEvidence.RESIDUALS,
-                lambda some: scan_orientation.matching_residuals(some, self._calibration, places, self._settings.model),
-            ),
-        )
-        for kind, test in tests:
-            if len(candidates) == 1:
-                break
-            left = test(candidates)
-            if left:
-                candidates, evidence = left, kind
-        plain = min(candidates, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
-        if len(candidates) > 2 or (len(candidates) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
-            return plain, OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
-        return plain, evidence, ()
-
-    def _dot_counts(self, places: Mapping[str, Place], candidate: Candidate) -> dict[str, int]:
-        template, found = candidate.template, candidate.arrangement
-        radius = template.size / 2 if isinstance(template, MarkShape) else min(template.pixels.shape) / 4
-        counts = {}
-        for name, place in places.items():
-            window = window_around(self._photo, place, math.ceil(2.6 * radius))
-            count = scan_orientation.count_numbering_dots(found.sign * window.pixels, radius, found.angle)
-            if count:
-                counts[name] = count
-        return counts
+        frames = [MeasuredFrame(candidate, self._measured(candidate, candidate.arrangement.scale))]
+        if frames[0].marks.found >= limits.MIN_SUPPORT:
+            for frame, arrangement in candidate.others:
+                other = replace(candidate, frame=frame, arrangement=arrangement)
+                measured = self._measured(other, arrangement.scale)
+                if measured.found >= limits.MIN_SUPPORT:
+                    frames.append(MeasuredFrame(other, measured))
+        return name_marks(self._photo, self._calibration, self._positions, self._settings, frames)
 
     def _measured(self, candidate: Candidate, scale: float) -> FoundMarks:
         """Every mark of a frame at full resolution, those that were not among the arrangement's places too."""

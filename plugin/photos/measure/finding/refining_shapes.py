@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from . import limits
-from .correlation import CorrelatedImage
-from .mark_patterns import wedge_to_middle
-from .mark_templates import MarkKind, MarkShape, draw
-from .measuring_marks import MarkWindow
-from .photo_views import Place, block_means
+from .. import limits
+from ..correlation import CorrelatedImage
+from ..mark_patterns import wedge_to_middle
+from ..mark_templates import MarkKind, MarkShape, draw
+from ..measuring_marks import MarkWindow
+from ..photo_views import Place, block_means
 
 REFINING_SIZES = (0.87, 0.93, 1.0, 1.07, 1.15)  # against the coarse size, which is good to 10 %
 REFINING_ROUNDS = 6
