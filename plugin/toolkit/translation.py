@@ -29,7 +29,7 @@ def language() -> str:
 
 def shown_number(value: float, decimals: int = 2) -> str:
     """A number as the user writes it."""
-    return QLocale().toString(value, "f", decimals)
+    return QLocale().toString(float(value), "f", decimals)
 
 
 def percent(ratio: float) -> str:

@@ -90,6 +90,12 @@ def system_name(wkt: str) -> str:
     return f"{crs.authid()}, {crs.description()}" if crs.authid() else crs.description()
 
 
+def system_code(wkt: str) -> str:
+    """The code of a reference system, such as EPSG:2180; empty for one without."""
+    crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
+    return str(crs.authid())
+
+
 def _pixel_size(raster: Raster) -> str:
     size = raster.ground_sample_distance
     if is_geographic(raster.wkt):

@@ -38,6 +38,14 @@ class ScanSettings:
     worst_count: int = limits.WORST_COUNT
     """Windows of the least kept places."""
 
+    @property
+    def told(self) -> dict[str, str]:
+        """What its results say of how they were measured."""
+        told = {
+            "wavelet": self.wavelet, "levels": f"{self.levels}", "density": self.density, "piece_m": f"{self.piece_m:g}"
+        }  # fmt: skip
+        return {**told, "corridor_m": f"{self.corridor_m:g}"} if self.corridor_m else told
+
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
         if not 1 <= self.levels <= MOST_LEVELS:

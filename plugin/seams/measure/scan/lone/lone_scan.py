@@ -47,7 +47,7 @@ class LoneScanning:
         if told is None:
             return None
         if loss_path:
-            with loss_raster(loss_path, mosaic, settings.cell_px) as raster:
+            with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
                 gathering.draw(raster, told.pieces, settings.cell_px)
                 raster.close([])
         notices = []

@@ -147,7 +147,7 @@ class Gathering:
                 sums.add(scan.cells, ground, index, self._grid.window(scan.key))
             return sums
         names: dict[int, int] = {}
-        with loss_raster(loss_path, mosaic, settings.cell_px) as raster:
+        with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
             for row, column, scan, ground in self._blocks_on_ground():
                 sums.add(scan.cells, ground, index, self._grid.window(scan.key))
                 labels = self._labels(scan)

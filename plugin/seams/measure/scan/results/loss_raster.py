@@ -1,7 +1,7 @@
 """The picture of where detail was lost: a GeoTIFF of cells, written block row by block row."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -19,6 +19,7 @@ from .block_ground import LevelGround, whole_cells
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
 NODATA = -1.0
+SETTINGS_DOMAIN = "SEAM_INSPECTOR"
 SOURCE_BAND = BANDS.index("source") + 1
 _OVERVIEWS_FROM_PX = 256
 
@@ -101,12 +102,20 @@ class LossRaster:
 
 
 @contextmanager
-def loss_raster(path: str, mosaic: Raster, cell_px: int) -> Iterator[LossRaster]:
-    """A GeoTIFF that is there when the block ends, or not at all. Raises RasterError where none can be written."""
+def loss_raster(
+    path: str, mosaic: Raster, cell_px: int, settings: Mapping[str, str] | None = None
+) -> Iterator[LossRaster]:
+    """A GeoTIFF that is there when the block ends, or not at all. Raises RasterError where none can be written.
+
+    ``settings``: how it was measured, which goes along with it as metadata of ``SETTINGS_DOMAIN``.
+    """
     failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished:
         options = ("COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND")
-        yield LossRaster(created_cells(unfinished, mosaic, cell_px, BANDS, failure, options), path, cell_px)
+        dataset = created_cells(unfinished, mosaic, cell_px, BANDS, failure, options)
+        with gdal_writing(failure):
+            dataset.SetMetadata(dict(settings or {}), SETTINGS_DOMAIN)
+        yield LossRaster(dataset, path, cell_px)
 
 
 def created_cells(

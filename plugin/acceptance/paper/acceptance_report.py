@@ -1,0 +1,240 @@
+"""REPORT: the decision on paper, which an officer signs. One HTML page that prints on A4."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from ...imagery.statistics.agreement import Agreement
+from ...toolkit.charts.figure_files import svg_text
+from ...toolkit.pages.how_measured import HowMeasured, each_raster, system_name
+from ...toolkit.pages.templates import save_page
+from ...toolkit.translation import sentence, shown_number, tr
+from ..measure.acceptance_rules import KEPT
+from ..measure.decision import Decision, MetreFigures, Observers, PieceState, PlanOutcome, RuleOutcome
+from ..measure.defects import Defect
+from .charts import STATE_COLOURS, oc_figure, seams_figure
+from .defect_pictures import DefectPicture
+from .inspection_record import InspectionRecord
+from .words import (
+    check_word,
+    metres,
+    outcome_limit,
+    outcome_value,
+    outcome_word,
+    share,
+    whole_share,
+)
+
+MOST_ROWS = 300
+"""Of the table of failures, the longest first."""
+MOST_LAYERS = 40
+"""Of seams, listed with where they were read from."""
+
+
+@dataclass(frozen=True)
+class RuleRow:
+    """A rule in the report's table."""
+
+    name: str
+    value: str
+    limit: str
+    result: str
+    has_failed: bool
+    sentence: str
+    source: int
+    """Which of the notes says where the limit comes from."""
+
+
+@dataclass(frozen=True)
+class DefectText:
+    """A failure in the report's table."""
+
+    number: int
+    sheets: str
+    length: str
+    kept: str
+    band: str
+    cause: str
+    images: Sequence[tuple[str, str]]
+    """The two orthoimages, each with its date."""
+    place: str
+    remark: str
+
+
+def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> None:
+    """Write the page; ``pictures`` by the failures' numbers. Raises SettingsError where no file can be."""
+    decision, defects = record.decision, record.defects
+    sources = list(dict.fromkeys([decision.rules.kept_source, *(one.source for one in decision.outcomes)]))
+    figure = seams_figure(decision, defects)
+    save_page(
+        path,
+        "acceptance",
+        _how(record),
+        verdict=_verdict(decision),
+        figures=_key_figures(decision),
+        sentences=[sentence(one) for one in decision.sentences[1:]],
+        rules=[*_rule_rows(decision, sources)],
+        sources=sources,
+        sheets=[_sheet_row(one) for one in decision.sheets],
+        whole=_sheet_row(decision.whole) if len(decision.sheets) > 1 else None,
+        map=None if figure is None else svg_text(figure),
+        map_legend=_legend(decision),
+        defects=[_defect_text(one) for one in defects[:MOST_ROWS]],
+        defect_count=len(defects),
+        has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
+        has_images=any(one.worst.piece.left_source or one.worst.piece.right_source for one in defects[:MOST_ROWS]),
+        pictures=_pictures(defects, pictures),
+        plan=None if decision.plan is None else _plan_facts(decision.plan),
+        plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
+        observers=_observer_rows(decision.observers),
+        layers=record.seams[:MOST_LAYERS],
+        layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
+    )  # fmt: skip
+
+
+def _how(record: InspectionRecord) -> HowMeasured:
+    decision = record.decision
+    names = {
+        "wavelet": tr("wavelet"), "levels": tr("levels"), "density": tr("density"),
+        "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
+    }  # fmt: skip
+    settings = [
+        (tr("rules"), decision.rules.name),
+        (tr("file of the rules"), record.rules),
+        (tr("a piece fails where it keeps less than"), whole_share(decision.rules.least_kept)),
+        *((names.get(name, name), value) for name, value in record.scan.items()),
+        (tr("layer of windows"), record.windows),
+        (tr("reference system"), system_name(decision.delivery.wkt)),
+    ]
+    rasters = each_raster(tr("mosaic"), record.mosaics)
+    rasters += each_raster(tr("picture of losses"), [record.loss] if record.loss else [])
+    return HowMeasured(settings, rasters, record.made_at.date())
+
+
+def _verdict(decision: Decision) -> tuple[str, str, str]:
+    """A state, a word, and the first sentence of the decision."""
+    first = sentence(decision.sentences[0]) if decision.sentences else ""
+    return ("good", tr("accepted"), first) if decision.accepted else ("bad", tr("rejected"), first)
+
+
+def _key_figures(decision: Decision) -> list[tuple[str, str]]:
+    whole, interval = decision.whole, decision.failed_share
+    failed = share(whole.failed_share)
+    if interval is not None:
+        failed += f" ({shown_number(100 * interval.low)} - {shown_number(100 * interval.high)}\u00a0%)"
+    return [
+        (metres(whole.total_m), tr("of seam")),
+        (share(whole.measured_share, 1), tr("of it measured")),
+        (metres(whole.failed_m), tr("failed")),
+        (failed, tr("of what was measured failed (95 % interval)")),
+        (metres(decision.longest_failure_m), tr("failed without a break")),
+    ]
+
+
+def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[RuleRow]:
+    """The limit of a piece first, then the rules that decide."""
+    if all(one.check != KEPT for one in decision.outcomes):
+        kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
+        limit = tr("at least {least} in each piece").format(least=whole_share(decision.rules.least_kept))
+        least = whole_share(min(kept, default=None))
+        yield RuleRow(
+            check_word(KEPT), tr("{least} in the worst piece").format(least=least), limit, "", False,
+            tr("Decides which pieces fail."), 1 + sources.index(decision.rules.kept_source),
+        )  # fmt: skip
+    for one in decision.outcomes:
+        yield _rule_row(one, sources)
+
+
+def _rule_row(one: RuleOutcome, sources: Sequence[str]) -> RuleRow:
+    return RuleRow(
+        check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one.passed), one.passed is False,
+        sentence(one.sentence), 1 + sources.index(one.source),
+    )  # fmt: skip
+
+
+def _sheet_row(one: MetreFigures) -> list[str]:
+    return [
+        one.name or tr("all"), metres(one.total_m), share(one.measured_share, 1), metres(one.failed_m),
+        share(one.failed_share), metres(one.longest_failure_m), f"{one.failed_count} / {one.piece_count}",
+        metres(one.unclear_m),
+    ]  # fmt: skip
+
+
+def _legend(decision: Decision) -> list[tuple[str, str]]:
+    words = {
+        PieceState.FAILED: tr("failed"), PieceState.PASSED: tr("passed"), PieceState.NOT_MEASURED: tr("not measured"),
+    }  # fmt: skip
+    present = {one.state for one in decision.pieces}
+    return [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
+
+
+def _defect_text(one: Defect) -> DefectText:
+    piece = one.worst.piece
+    kept = whole_share(piece.kept_1)
+    if piece.kept_low is not None and piece.kept_high is not None:
+        kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
+    sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
+    return DefectText(
+        one.number, ", ".join(one.sheets), metres(one.length_m), kept,
+        "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
+        tr(one.cause) if one.cause else "",
+        [(_file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
+        f"{one.place[0]:.1f} {one.place[1]:.1f}", "; ".join(one.remarks),
+    )  # fmt: skip
+
+
+def _file_name(path: str) -> str:
+    """Seamlines may name files with their folders, of any system."""
+    return path.replace("\\", "/").rstrip("/").rpartition("/")[2]
+
+
+def _pictures(
+    defects: Sequence[Defect], pictures: Mapping[int, DefectPicture]
+) -> Iterator[tuple[DefectPicture, str]]:
+    """With what is said below each."""
+    for one in defects:
+        if (picture := pictures.get(one.number)) is not None:
+            text = _defect_text(one)
+            parts = [f"{one.number}", text.sheets, text.length, tr("{kept} kept").format(kept=text.kept)]
+            caption = ", ".join(part for part in parts if part)
+            width = tr("width of the picture: {width}").format(width=metres(picture.side_m))
+            place = "" if picture.is_whole else tr("where least is kept") + "; "
+            yield picture, f"{caption}; {place}{width}"
+
+
+def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
+    plan, risk = found.plan, found.characteristic
+    facts = [
+        (tr("plan"), tr("ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql:g}").format(
+            level=plan.inspection_level, severity=plan.severity, aql=plan.aql)),
+        (tr("code letter"), plan.code_letter),
+        (tr("lot"), tr("{count} pieces of seam").format(count=plan.lot_size)),
+        (tr("sample"), tr("{count} pieces of seam, of which {measured} were measured").format(
+            count=plan.sample_size, measured=found.inspected)),
+        (tr("accepted up to"), tr("{count} failed pieces in the sample").format(count=plan.acceptance_number)),
+        (tr("found"), tr("{count} failed pieces in the sample").format(count=found.nonconforming)),
+        (tr("producer's risk"), tr("{risk}: a delivery as good as the AQL is rejected").format(
+            risk=share(risk.producers_risk, 1))),
+        (tr("consumer's risk"), tr("10 %: a delivery with {quality} of failed pieces is accepted").format(
+            quality=share(risk.limiting_quality, 1))),
+    ]  # fmt: skip
+    if found.seed is not None:
+        facts.append((tr("seed of the drawing"), str(found.seed)))
+    return facts
+
+
+def _observer_rows(observers: Observers | None) -> list[list[str]]:
+    if observers is None:
+        return []
+    pairs = ((tr("first and second observer"), observers.both), (tr("first observer and tool"), observers.with_tool))
+    return [[name, *_agreement(found)] for name, found in pairs if found is not None and found.count]
+
+
+def _agreement(found: Agreement) -> list[str]:
+    kappa = found.kappa
+    words = "" if kappa is None else (
+        f"{shown_number(kappa.value)} ({shown_number(kappa.low)} - {shown_number(kappa.high)})"
+    )
+    counts = (found.count, found.agreed, found.both_visible, found.first_alone, found.second_alone)
+    return [*map(str, counts), words or tr("can't be told")]

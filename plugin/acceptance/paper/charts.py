@@ -1,0 +1,135 @@
+"""Charts of a decision: where seams failed, and how a plan of sampling decides."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ...imagery.grids import Extent
+from ...imagery.reference_systems import metres_per_unit
+from ...toolkit.charts.chart_style import PAPER
+from ...toolkit.charts.figure_files import new_figure
+from ...toolkit.translation import shown_number, tr
+from ..measure.decision import Decision, PieceState, PlanOutcome
+from ..measure.defects import Defect
+
+STATE_COLOURS = {PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9", PieceState.FAILED: "#d55e00"}
+"""In the order in which they are drawn."""
+_WIDTHS = {PieceState.PASSED: 0.7, PieceState.NOT_MEASURED: 1.0, PieceState.FAILED: 2.2}
+_WIDTH, _MOST_HEIGHT, _LEAST_HEIGHT = 6.7, 7.2, 1.6  # inches on paper
+_MARGIN = 0.04  # of the longer side
+_FINEST_PT = 0.25  # lines are thinned to it
+_MOST_SHEET_NAMES = 60
+_CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures nearer to each other than that are left out
+
+
+def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None:
+    """A sketch map: sheets, seams by what became of them, the numbers of failures. None without seams."""
+    if not decision.pieces:
+        return None
+    xmin, ymin, xmax, ymax = _extent(one.piece.vertices for one in decision.pieces)
+    metres_x, metres_y = metres_per_unit(decision.delivery.wkt, (ymin + ymax) / 2)
+    margin = max((xmax - xmin) * metres_x, (ymax - ymin) * metres_y, 1.0) * _MARGIN
+    across, down = (xmax - xmin) * metres_x + 2 * margin, (ymax - ymin) * metres_y + 2 * margin
+    height = min(max(_WIDTH * down / across, _LEAST_HEIGHT), _MOST_HEIGHT)
+    figure = Figure(figsize=(_WIDTH, height))
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.set_axis_off()
+    scale = min(72 * _WIDTH / across, 72 * height / down)  # points per metre
+
+    def placed(points: np.ndarray) -> np.ndarray:
+        middle = np.array([(xmin + xmax) / 2, (ymin + ymax) / 2])
+        return (points - middle) * (metres_x * scale, metres_y * scale)
+
+    for name in decision.delivery.sheets:
+        own = [one.vertices for one in decision.delivery.pieces if one.sheet == name]
+        left, bottom, right, top = _extent(map(placed, own))
+        axes.plot([left, right, right, left, left], [bottom, bottom, top, top, bottom], color=PAPER.grid, linewidth=0.8)
+        if 1 < len(decision.delivery.sheets) <= _MOST_SHEET_NAMES:
+            axes.text((left + right) / 2, (bottom + top) / 2, _short(name), color="#8c959f", fontsize=6, ha="center",
+                      va="center", parse_math=False)
+    for state, colour in STATE_COLOURS.items():
+        lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]
+        if lines:
+            gap = np.full((1, 2), np.nan)
+            path = np.concatenate([part for line in lines for part in (line, gap)])
+            axes.plot(*path.T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
+    taken: list[np.ndarray] = []
+    for defect in defects:
+        place = placed(np.array([defect.place]))[0]
+        if all((abs(place - other) > _CROWDED_PT).any() for other in taken):
+            taken.append(place)
+            axes.annotate(str(defect.number), place, (3, 3), textcoords="offset points", fontsize=7, fontweight="bold",
+                          color=PAPER.text)
+    axes.set_xlim(-36 * _WIDTH, 36 * _WIDTH)
+    axes.set_ylim(-36 * height, 36 * height)
+    _draw_scale_bar(axes, scale, height)
+    return figure
+
+
+def oc_figure(found: PlanOutcome) -> Figure:
+    """The operating characteristic of a plan: how likely a delivery is accepted by how good it is."""
+    plan, characteristic = found.plan, found.characteristic
+    shares = 100 * np.array(characteristic.nonconforming_shares)
+    figure = new_figure(6.2, 3.2)
+    axes = figure.subplots()
+    axes.plot(shares, 100 * np.array(characteristic.accepted), color=PAPER.text, linewidth=1.6)
+    quality = 100 * characteristic.limiting_quality
+    for x, y, colour, words in (
+        (plan.aql, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
+         tr("AQL {aql} %: rejected in {risk} % (producer's risk)").format(
+             aql=_plain(plan.aql), risk=_plain(100 * characteristic.producers_risk))),
+        (quality, 10.0, PAPER.limit,
+         tr("limiting quality {quality} %: accepted in 10 % (consumer's risk)").format(quality=_plain(quality))),
+    ):
+        axes.plot([x, x, 0], [0, y, y], color=colour, linewidth=0.9, linestyle="--")
+        axes.plot([x], [y], "o", color=colour, markersize=5, label=words)
+    far = shares[np.array(characteristic.accepted) > 0.002]
+    axes.set_xlim(0, max(float(far[-1]) if len(far) else 0.0, 1.3 * quality, 2 * plan.aql))
+    axes.set_ylim(0, 102)
+    axes.set_xlabel(tr("failed pieces in the delivery (%)"))
+    axes.set_ylabel(tr("probability of acceptance (%)"))
+    axes.grid(True, color=PAPER.grid)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(fontsize="small", frameon=True, framealpha=0.9, edgecolor="none", loc="upper right")
+    return figure
+
+
+def _plain(value: float) -> str:
+    return shown_number(value, 2 if value < 1 else 1)
+
+
+def _short(name: str) -> str:
+    return name if len(name) <= 18 else name[:8] + "…" + name[-9:]
+
+
+def _extent(lines: Iterable[np.ndarray]) -> Extent:
+    ends = [(line.min(axis=0), line.max(axis=0)) for line in lines]
+    xmin, ymin = np.min([low for low, _ in ends], axis=0).tolist()
+    xmax, ymax = np.max([high for _, high in ends], axis=0).tolist()
+    return xmin, ymin, xmax, ymax
+
+
+def _thinned(path: np.ndarray) -> np.ndarray:
+    """Vertices of which each lies a little farther on; (n, 2) points on paper."""
+    steps = np.floor(np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))]) / (4 * _FINEST_PT))
+    kept = np.concatenate([[True], np.diff(steps) > 0])
+    kept[-1] = True
+    return path[kept]
+
+
+def _draw_scale_bar(axes: Axes, scale: float, height: float) -> None:
+    """A round length in the lower left corner, north up in the lower right one."""
+    most = 0.25 * 72 * _WIDTH / scale
+    decade = 10.0 ** np.floor(np.log10(most))
+    metres = max(digit * decade for digit in (1, 2, 5) if digit * decade <= most)
+    left, bottom = -36 * _WIDTH + 6, -36 * height + 8
+    axes.plot([left, left + metres * scale], [bottom, bottom], color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
+    words = f"{metres / 1000:g} km" if metres >= 1000 else f"{metres:g} m"
+    axes.text(left, bottom + 4, words, fontsize=7, color=PAPER.text)
+    right = 36 * _WIDTH - 10
+    axes.annotate(tr("N"), (right, bottom + 22), (right, bottom - 4), ha="center", fontsize=8, color=PAPER.text,
+                  arrowprops={"arrowstyle": "-|>", "color": PAPER.text, "linewidth": 1})

@@ -1,0 +1,68 @@
+"""How people meet the figures of a decision: their names, and values as they are written."""
+from __future__ import annotations
+
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
+
+from ...toolkit.translation import decimals_beside, shown_number, tr
+from ..measure import acceptance_rules as rules
+from ..measure.decision import RuleOutcome
+
+_CHECKS = {
+    rules.KEPT: QT_TRANSLATE_NOOP("@default", "least detail kept"),
+    rules.FAILED_SHARE: QT_TRANSLATE_NOOP("@default", "share of the seams that failed"),
+    rules.LONGEST_FAILURE: QT_TRANSLATE_NOOP("@default", "longest failure without a break"),
+    rules.MEASURED_SHARE: QT_TRANSLATE_NOOP("@default", "share of the seams that was measured"),
+    rules.SAMPLING: QT_TRANSLATE_NOOP("@default", "failed pieces in the sample"),
+}
+_SHARES = (rules.KEPT, rules.FAILED_SHARE, rules.MEASURED_SHARE)
+NOTHING = "\u2013"
+"""Where there is no value."""
+
+
+def check_word(check: str) -> str:
+    """What a rule looks at."""
+    return tr(_CHECKS[check])
+
+
+def metres(value: float | None) -> str:
+    """A length with its unit, exact to a centimetre below ten metres."""
+    return NOTHING if value is None else f"{shown_number(value, 0 if abs(value) >= 1000 else 1)}\u00a0m"
+
+
+def share(value: float | None, decimals: int = 2) -> str:
+    """A fraction of 1 in per cent."""
+    return NOTHING if value is None else f"{shown_number(100 * value, decimals)}\u00a0%"
+
+
+def whole_share(value: float | None) -> str:
+    """A fraction of 1 in whole per cent."""
+    return share(value, 0)
+
+
+def outcome_value(outcome: RuleOutcome) -> str:
+    """So precisely that it lies on the same side of its limit as the figure does."""
+    return NOTHING if outcome.value is None else _figure(outcome.check, outcome.value, outcome.limit)
+
+
+def outcome_limit(outcome: RuleOutcome) -> str:
+    """The limit in words."""
+    limit = _limit(outcome.check, outcome.limit)
+    return tr("at least {least}").format(least=limit) if outcome.is_least else tr("at most {most}").format(most=limit)
+
+
+def outcome_word(passed: bool | None) -> str:
+    """What came of a rule."""
+    return {True: tr("passed"), False: tr("failed"), None: tr("can't be told")}[passed]
+
+
+def _figure(check: str, value: float, limit: float) -> str:
+    if check == rules.SAMPLING:
+        return f"{value:.0f}"
+    if check in _SHARES:
+        return f"{shown_number(100 * value, decimals_beside(100 * value, [100 * limit], 2))}\u00a0%"
+    return f"{shown_number(value, decimals_beside(value, [limit], 1))}\u00a0m"
+
+
+def _limit(check: str, limit: float) -> str:
+    scale, unit = (100, "\u00a0%") if check in _SHARES else (1, "" if check == rules.SAMPLING else "\u00a0m")
+    return f"{scale * limit:.6g}".replace(".", QLocale().decimalPoint()) + unit
