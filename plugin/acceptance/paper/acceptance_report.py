@@ -11,7 +11,7 @@ from ...toolkit.pages.how_measured import HowMeasured, each_raster, system_name
 from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
-from ..measure.decision import Decision, MetreFigures, Observers, PieceState, PlanOutcome, RuleOutcome
+from ..measure.decision import Decision, MetreFigures, Observers, PieceState, PlanOutcome
 from ..measure.defects import Defect
 from .charts import STATE_COLOURS, oc_figure, seams_figure
 from .defect_pictures import DefectPicture
@@ -40,8 +40,8 @@ class RuleRow:
     value: str
     limit: str
     result: str
-    has_failed: bool
-    sentence: str
+    is_reason: bool
+    """Whether the delivery is rejected for it."""
     source: int
     """Which of the notes says where the limit comes from."""
 
@@ -134,23 +134,17 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
 
 def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[RuleRow]:
     """The limit of a piece first, then the rules that decide."""
-    if all(one.check != KEPT for one in decision.outcomes):
-        kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
-        limit = tr("at least {least} in each piece").format(least=whole_share(decision.rules.least_kept))
-        least = whole_share(min(kept, default=None))
-        yield RuleRow(
-            check_word(KEPT), tr("{least} in the worst piece").format(least=least), limit, "", False,
-            tr("Decides which pieces fail."), 1 + sources.index(decision.rules.kept_source),
-        )  # fmt: skip
-    for one in decision.outcomes:
-        yield _rule_row(one, sources)
-
-
-def _rule_row(one: RuleOutcome, sources: Sequence[str]) -> RuleRow:
-    return RuleRow(
-        check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one.passed), one.passed is False,
-        sentence(one.sentence), 1 + sources.index(one.source),
+    kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
+    yield RuleRow(
+        check_word(KEPT), whole_share(min(kept, default=None)), tr("at least {least} in each piece").format(
+            least=whole_share(decision.rules.least_kept)
+        ), tr("says which pieces fail"), False, 1 + sources.index(decision.rules.kept_source),
     )  # fmt: skip
+    for one in decision.outcomes:
+        yield RuleRow(
+            check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one.passed),
+            one.passed is not True, 1 + sources.index(one.source),
+        )  # fmt: skip
 
 
 def _sheet_row(one: MetreFigures) -> list[str]:
@@ -206,7 +200,7 @@ def _pictures(
 def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
     plan, risk = found.plan, found.characteristic
     facts = [
-        (tr("plan"), tr("ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql:g}").format(
+        (tr("plan"), tr("ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}").format(
             level=plan.inspection_level, severity=plan.severity, aql=plan.aql)),
         (tr("code letter"), plan.code_letter),
         (tr("lot"), tr("{count} pieces of seam").format(count=plan.lot_size)),

@@ -76,18 +76,18 @@ def oc_figure(found: PlanOutcome) -> Figure:
     figure = new_figure(6.2, 3.2)
     axes = figure.subplots()
     axes.plot(shares, 100 * np.array(characteristic.accepted), color=PAPER.text, linewidth=1.6)
-    quality = 100 * characteristic.limiting_quality
+    aql, quality = float(plan.aql), 100 * characteristic.limiting_quality
     for x, y, colour, words in (
-        (plan.aql, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
+        (aql, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
          tr("AQL {aql} %: rejected in {risk} % (producer's risk)").format(
-             aql=_plain(plan.aql), risk=_plain(100 * characteristic.producers_risk))),
+             aql=_plain(aql), risk=_plain(100 * characteristic.producers_risk))),
         (quality, 10.0, PAPER.limit,
          tr("limiting quality {quality} %: accepted in 10 % (consumer's risk)").format(quality=_plain(quality))),
     ):
         axes.plot([x, x, 0], [0, y, y], color=colour, linewidth=0.9, linestyle="--")
         axes.plot([x], [y], "o", color=colour, markersize=5, label=words)
     far = shares[np.array(characteristic.accepted) > 0.002]
-    axes.set_xlim(0, max(float(far[-1]) if len(far) else 0.0, 1.3 * quality, 2 * plan.aql))
+    axes.set_xlim(0, max(float(far[-1]) if len(far) else 0.0, 1.3 * quality, 2 * aql))
     axes.set_ylim(0, 102)
     axes.set_xlabel(tr("failed pieces in the delivery (%)"))
     axes.set_ylabel(tr("probability of acceptance (%)"))

@@ -12,8 +12,8 @@ import numpy as np
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
 from ...imagery.lines.paths import points_at, vertex_stations
-from ...imagery.open_raster import OpenRaster, describe_mosaic
-from ...imagery.rasters import Raster, RasterRef
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import Raster
 from ...imagery.reference_systems import transform_points
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
@@ -47,9 +47,9 @@ class DefectPicture:
 class DefectPictures:
     """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
 
-    def __init__(self, mosaics: Sequence[RasterRef], wkt: str) -> None:
-        """``wkt``: the failures' reference system. Raises RasterError where a mosaic can't be opened."""
-        self._mosaics, self._wkt = [describe_mosaic(ref) for ref in mosaics], wkt
+    def __init__(self, mosaics: Sequence[Raster], wkt: str) -> None:
+        """``wkt``: the failures' reference system."""
+        self._mosaics, self._wkt = mosaics, wkt
         self._open = lru_cache(_HELD)(OpenRaster)
         self._ranges: GreyRanges = {}
 

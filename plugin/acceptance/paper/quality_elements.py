@@ -139,7 +139,7 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
 def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
     plan, characteristic = found.plan, found.characteristic
     scheme = tr(
-        "ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql:g}, code letter {letter}; "
+        "ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; "
         "accepted up to {most} failed pieces."
     ).format(
         level=plan.inspection_level, severity=plan.severity, aql=plan.aql, letter=plan.code_letter,
@@ -213,4 +213,5 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
 def _conformance(outcome: RuleOutcome | None) -> Conformance | None:
     if outcome is None:
         return None
-    return Conformance(outcome.source, sentence(outcome.sentence), outcome.passed)
+    clause = sentence(outcome.sentence)
+    return Conformance(outcome.source, f"{clause[:1].upper()}{clause[1:].rstrip('.')}.", outcome.passed)

@@ -1,24 +1,16 @@
-"""Decisions whose every figure is known, made by hand: what stands on paper is held against them."""
+"""Decisions on sheets side by side whose every figure is known: what stands on paper is held against them."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 import numpy as np
-from seam_inspector.plugin.acceptance.measure import acceptance_rules as rules
-from seam_inspector.plugin.acceptance.measure.decision import (
-    DecidedPiece,
-    Decision,
-    FailureRun,
-    MetreFigures,
-    Observers,
-    PieceState,
-    PlanOutcome,
-    RuleOutcome,
-)
+from seam_inspector.plugin.acceptance.measure.acceptance_rules import SamplingRule
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece, Delivery, SeenWindow
-from seam_inspector.plugin.imagery.message import INFO, Message
-from seam_inspector.plugin.imagery.statistics.agreement import agreement
-from seam_inspector.plugin.imagery.statistics.intervals import Interval
+
+from tests.numbers.acceptance.deliveries import rules
 
 UTM = (
     'PROJCS["WGS 84 / UTM zone 33N",GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
@@ -27,93 +19,49 @@ UTM = (
     'PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],PARAMETER["false_northing",0],UNIT["metre",1],'
     'AUTHORITY["EPSG","32633"]]'
 )
+LEFT, BOTTOM = 500000.0, 5500000.0
 PIECE_M = 25.0
-SAID = Message("{words}", INFO)
-LEFT, RIGHT = "0412_ortho.tif", "0413_ortho.tif"
+LOST, SOUND, UNKNOWN = 0.45, 0.97, None
+IMAGES = "0412_ortho.tif", "0413_ortho.tif"
+PLAN = SamplingRule("1.0", "II", "normal", "contract")
 
 
-def delivered(
-    sheets: Sequence[str] = ("sheet_1",), pieces: int = 40, failed: Sequence[tuple[int, int]] = (), names: str = "",
-) -> Decision:
-    """Sheets side by side, each with one seam of ``pieces`` pieces of 25 m from south to north; ``failed``: sheet and
-    piece by their numbers, in any order; what follows each other is one failure."""
+def seam_of(
+    sheet: str, number: int, pieces: int, failed: Collection[int], unknown: Collection[int] = (),
+    images: tuple[str, str] = IMAGES,
+) -> list[DeliveredPiece]:
+    """A seam from south to north in pieces of 25 m, which waves a little; ``number``: of the sheet, 100 m each."""
     made = []
-    for number, sheet in enumerate(sheets):
-        for place in range(pieces):
-            x, y = 500000.0 + 100 * number, 5500000.0 + PIECE_M * place
-            ys = y + np.linspace(0, PIECE_M, 6)
-            line = np.column_stack([x + 4 * np.sin(ys / 20), ys])
-            has_failed = (number, place) in failed
-            made.append(DeliveredPiece(
-                len(made), sheet, "1", PIECE_M * place, PIECE_M, 0.45 if has_failed else 0.97,
-                0.4 if has_failed else 0.9, 0.5 if has_failed else 1.04, 2.5 if has_failed else 0.0,
-                "significant" if has_failed else "preserved", "", line, names or LEFT, RIGHT, "2019-07-04",
-                "2019-08-11",
-            ))  # fmt: skip
-    return decided(made, [number * pieces + place for number, place in failed])
+    for place in range(pieces):
+        y = BOTTOM + PIECE_M * place + np.linspace(0, PIECE_M, 6)
+        kept = LOST if place in failed else UNKNOWN if place in unknown else SOUND
+        made.append(DeliveredPiece(
+            number * pieces + place, sheet, "1", PIECE_M * place, PIECE_M, kept,
+            None if kept is None else kept - 0.05, None if kept is None else kept + 0.06,
+            None if kept is None else 2.5 * (kept == LOST), "", "",
+            np.column_stack([LEFT + 100 * number + 4 * np.sin(y / 20), y]), *images, "2019-07-04", "2019-08-11",
+        ))  # fmt: skip
+    return made
 
 
 def decided(
-    pieces: Sequence[DeliveredPiece], failed: Sequence[int], windows: Sequence[SeenWindow] = (),
-    plan: PlanOutcome | None = None, observers: Observers | None = None,
+    sheets: Sequence[str] = ("sheet_1",), pieces: int = 40, failed: Collection[tuple[int, int]] = (),
+    sampling: SamplingRule | None = None, windows: Sequence[SeenWindow] = (), images: tuple[str, str] = IMAGES,
 ) -> Decision:
-    """The decision by a share of 2 % and a run of 50 m; ``failed``: the pieces' numbers."""
-    runs = _runs(sorted(failed), pieces)
-    of_run = {number: run.number for run in runs for number in run.pieces}
-    own = tuple(
-        DecidedPiece(
-            one, PieceState.FAILED if one.number in of_run else PieceState.PASSED, False, of_run.get(one.number), True,
-            tuple(windows) if one.number in of_run else (),
-        )
-        for one in pieces
-    )
-    delivery = Delivery(tuple(pieces), UTM, 1.0, tuple(windows))
-    whole = _figures("", own, runs)
-    sheets = tuple(_figures(name, [one for one in own if one.piece.sheet == name], runs) for name in delivery.sheets)
-    share, run = whole.failed_share or 0.0, runs[0].length_m if runs else 0.0
-    outcomes = (
-        RuleOutcome(rules.FAILED_SHARE, share, 0.02, False, share <= 0.02, "Contract 12/2026, § 7",
-                    SAID(words=f"{100 * share:.2f} % of the metres failed.")),
-        RuleOutcome(rules.LONGEST_FAILURE, run, 50.0, False, run <= 50, "Contract 12/2026, § 7",
-                    SAID(words=f"The longest failure has {run:.0f} m.")),
-        RuleOutcome(rules.MEASURED_SHARE, 1.0, 0.9, True, True, "Seam Inspector", SAID(words="All was measured.")),
-    )  # fmt: skip
-    accepted = all(one.passed for one in outcomes)
-    return Decision(
-        accepted, (SAID(words=f"The delivery is {'accepted' if accepted else 'rejected'}."),
-                   *(one.sentence for one in outcomes)),
-        rules.AcceptanceRules("share and run", 0.7, "Pyka 2010", ()), delivery, outcomes, whole, sheets,
-        Interval(share, max(share - 0.01, 0), share + 0.01), own, runs, plan, observers,
-    )  # fmt: skip
+    """The decision by 2 % and 50 m, or by a plan too; ``failed``: sheet and piece, by their numbers."""
+    own = [
+        piece for number, sheet in enumerate(sheets)
+        for piece in seam_of(sheet, number, pieces, [one for of, one in failed if of == number], images=images)
+    ]  # fmt: skip
+    return decide(Delivery(tuple(own), UTM, 1.0, tuple(windows)), rules(sampling=sampling))
 
 
-def seen_by_two() -> Observers:
-    """Eight of ten alike."""
-    words = [("visible", "visible")] * 4 + [("invisible", "invisible")] * 4 + [("visible", "invisible")] * 2
-    return Observers(agreement(words), agreement(words[:8]))
+def window_on(decision: Decision, piece: int, window_id: str = "1", **said: str) -> SeenWindow:
+    """A window of 40 m around the middle of a piece."""
+    x, y = decision.delivery.pieces[piece].middle
+    return SeenWindow(window_id, (x - 20, y - 20, x + 20, y + 20), **said)
 
 
-def _runs(failed: Sequence[int], pieces: Sequence[DeliveredPiece]) -> tuple[FailureRun, ...]:
-    groups: list[list[int]] = []
-    for number in failed:
-        follows = groups and groups[-1][-1] == number - 1 and pieces[number].sheet == pieces[number - 1].sheet
-        if follows:
-            groups[-1].append(number)
-        else:
-            groups.append([number])
-    groups.sort(key=lambda group: -sum(pieces[number].length_m for number in group))
-    return tuple(
-        FailureRun(
-            place, sum(pieces[number].length_m for number in group), tuple(group),
-            tuple(dict.fromkeys(pieces[number].sheet for number in group)), pieces[group[len(group) // 2]].middle,
-        )
-        for place, group in enumerate(groups, 1)
-    )  # fmt: skip
-
-
-def _figures(name: str, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]) -> MetreFigures:
-    total = sum(one.piece.length_m for one in pieces)
-    failed = [one for one in pieces if one.state is PieceState.FAILED]
-    own = [run.length_m for run in runs if any(one.run == run.number for one in pieces)]
-    lost = sum(one.piece.length_m for one in failed)
-    return MetreFigures(name, len(pieces), len(failed), total, total, lost, 0.0, max(own, default=0.0))
+def with_windows(decision: Decision, *windows: SeenWindow) -> Decision:
+    """The same delivery, looked at."""
+    return decide(replace(decision.delivery, windows=windows), decision.rules)

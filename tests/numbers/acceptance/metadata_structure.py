@@ -78,8 +78,8 @@ CHILDREN = {
     "mrc:MD_CoverageDescription": "attributeDescription processingLevelCode? attributeGroup*",
     "mrc:MD_AttributeGroup": "contentType+ attribute*",
     "mrl:LI_Lineage": "statement? scope? additionalDocumentation* source* processStep*",
-    "mrl:LI_Source": "description? sourceSpatialResolution? sourceReferenceSystem? sourceCitation? sourceMetadata* scope? "
-    "sourceStep*",
+    "mrl:LI_Source": "description? sourceSpatialResolution? sourceReferenceSystem? sourceCitation? sourceMetadata* "
+    "scope? sourceStep*",
     "mrl:LI_ProcessStep": "description rationale? stepDateTime? processor* reference* scope? source*",
 }
 """Of each class its properties, as a regular expression of their names; they are of the class's own namespace."""
@@ -89,8 +89,9 @@ VALUES = {
     "metadataScope": ("mdb:MD_MetadataScope",), "contact": ("cit:CI_Responsibility",), "dateInfo": ("cit:CI_Date",),
     "metadataStandard": _CITATION, "referenceSystemInfo": ("mrs:MD_ReferenceSystem",),
     "identificationInfo": ("mri:MD_DataIdentification",), "dataQualityInfo": ("mdq:DQ_DataQuality",),
-    "resourceLineage": ("mrl:LI_Lineage",), "resourceScope": ("mcc:MD_ScopeCode",), "code": _STRING, "codeSpace": _STRING,
-    "level": ("mcc:MD_ScopeCode",), "extent": ("gex:EX_Extent",), "levelDescription": ("mcc:MD_ScopeDescription",),
+    "resourceLineage": ("mrl:LI_Lineage",), "resourceScope": ("mcc:MD_ScopeCode",), "code": _STRING,
+    "codeSpace": _STRING, "level": ("mcc:MD_ScopeCode",), "extent": ("gex:EX_Extent",),
+    "levelDescription": ("mcc:MD_ScopeDescription",),
     "dataset": _STRING, "language": ("lan:LanguageCode",), "characterEncoding": ("lan:MD_CharacterSetCode",),
     "date": ("gco:Date", "gco:DateTime"), "dateType": ("cit:CI_DateTypeCode",), "title": _STRING,
     "referenceSystemIdentifier": ("mcc:MD_Identifier",), "citation": _CITATION, "abstract": _STRING,
@@ -102,7 +103,8 @@ VALUES = {
     "evaluationMethod": _METHODS,
     "result": ("mdq:DQ_QuantitativeResult", "mdq:DQ_ConformanceResult", "mdq:QE_CoverageResult"),
     "relatedElement": _ELEMENTS, "measureIdentification": ("mcc:MD_Identifier",), "nameOfMeasure": _STRING,
-    "measureDescription": _STRING, "dateTime": _MOMENT, "evaluationMethodDescription": _STRING, "referenceDoc": _CITATION,
+    "measureDescription": _STRING, "dateTime": _MOMENT, "evaluationMethodDescription": _STRING,
+    "referenceDoc": _CITATION,
     "samplingScheme": _STRING, "lotDescription": _STRING, "samplingRatio": _STRING, "resultScope": _SCOPE,
     "value": ("gco:Record",), "valueUnit": ("gml:UnitDefinition",), "valueRecordType": ("gco:RecordType",),
     "specification": _CITATION, "explanation": _STRING, "pass": ("gco:Boolean",),

@@ -1,0 +1,16 @@
+"""What a user can be told of what a decision leaves on paper."""
+from __future__ import annotations
+
+from ...imagery.message import INFO, WARNING, Message
+
+DEFECTS_NOT_WRITTEN = Message(
+    "The layer of failures can't be written; choose another folder, and close the file where it is open."
+)
+PICTURES_NOT_WRITTEN = Message(
+    "The folder {folder} can't be written ({error}), so the layer of failures has no pictures.", WARNING
+)
+PICTURES_MISSING = Message(
+    "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING
+)
+PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
+PAPER_STOPPED = Message("The pictures of the failures were stopped; nothing was written.", WARNING)

@@ -1,0 +1,209 @@
+"""What acceptmosaic leaves on paper: the layer of failures with their pictures, the report, the XML."""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingException,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterRasterLayer,
+    QgsProcessingUtils,
+    QgsProviderRegistry,
+    QgsWkbTypes,
+)
+
+from ...imagery.errors import CancelledError, RasterError, SettingsError
+from ...imagery.rasters import Raster, RasterRef
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.run import Run
+from ...toolkit.translation import tr
+from ..measure.decision import Decision
+from ..measure.defects import Defect
+from . import messages
+from .defect_pictures import MOST_PICTURES, DefectPicture, DefectPictures
+from .inspection_record import InspectionRecord, scan_settings
+from .picture_folder import PictureFolder
+
+MOSAIC, LOSS = common.MOSAIC, "LOSS"
+DEFECTS, REPORT, QUALITY = "DEFECTS", common.REPORT, "QUALITY"
+
+
+@dataclass(frozen=True)
+class PaperInputs:
+    """What is shown beside the decision."""
+
+    mosaics: tuple[RasterRef, ...] = ()
+    loss: RasterRef | None = None
+
+
+@dataclass(frozen=True)
+class DecidedFrom:
+    """Where what was decided on was read from, in words for people."""
+
+    seams: tuple[tuple[str, str], ...] = ()
+    """Sheets, and the layers of their seams."""
+    windows: str = ""
+    rules: str = ""
+
+
+@dataclass
+class _Pictures:
+    """Those that were made, by the failures' numbers."""
+
+    shown: dict[int, DefectPicture] = field(default_factory=dict)
+    paths: dict[int, str] = field(default_factory=dict)
+    """From the layer's folder."""
+
+
+def add_inputs(algorithm: SeamInspectorAlgorithm) -> None:
+    """Parameters for what is shown; its ``RASTER_LISTS`` has to name MOSAIC."""
+    algorithm.addDescribed(
+        QgsProcessingParameterMultipleLayers(
+            MOSAIC, tr("Mosaic"), QgsProcessing.SourceType.TypeRaster, optional=True
+        ),
+        tr("The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report."),
+    )
+    algorithm.addDescribed(
+        QgsProcessingParameterRasterLayer(LOSS, tr("Picture of losses"), optional=True),
+        tr("As the scan wrote it: the XML refers to it, and it says how the seams were measured."),
+        advanced=True,
+    )
+
+
+def add_outputs(algorithm: SeamInspectorAlgorithm) -> None:
+    """What is written; its ``PAGES`` has to name REPORT and QUALITY."""
+    algorithm.addDescribed(
+        QgsProcessingParameterFeatureSink(
+            DEFECTS, tr("Failures"), QgsProcessing.SourceType.TypeVectorLine, optional=True, createByDefault=True
+        ),
+        tr(
+            "One feature for each failure without a break, for the producer: place, length, what is kept, the two "
+            "orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV."
+        ),
+    )
+    algorithm.addDescribed(*common.report(tr(
+        "The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, "
+        "the plan's risk. Opens in a browser and prints on A4."
+    ).format(most=MOST_PICTURES), by_default=True))
+    algorithm.addDescribed(
+        QgsProcessingParameterFileDestination(QUALITY, tr("Quality record (ISO 19157)"), "XML (*.xml)", optional=True),
+        tr("The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016."),
+    )
+
+
+def prepare(run: Run) -> PaperInputs:
+    """What the parameters name, to be asked in their layers' thread; says which mosaics can't be shown."""
+    mosaics, left_out = run.raster_refs(MOSAIC)
+    run.tell(*left_out)
+    return PaperInputs(tuple(mosaics), run.raster(LOSS))
+
+
+def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom) -> dict[str, Any]:
+    """Write what is wanted; what can't be written is told, and does not cost the decision."""
+    from .acceptance_report import save_acceptance_report
+    from .quality_document import save_quality_document
+
+    loss, settings = _loss(run, inputs.loss)
+    report = run.file_path(REPORT)
+    maker, mosaics = _maker(run, inputs, decision) if run.parameters.get(DEFECTS) or report else (None, ())
+    record = InspectionRecord(
+        decision, origin.seams, origin.windows, origin.rules, mosaics, loss, settings, str(report or "")
+    )
+    defects = record.defects
+    pictures = _Pictures()
+    results = _write_defects(run, decision, defects, maker, pictures)
+    results.update(run.save(QUALITY, lambda path: save_quality_document(path, record)))
+    results.update(run.save(REPORT, lambda path: save_acceptance_report(path, record, pictures.shown)))
+    return results
+
+
+def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, str]]:
+    from ...imagery.open_raster import describe_placed
+
+    if ref is None:
+        return None, {}
+    try:
+        return describe_placed(ref), scan_settings(ref)
+    except RasterError as error:
+        run.tell(error.message.as_warning())
+        return None, {}
+
+
+def _maker(run: Run, inputs: PaperInputs, decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:
+    """What cuts the pictures, and the mosaics that it can cut them from."""
+    from ...imagery.open_raster import describe_mosaic
+
+    mosaics = []
+    for ref in inputs.mosaics:
+        try:
+            mosaics.append(describe_mosaic(ref))
+        except RasterError as error:
+            run.tell(error.message.as_warning())
+    return DefectPictures(mosaics, decision.delivery.wkt) if mosaics else None, tuple(mosaics)
+
+
+def _write_defects(
+    run: Run, decision: Decision, defects: Sequence[Defect], maker: DefectPictures | None, pictures: _Pictures
+) -> dict[str, Any]:
+    """The layer; fills in the pictures, for the report too."""
+    from .defect_layer import defect_features, defect_fields
+
+    if not run.parameters.get(DEFECTS):
+        _make_pictures(run, defects, maker, pictures, None)
+        return {}
+    crs = QgsCoordinateReferenceSystem.fromWkt(decision.delivery.wkt)
+    try:
+        sink, destination = run.sink(DEFECTS, defect_fields(), QgsWkbTypes.Type.MultiLineString, crs)
+    except QgsProcessingException:
+        run.tell(messages.DEFECTS_NOT_WRITTEN())
+        _make_pictures(run, defects, maker, pictures, None)
+        return {}
+    file = _file_of(str(destination))
+    folder = Path(QgsProcessingUtils.generateTempFilename("pictures")) if file is None else (
+        file.with_name(f"{file.stem}_pictures")
+    )
+    _make_pictures(run, defects, maker, pictures, folder)
+    if file is not None:
+        pictures.paths = {number: f"{folder.name}/{Path(path).name}" for number, path in pictures.paths.items()}
+    run.write(sink, defect_features(defects, pictures.paths))
+    run.style(destination, "defects")
+    return {DEFECTS: destination}
+
+
+def _file_of(destination: str) -> Path | None:
+    """The file of a layer; None for one in memory or in a database."""
+    path = str(QgsProviderRegistry.instance().decodeUri("ogr", destination).get("path") or "")
+    return Path(path) if path and Path(path).is_absolute() and Path(path).parent.is_dir() else None
+
+
+def _make_pictures(
+    run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: _Pictures, place: Path | None
+) -> None:
+    """Cut them, and save them where there is a place. Raises CancelledError when they are not wanted any more."""
+    shown = defects[:MOST_PICTURES]
+    if maker is None or not shown:
+        return
+    for done, defect in enumerate(shown):
+        if not run.goes_on(done / len(shown)):
+            raise CancelledError(messages.PAPER_STOPPED())
+        if (picture := maker.of(defect)) is not None:
+            pictures.shown[defect.number] = picture
+    if missing := len(shown) - len(pictures.shown):
+        run.tell(messages.PICTURES_MISSING(count=missing))
+    if len(defects) > len(shown):
+        run.tell(messages.PICTURES_LIMITED(shown=len(shown), count=len(defects)))
+    if place is not None and pictures.shown:
+        try:
+            folder = PictureFolder(place)
+            for number, picture in pictures.shown.items():
+                pictures.paths[number] = str(folder.save(number, picture.jpeg))
+        except SettingsError as error:
+            run.tell(error.message.as_warning())

@@ -1,0 +1,43 @@
+"""What goes back to the producer, failure by failure."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.defects import defects_of
+
+from tests.numbers.acceptance.deliveries import delivery, rules, seam
+from tests.numbers.acceptance.made_decisions import IMAGES, PIECE_M, decided, window_on, with_windows
+
+
+def test_pieces_without_a_break_are_one_defect_the_longest_first() -> None:
+    found = defects_of(decided(["a", "b"], failed=[(1, 20), (0, 3), (0, 4), (0, 5)]))
+    assert [(one.number, one.sheets, one.length_m) for one in found] == [(1, ("a",), 75.0), (2, ("b",), 25.0)]
+    assert len(found[0].lines) == 3
+    assert found[0].place == pytest.approx(decided(["a"]).delivery.pieces[4].middle, abs=1)
+    assert found[1].band_width_m == 2.5
+    assert (found[1].worst.piece.left_source, found[1].worst.piece.right_source) == IMAGES
+    assert defects_of(decided()) == ()
+
+
+def test_the_figures_are_those_of_the_piece_that_kept_least() -> None:
+    found = defects_of(decide(delivery(seam([0.9, 0.6, 0.2, 0.65, 0.9])), rules()))
+    (one,) = found
+    assert one.worst.piece.kept_1 == 0.2
+    assert (one.worst.piece.kept_low, one.worst.piece.kept_high) == (pytest.approx(0.15), pytest.approx(0.25))
+    assert one.length_m == 30
+    assert np.concatenate(one.lines)[:, 0].max() - np.concatenate(one.lines)[:, 0].min() == 30
+
+
+def test_cause_and_remarks_come_from_the_windows_on_it() -> None:
+    plain = decided(failed=[(0, 10), (0, 11)])
+    seen = with_windows(
+        plain, window_on(plain, 11, "7", cause="blur", remark="kerb gone"),
+        window_on(plain, 10, "3", cause="feathering", remark="kerb gone", remark_2="<b>"),
+        window_on(plain, 30, "9", cause="gamma", remark="elsewhere"),
+    )  # fmt: skip
+    (one,) = defects_of(seen)
+    assert one.worst.piece.number == 10
+    assert one.cause == "feathering"
+    assert set(one.remarks) == {"kerb gone", "<b>"}
+    assert one.length_m == 2 * PIECE_M

@@ -1,0 +1,113 @@
+"""The decision on paper: what stands on the page, for any delivery and any name."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
+from seam_inspector.plugin.acceptance.paper.defect_pictures import DefectPictures
+from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
+
+from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
+from tests.pages import Outline, outline
+from tests.qgis.acceptance.papers import EVIL, ground, record_of
+from tests.qgis.acceptance.test_quality_document import nothing_measured
+
+FAILED = [(0, 3), (0, 4), (1, 20)]
+
+
+def page_of(path: Path, record: InspectionRecord) -> Outline:
+    maker = DefectPictures(record.mosaics, record.decision.delivery.wkt)
+    made = {one.number: picture for one in record.defects if (picture := maker.of(one)) is not None}
+    save_acceptance_report(path / "report.html", record, made)
+    return outline((path / "report.html").read_text(encoding="utf-8"))
+
+
+def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path) -> None:
+    decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
+    page = page_of(tmp_path, record_of(decision, scan={"wavelet": "coif3", "levels": "3"}))
+    places = [page.words.index(words) for words in (
+        "rejected", "3.75", "share of the seams that failed", "signature", "Sheets", "Where the seams failed",
+        "Failures", "How it was measured",
+    )]
+    assert places == sorted(places)
+    rules = {row[0]: row[1:] for row in page.rows if len(row) == 4}
+    assert rules["share of the seams that failed"][0] == "3.75\u00a0%"
+    assert rules["share of the seams that failed"][1].startswith("at most 2\u00a0%")
+    assert rules["share of the seams that failed"][2] == "failed"
+    assert rules["longest failure without a break"][0] == "50.0\u00a0m"
+    assert rules["longest failure without a break"][2] == "passed"
+    row = ["sheet_1", "1,000 m", "100.0 %", "50.0 m", "5.00 %", "50.0 m", "2 / 40", "0.0 m"]
+    assert row in [[cell.replace("\u00a0", " ") for cell in cells] for cells in page.rows]
+    failures = [row for row in page.rows if row and row[0] in ("1", "2") and len(row) > 5]
+    assert [row[1] for row in failures] == ["sheet_1", "sheet_2"]
+    assert "0412_ortho.tif (2019-07-04)" in " ".join(failures[0][5].split())
+    for words in ("coif3", "EPSG:32633", "/deliveries/sheet_2.gpkg", "Seam Inspector 0.1.0", "name and office"):
+        assert words in page.words
+
+
+def test_an_accepted_delivery_has_no_failures(tmp_path: Path) -> None:
+    page = page_of(tmp_path, record_of(decided()))
+    assert "accepted" in page.words
+    assert "None: no piece of seam" in page.words
+    assert len(page.pictures("svg+xml")) == 1
+
+
+def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
+    decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
+    page = page_of(tmp_path, record_of(decision, mosaics=(ground(tmp_path / "mosaic.tif"),)))
+    assert len(page.pictures("jpeg")) == 2
+    captions = [one.replace("\u00a0", " ") for one in page.captions if "kept" in one]
+    assert captions[0] == "1, sheet_1, 50.0 m, 45 % (40 - 51) kept; width of the picture: 150.0 m"
+    assert "mosaic.tif" in page.words
+
+
+def test_a_plan_shows_its_risk_and_observers_their_agreement(tmp_path: Path) -> None:
+    plain = decided(["sheet_1", "sheet_2"], failed=FAILED, sampling=PLAN)
+    words = ("visible", "invisible")
+    seen = with_windows(plain, *(
+        window_on(plain, one, str(one), observer=words[one % 2], observer_2=words[one % 2], verdict="preserved",
+                  cause="feathering" if one == 3 else "", remark="kerb gone" if one == 3 else "") for one in range(20)
+    ))
+    page = page_of(tmp_path, record_of(seen))
+    assert "producer's risk" in page.words
+    assert "Operating characteristic" in " ".join(page.captions)
+    assert "1.00 (" in page.words
+    assert "kerb gone" in page.words
+    assert "feathering" in page.words
+
+
+@pytest.mark.parametrize("sheets", [1, 40])
+@pytest.mark.parametrize("each", [0, 8])
+def test_every_size_of_delivery_fits(tmp_path: Path, sheets: int, each: int) -> None:
+    names = [f"ortho_2026_sheet_{number:02d}_of_the_delivery_of_november" for number in range(sheets)]
+    failed = [(number, 2 + 4 * place) for number in range(sheets) for place in range(each)]
+    decision = decided(names, failed=failed)
+    page = page_of(tmp_path, record_of(decision))
+    assert len(decision.runs) == sheets * each
+    shown = [row for row in page.rows if len(row) > 5 and row[0].isdigit()]
+    assert len(shown) == min(sheets * each, MOST_ROWS)
+    assert ("The longest 300 of 320" in page.words) == (sheets * each > MOST_ROWS)
+    assert (tmp_path / "report.html").stat().st_size < 2_000_000
+
+
+def hostile(name: str) -> Decision:
+    decision = decided([name], failed=FAILED[:2], images=(name, name))
+    return with_windows(decision, window_on(decision, 3, name, cause=name, remark=name, remark_2=name))
+
+
+@pytest.mark.parametrize("name", [EVIL, "x" * 400, "שלום", "{{ 7 * 7 }}"])
+def test_any_name_is_text(name: str, tmp_path: Path) -> None:
+    page = page_of(tmp_path, record_of(hostile(name), windows=name, rules=name, scan={name: name}))
+    assert not page.links
+    assert page.words.count(name.replace("\x07", "\x07")) >= 3
+    assert all(address.startswith("data:") for address in page.addresses)
+
+
+def test_nothing_measured_is_no_number(tmp_path: Path) -> None:
+    page = page_of(tmp_path, record_of(nothing_measured()))
+    rules = {row[0]: row[1:] for row in page.rows if len(row) == 4}
+    assert rules["share of the seams that failed"][0] == "\u2013"
+    assert rules["share of the seams that failed"][2] == "can't be told"
+    assert "nan" not in page.words

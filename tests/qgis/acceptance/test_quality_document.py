@@ -1,0 +1,172 @@
+"""The XML of a decision: the structure of ISO/TS 19157-2, the figures of the decision, any name."""
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from datetime import datetime, timezone
+from pathlib import Path
+
+import pytest
+from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
+from seam_inspector.plugin.imagery.errors import SettingsError
+
+from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
+from tests.numbers.acceptance.metadata_structure import NAMESPACES, faults
+from tests.qgis.acceptance.papers import EVIL, ground, record_of
+
+SHEETS = ("sheet_1", "sheet_2")
+FAILED = [(0, 3), (0, 4), (1, 20)]
+
+
+def text(element: ET.Element, path: str) -> str:
+    found = element.find(path, NAMESPACES)
+    assert found is not None, path
+    return "".join(found.itertext()).strip()
+
+
+def elements(document: str) -> dict[str, ET.Element]:
+    """By their identifiers."""
+    assert faults(document) == []
+    root = ET.fromstring(document.encode())
+    return {one.get("id", ""): one for report in root.iterfind(".//mdq:report", NAMESPACES) for one in report}
+
+
+def values(element: ET.Element) -> list[float]:
+    """Of all sheets together."""
+    first = element.find("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
+    assert first is not None
+    return [float(one.text or "") for one in first.iterfind("mdq:value/gco:Record", NAMESPACES)]
+
+
+def unit(element: ET.Element) -> str:
+    found = element.find("mdq:result/mdq:DQ_QuantitativeResult/mdq:valueUnit", NAMESPACES)
+    assert found is not None
+    return found.attrib[f"{{{NAMESPACES['xlink']}}}href"]
+
+
+def passed(element: ET.Element) -> str:
+    return text(element, "mdq:result/mdq:DQ_ConformanceResult/mdq:pass")
+
+
+def test_one_report_per_measure_with_value_unit_and_conformance() -> None:
+    decision = decided(SHEETS, failed=FAILED)
+    found = elements(quality_document(record_of(decision)))
+    assert list(found) == [
+        "acceptance", "failed_share", "longest_failure", "kept", "measured_share", "failed_share_interval"
+    ]  # fmt: skip
+    assert values(found["failed_share"]) == pytest.approx([3.75])
+    assert unit(found["failed_share"]).endswith("UCUM/%25")
+    assert passed(found["failed_share"]) == passed(found["acceptance"]) == "false"
+    assert values(found["longest_failure"]) == pytest.approx([50.0])
+    assert unit(found["longest_failure"]).endswith("UCUM/m")
+    assert passed(found["longest_failure"]) == "true"
+    assert values(found["kept"]) == pytest.approx([0.45])
+    assert values(found["measured_share"]) == pytest.approx([100.0])
+    interval = decision.failed_share
+    assert interval is not None
+    assert values(found["failed_share_interval"]) == pytest.approx([100 * interval.low, 100 * interval.high])
+    assert text(found["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:specification") == "contract"
+    assert "3.75%" in text(found["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:explanation")
+
+
+def test_each_sheet_has_a_result_of_its_own() -> None:
+    found = elements(quality_document(record_of(decided(SHEETS, failed=FAILED))))["failed_share"]
+    results = {
+        text(one, "mdq:resultScope//mcc:dataset"): float(text(one, "mdq:value"))
+        for one in found.iterfind("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
+        if one.find("mdq:resultScope", NAMESPACES) is not None
+    }
+    assert results == pytest.approx({"sheet_1": 5.0, "sheet_2": 2.5})
+
+
+def test_scope_time_and_lineage() -> None:
+    at = datetime(2026, 11, 22, 13, 5, tzinfo=timezone.utc)
+    record = record_of(decided(SHEETS), made_at=at, scan={"wavelet": "coif3"}, report="/x/report.html", rules="/r.json")
+    document = quality_document(record)
+    root = ET.fromstring(document.encode())
+    assert faults(document) == []
+    scope = root.find(".//mdq:DQ_DataQuality/mdq:scope", NAMESPACES)
+    assert scope is not None
+    assert [one.text for one in scope.iterfind(".//mcc:dataset/gco:CharacterString", NAMESPACES)] == list(SHEETS)
+    west, east = (float(text(scope, f".//gex:{side}BoundLongitude")) for side in ("west", "east"))
+    assert 14.9 < west < east < 15.1
+    assert 49 < float(text(scope, ".//gex:southBoundLatitude")) < 50
+    assert text(root, "mdb:referenceSystemInfo") == "EPSG:32633"
+    assert text(root, "mdb:dateInfo//cit:date") == "2026-11-22T13:05:00+00:00"
+    assert text(root, ".//mdq:reportReference") == "report.html"
+    lineage = text(root, "mdb:resourceLineage")
+    for words in ("Seam Inspector 0.1.0", "wavelet coif3", "70", "sheet_1: /deliveries/sheet_1.gpkg", "/r.json"):
+        assert words in lineage
+
+
+def test_the_picture_of_losses_is_a_coverage_result(tmp_path: Path) -> None:
+    loss = ground(tmp_path / "loss & Łódź.tif")
+    document = quality_document(record_of(decided(failed=FAILED[:2]), loss=loss))
+    kept = elements(document)["kept"]
+    coverage = kept.find("mdq:result/mdq:QE_CoverageResult", NAMESPACES)
+    assert coverage is not None
+    assert text(coverage, ".//mdq:fileName") == "loss & Łódź.tif"
+    sizes = [one.text for one in coverage.iterfind(".//msr:dimensionSize/gco:Integer", NAMESPACES)]
+    assert sizes == [str(loss.rows), str(loss.columns)]
+    assert text(coverage, ".//msr:resolution") == "0.5"
+
+
+def test_a_plan_and_observers_are_told_with_their_risks() -> None:
+    plain = decided(SHEETS, failed=FAILED, sampling=PLAN)
+    words = ("visible", "invisible")
+    seen = with_windows(plain, *(
+        window_on(plain, one, str(one), observer=words[one % 2], observer_2=words[one % 2], verdict="preserved")
+        for one in range(20)
+    ))
+    assert seen.plan is not None
+    found = elements(quality_document(record_of(seen)))
+    assert {"sampling", "sampling_risk", "observers_kappa"} <= set(found)
+    assert values(found["sampling"]) == [seen.plan.nonconforming]
+    method = "mdq:evaluationMethod/mdq:DQ_SampleBasedInspection/mdq:"
+    assert text(found["sampling"], f"{method}samplingRatio") == f"{seen.plan.plan.sample_size} / 80"
+    assert "AQL 1" in text(found["sampling"], f"{method}samplingScheme")
+    risks = seen.plan.characteristic
+    assert values(found["sampling_risk"]) == pytest.approx([100 * risks.producers_risk, 100 * risks.limiting_quality])
+    assert values(found["observers_kappa"])[0] == 1
+
+
+@pytest.mark.parametrize("name", [EVIL, "]]>", "Łódź 東京", "\ud800", "a" * 300])
+def test_any_name_is_text(name: str, tmp_path: Path) -> None:
+    decision = decided([name, "other"], failed=FAILED, images=(name, name))
+    seen = with_windows(decision, window_on(decision, 3, name, cause=name, remark=name))
+    record = record_of(seen, windows=name, rules=name, report=name, scan={name: name})
+    save_quality_document(tmp_path / "quality.xml", record)
+    document = (tmp_path / "quality.xml").read_text(encoding="utf-8")
+    assert faults(document) == []
+    shown = name.replace("\x07", "\ufffd").replace("\ud800", "\ufffd")
+    assert shown in [one.text for one in ET.fromstring(document.encode()).iter()]
+
+
+def nothing_measured() -> Decision:
+    decision = decided()
+    pieces = tuple(replace(one, kept_1=None, kept_low=None, kept_high=None) for one in decision.delivery.pieces)
+    from seam_inspector.plugin.acceptance.measure.deciding import decide
+
+    return decide(replace(decision.delivery, pieces=pieces), decision.rules)
+
+
+def test_what_was_not_measured_has_no_number() -> None:
+    found = elements(quality_document(record_of(nothing_measured())))
+    assert "failed_share" not in found
+    assert "kept" not in found
+    assert passed(found["acceptance"]) == "false"
+
+
+def test_a_delivery_without_a_place_has_no_extent() -> None:
+    decision = decided(failed=FAILED[:1])
+    lost = replace(decision, delivery=replace(decision.delivery, wkt=""))
+    document = quality_document(record_of(lost))
+    assert faults(document) == []
+    assert "EX_Extent" not in document
+    assert "MD_ReferenceSystem" not in document
+
+
+def test_where_none_can_be_there_is_a_sentence(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="can't be written"):
+        save_quality_document(tmp_path / "no" / "quality.xml", record_of(decided()))
