@@ -177,7 +177,8 @@ def _of_property(element: Element) -> Iterator[str]:
         if len(element) or (nil is not None and nil not in _NIL):
             yield f"{name}: {element.attrib}"
         return
-    if (element.text or "").strip() or len(element) != 1 or _name(element[0]) not in VALUES[name.partition(":")[2]]:
+    known = VALUES.get(name.partition(":")[2], ())
+    if (element.text or "").strip() or len(element) != 1 or _name(element[0]) not in known:
         yield f"{name} holds {[_name(child) for child in element]} {element.text!r}"
         return
     yield from _of_class(element[0])

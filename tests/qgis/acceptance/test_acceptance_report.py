@@ -27,7 +27,8 @@ def page_of(path: Path, record: InspectionRecord) -> Outline:
 def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path) -> None:
     decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
     page = page_of(tmp_path, record_of(decision, scan={"wavelet": "coif3", "levels": "3"}))
-    places = [page.words.index(words) for words in (
+    text = page.words[page.words.index("rejected") :]  # after the page's looks
+    places = [text.index(words) for words in (
         "rejected", "3.75", "share of the seams that failed", "signature", "Sheets", "Where the seams failed",
         "Failures", "How it was measured",
     )]
@@ -59,7 +60,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decision, mosaics=(ground(tmp_path / "mosaic.tif"),)))
     assert len(page.pictures("jpeg")) == 2
     captions = [one.replace("\u00a0", " ") for one in page.captions if "kept" in one]
-    assert captions[0] == "1, sheet_1, 50.0 m, 45 % (40 - 51) kept; width of the picture: 150.0 m"
+    assert captions[0] == "1, sheet_1, 50.0 m, 45 % (40 - 51) kept; width of the picture: 150.5 m"
     assert "mosaic.tif" in page.words
 
 
