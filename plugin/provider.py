@@ -4,6 +4,7 @@ from __future__ import annotations
 from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
+from .acceptance.algorithms.acceptmosaic import AcceptMosaic
 from .noise.checknoise import CheckNoise
 from .photos.algorithms.comparemarks import CompareMarks
 from .photos.algorithms.enhancephoto import EnhancePhoto
@@ -28,6 +29,7 @@ ALGORITHMS = (
     PlaceWindows,
     InspectWindows,
     ScanMosaic,
+    AcceptMosaic,
     PredictLoss,
     CalibrateThreshold,
     Report,

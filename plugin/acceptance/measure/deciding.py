@@ -23,7 +23,6 @@ from .decision import (
     MetreFigures,
     Observers,
     PieceState,
-    PlanOutcome,
     RuleOutcome,
 )
 from .delivery import Delivery
@@ -62,7 +61,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     accepted = all(outcome.passed is True for outcome in outcomes)
     sentences = (
         _decision_sentence(rules, outcomes, accepted),
-        *_figures(whole, interval, runs, rules, plan),
+        *_figures(whole, interval, runs, rules, delivery.sampled_numbers is not None),
         *told,
         *_observers_sentences(seen),
     )
@@ -124,7 +123,7 @@ def _decision_sentence(rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], 
 
 def _figures(
     whole: MetreFigures, interval: Interval | None, runs: Sequence[FailureRun], rules: AcceptanceRules,
-    plan: PlanOutcome | None,
+    is_sample: bool,
 ) -> Iterator[Message]:
     if interval is not None:
         yield messages.SHARE_INTERVAL(
@@ -137,6 +136,8 @@ def _figures(
         yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.total_m)
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=rules.least_kept)
+    if is_sample and rules.sampling is None:
+        yield messages.SAMPLE_ONLY()
 
 
 def _observers_sentences(seen: Observers | None) -> Iterator[Message]:

@@ -5,9 +5,9 @@ from ...imagery.message import INFO, WARNING, Message
 
 # a file with rules
 RULES_CHECK_TWICE = Message("{name} has two rules for '{check}' ({place} is the second); leave one.")
-RULES_WITHOUT_KEPT = Message("{name} says nowhere what a piece must keep; add a rule with the check 'kept' ({place}).")
+RULES_WITHOUT_KEPT = Message("{name} says nowhere what a piece must keep; add a rule with the check 'kept'.")
 RULES_DECIDE_NOTHING = Message(
-    "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling' ({place})."
+    "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'."
 )
 RULES_LIMIT_MISSING = Message("{place} in {name}: the check '{check}' needs '{key}'; give it.")
 RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is at most 1; write 2 % as 0.02.")
@@ -15,6 +15,7 @@ RULES_AQL_UNKNOWN = Message("{place} in {name}: the AQL '{aql}' is none of the s
 RULES_AND_PARAMETER = Message(
     "{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out."
 )
+TWO_RULES = Message("The ready rules '{ready}' and the rules in {name} are given; leave one of the two.")
 RULES_SAY_NOTHING = Message("nothing of it", INFO)
 # plans of sampling
 LOT_EMPTY = Message("There are no pieces of seam to plan an inspection of; choose layers with lines.")
@@ -70,18 +71,11 @@ UNCLEAR = Message(
     "{metres:.1f} m can't be told apart from the limit of {limit:g}: their 95 % intervals hold it.", INFO
 )
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
-REPLACED = Message(
-    "{count} pieces could not be measured and are no part of the lot that the sample was drawn from.", INFO
-)
-DRAWN = Message("The sample of {size} of {lot} pieces was drawn with the seed {seed}.", INFO)
+DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
 SAMPLE_ONLY = Message(
     "The layers are a sample that was planned, and all of it was judged by its metres; they speak of the sample alone.",
     WARNING,
-)
-BEYOND_PLAN = Message(
-    "The plan looks at {size} of {lot} pieces; of all that was measured {share:.2%} of the metres failed, "
-    "{metres:.1f} m without a break.", INFO
 )
 # observers
 OBSERVERS_AGREE = Message(
@@ -109,10 +103,6 @@ LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
 LAYER_TWICE = Message("{name} is given twice and counts once.", WARNING)
 LAYERS_EMPTY = Message("The layers of seams are empty; choose those of a scan that found seams.")
 LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
-CRS_IN_DEGREES = Message(
-    "{name} is in degrees, so metres are taken from its field 'length'; where that lacks they are measured on the "
-    "ellipsoid.", INFO
-)
 PIECES_WITHOUT_LENGTH = Message("{count} features of {name} have no line and no length; they are left out.", WARNING)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both."

@@ -1,7 +1,7 @@
 """The decision by a plan of sampling: which pieces it looks at, and what they say."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ...imagery.errors import SettingsError
@@ -54,7 +54,7 @@ def sampled_lot(
     needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
     outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
     ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
-    return SampledLot(outcome, ruled, set(sample), tuple(_notices(plan, used_seed, len(states) - len(measured), given)))
+    return SampledLot(outcome, ruled, set(sample), tuple(_notices(plan, used_seed, len(measured), given)))
 
 
 def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> RuleOutcome:
@@ -76,12 +76,10 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
 
 
-def _notices(plan: SamplingPlan, seed: int | None, not_measured: int, given: Sequence[int] | None) -> list[Message]:
-    found = []
+def _notices(
+    plan: SamplingPlan, seed: int | None, measured: int, given: Sequence[int] | None
+) -> Iterator[Message]:
     if seed is not None:
-        found.append(messages.DRAWN(size=plan.sample_size, lot=plan.lot_size, seed=seed))
-        if not_measured:
-            found.append(messages.REPLACED(count=not_measured))
+        yield messages.DRAWN(size=plan.sample_size, given=measured, seed=seed)
     if given is None and plan.is_whole_lot:
-        found.append(messages.WHOLE_LOT(lot=plan.lot_size))
-    return found
+        yield messages.WHOLE_LOT(lot=plan.lot_size)

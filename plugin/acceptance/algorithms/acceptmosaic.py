@@ -1,0 +1,166 @@
+"""``seaminspector:acceptmosaic``: the decision on a delivery."""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterMultipleLayers,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.run import Run
+from ...toolkit.translation import tr
+from .. import stated_rules as stated
+from ..measure.rules_file import ready_files
+from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
+
+if TYPE_CHECKING:
+    from ..measure.decision import Decision
+
+SEAMS, WINDOWS = "SEAMS", "WINDOWS"
+ACCEPTED, TOTAL_METRES, MEASURED_METRES = "ACCEPTED", "TOTAL_METRES", "MEASURED_METRES"
+FAILED_METRES, FAILED_SHARE, LONGEST_FAILURE = "FAILED_METRES", "FAILED_SHARE", "LONGEST_FAILURE"
+
+
+class AcceptMosaic(SeamInspectorAlgorithm):
+    """Whether a delivery is accepted, and what goes back."""
+
+    ID = "acceptmosaic"
+    NAME = QT_TRANSLATE_NOOP("@default", "Accept or reject a delivery")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without "
+        "a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of the decision. A piece "
+        "of seam fails when it kept less than what is asked for. What could not be measured never counts as passed."
+    )
+    RASTER_LISTS = (SEAMS, common.MOSAIC)
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
+        self.addDescribed(
+            QgsProcessingParameterMultipleLayers(SEAMS, tr("Seams"), line),
+            tr(
+                "The layers 'Seams' of the scans of one delivery, a sheet each, or a sample that 'Plan an inspection' "
+                "drew of them."
+            ),
+        )
+        self._add_limits()
+        self.addDescribed(
+            common.choice(stated.PLAN, tr("Plan"), (stated.ALL, stated.ISO2859)),
+            tr(
+                "all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a "
+                "random sample, as ISO 2859-1 plans it for the lot."
+            ),
+        )
+        add_plan_parameters(self)
+        self.addDescribed(
+            common.choice(stated.READY_RULES, tr("Ready rules"), list(ready_files()), None, optional=True),
+            tr("Rules that come with the plugin, instead of the limits above; these then stay as they are."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(stated.RULES, tr("Rules"), extension="json", optional=True),
+            tr(
+                "A JSON file of your own with limits and where they come from, instead of the limits above; these then "
+                "stay as they are. The documentation shows one."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [polygon], optional=True),
+            tr(
+                "Windows that were inspected, and judged perhaps: their causes and remarks go to the failures in them, "
+                "and the agreement of operators and tool is told."
+            ),
+        )
+        self.addDescribed(*common.chart(tr(
+            "The plan's operating characteristic; without a plan how many metres kept how much."
+        )))
+        self.addNumbers({
+            ACCEPTED: tr("Accepted (1) or not (0)"),
+            TOTAL_METRES: tr("Length of all seams (metres)"),
+            MEASURED_METRES: tr("Length that was measured (metres)"),
+            FAILED_METRES: tr("Length that failed (metres)"),
+            FAILED_SHARE: tr("Share of the measured length that failed (%)"),
+            LONGEST_FAILURE: tr("Longest failure without a break (metres)"),
+        })
+
+    def check(self, run: Run) -> None:
+        stated.stated_rules(run)
+        run.check_chart()
+
+    def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
+        return stated.with_standard_aql(super().for_check(parameters))
+
+    def prepare(self, run: Run) -> None:
+        from ..seam_layers import seam_layers
+
+        self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, "kept_1")
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        decision = self._decision(run)
+        run.tell(*decision.sentences)
+        whole = decision.whole
+        return {
+            **run.save(common.CHART, lambda path: _save_chart(path, decision)),
+            ACCEPTED: int(decision.accepted),
+            TOTAL_METRES: whole.total_m,
+            MEASURED_METRES: whole.measured_m,
+            FAILED_METRES: whole.failed_m,
+            FAILED_SHARE: None if whole.failed_share is None else 100 * whole.failed_share,
+            LONGEST_FAILURE: decision.longest_failure_m,
+        }
+
+    def _decision(self, run: Run) -> Decision:
+        from ..judged_windows import judged_windows
+        from ..measure.deciding import decide
+        from ..seam_layers import read_delivery
+
+        rules = stated.stated_rules(run)
+        run.check_chart()
+        run.tell(*self._told)
+        delivery, told = read_delivery(self._seams, run.context.transformContext())
+        run.tell(*told)
+        if run.parameters.get(WINDOWS):
+            crs = QgsCoordinateReferenceSystem.fromWkt(delivery.wkt)
+            delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))
+        return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED))
+
+    def _add_limits(self) -> None:
+        self.addDescribed(
+            common.real(stated.MIN_KEPT, tr("Least share of detail kept"), stated.LIMITS[stated.MIN_KEPT], 0.0),
+            tr("A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes."),
+        )
+        self.addDescribed(
+            common.real(
+                stated.MAX_SHARE, tr("Largest share that may fail (%)"), stated.LIMITS[stated.MAX_SHARE], 0.0
+            ),
+            tr("Of the metres of seam that were measured."),
+        )
+        self.addDescribed(
+            common.real(
+                stated.MAX_RUN, tr("Longest failure without a break (metres)"), stated.LIMITS[stated.MAX_RUN], 0.0
+            ),
+            tr("Failed pieces that follow each other, across seams and sheets where they touch."),
+        )
+        self.addDescribed(
+            common.real(
+                stated.MIN_MEASURED, tr("Least share that has to be measured (%)"),
+                stated.LIMITS[stated.MIN_MEASURED], 0.0,
+            ),
+            tr("With less of the metres measured a delivery is not accepted."),
+            advanced=True,
+        )
+
+
+def _save_chart(path: Path, decision: Decision) -> None:
+    from ...toolkit.charts.figure_files import save_figure
+    from ..charts import decision_figure
+
+    save_figure(decision_figure(decision), path)

@@ -1,0 +1,33 @@
+"""A layer of inspected and judged windows -> what was seen in each."""
+from __future__ import annotations
+
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeatureSource
+
+from ..imagery.errors import WindowError
+from ..toolkit import layers
+from ..toolkit.algorithms.run import Run
+from ..toolkit.attribute_values import attributes, number, text
+from .measure.delivery import SeenWindow
+
+
+def judged_windows(
+    source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run
+) -> tuple[SeenWindow, ...]:
+    """Those that have an outline, in a reference system; what is wrong with others is told."""
+    transform = run.transform(source, crs) if crs.isValid() else None
+    found = []
+    for row in attributes(layers.features(source), source.fields().names()):
+        try:
+            extent = layers.outline_extent(row.feature, transform)
+        except WindowError as error:
+            run.tell(error.message.as_warning())
+            continue
+        if extent is not None:
+            found.append(
+                SeenWindow(
+                    text(row["window_id"]) or text(row.feature.id()), extent, text(row["cause"]), text(row["causes"]),
+                    text(row["verdict"]), number(row["kept_1"]), text(row["observer"]), text(row["observer_2"]),
+                    text(row["remark"]), text(row["remark_2"]),
+                )
+            )
+    return tuple(found)

@@ -1,0 +1,219 @@
+"""Layers of seams, as scans and ``planinspection`` write them -> the pieces of a delivery.
+
+Layers are looked up in their own thread (``seam_layers``) and read in another (``read_delivery``).
+"""
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsCsException,
+    QgsDistanceArea,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsProcessingContext,
+    QgsProcessingUtils,
+    QgsUnitTypes,
+    QgsVectorLayer,
+    QgsVectorLayerFeatureSource,
+    QgsWkbTypes,
+)
+
+from ..imagery.errors import SettingsError
+from ..imagery.message import Message
+from ..toolkit import layers
+from ..toolkit.attribute_values import Attributes, attributes, number, text, whole_number
+from .measure import messages
+from .measure.delivery import DeliveredPiece, Delivery
+
+_OF_SCAN_FILE = "seams"  # the table of a scan's file with several
+_SHEET_FIELDS = ("sheet", "layer")  # planinspection's; that of QGIS's own Merge vector layers
+_METRES = QgsUnitTypes.DistanceUnit.DistanceMeters
+_LINE = QgsWkbTypes.GeometryType.LineGeometry
+
+
+@dataclass(frozen=True)
+class SeamLayer:
+    """A layer of seams that may be read in any thread."""
+
+    sheet: str
+    """Its name; each layer has one of its own."""
+    address: str
+    """What it was read from."""
+    source: QgsVectorLayerFeatureSource
+    crs: QgsCoordinateReferenceSystem
+    fields: tuple[str, ...]
+
+
+def seam_layers(values: Sequence[object], context: QgsProcessingContext, needed: str = "") -> tuple[
+    list[SeamLayer], list[Message]
+]:
+    """The layers behind a parameter's values, each once, and what is to be told of them.
+
+    ``needed``: a field that each must have. Raises SettingsError where one is no layer of lines.
+    """
+    found: list[QgsVectorLayer] = []
+    told: list[Message] = []
+    for value in values:
+        layer = _line_layer(value, context)
+        if any(_is_same(layer, other) for other in found):
+            told.append(messages.LAYER_TWICE(name=layer.name()))
+            continue
+        if needed and needed not in layer.fields().names():
+            raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=layer.name()))
+        found.append(layer)
+    if not found:
+        raise SettingsError(messages.NO_LAYERS())
+    systems = [layer.crs().isValid() for layer in found]
+    if any(systems) and not all(systems):
+        raise SettingsError(messages.LAYER_WITHOUT_CRS(name=found[systems.index(False)].name()))
+    made = [
+        SeamLayer(name, layer.source(), QgsVectorLayerFeatureSource(layer), layer.crs(), tuple(layer.fields().names()))
+        for name, layer in zip(_names(found), found)
+    ]
+    return made, told
+
+
+def read_delivery(
+    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
+) -> tuple[Delivery, list[Message]]:
+    """All pieces, in the reference system of the first layer, in UTM where that is in degrees; and what is to be told.
+
+    Raises SettingsError where there are none, or a layer has no place in that system.
+    """
+    crs = _common_system(seams, transforms)
+    pieces: list[DeliveredPiece] = []
+    told: list[Message] = []
+    lots: set[int] = set()
+    for layer in seams:
+        before, left_out = len(pieces), 0
+        for row, piece in _pieces(layer, crs, transforms):
+            if piece is None:
+                left_out += 1
+                continue
+            pieces.append(replace(piece, number=len(pieces)))
+            lots.add(whole_number(row["lot_size"]) or 0)
+        if left_out:
+            told.append(messages.PIECES_WITHOUT_LENGTH(name=layer.sheet, count=left_out))
+        if len(pieces) == before and not left_out:
+            told.append(messages.LAYER_EMPTY(name=layer.sheet))
+    if not pieces:
+        raise SettingsError(messages.LAYERS_EMPTY())
+    unit = QgsUnitTypes.fromUnitToUnitFactor(crs.mapUnits(), _METRES) if crs.isValid() else 1.0
+    size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
+    return Delivery(tuple(pieces), layers.system_wkt(crs), unit, lot_size=size), told
+
+
+def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
+    layer = value
+    if isinstance(value, str):
+        vector = QgsProcessingUtils.LayerHint.Vector
+        layer = QgsProcessingUtils.mapLayerFromString(value, context, True, vector)
+        if not _has_lines(layer) and "|" not in value and Path(value).is_file():
+            layer = QgsVectorLayer(f"{value}|layername={_OF_SCAN_FILE}", Path(value).stem, "ogr")
+            layer = layer if layer.isValid() else QgsVectorLayer(value, Path(value).stem, "ogr")
+    if not isinstance(layer, QgsVectorLayer) or not layer.isValid():
+        raise SettingsError(messages.LAYER_NOT_FOUND(name=layer.name() if hasattr(layer, "name") else value))
+    if not _has_lines(layer):
+        raise SettingsError(messages.LAYER_NOT_LINES(name=layer.name()))
+    return layer
+
+
+def _has_lines(layer: object) -> bool:
+    return isinstance(layer, QgsVectorLayer) and layer.isValid() and layer.geometryType() == _LINE
+
+
+def _is_same(layer: QgsVectorLayer, other: QgsVectorLayer) -> bool:
+    if layer is other or layer.id() == other.id():
+        return True
+    in_memory = layer.providerType() == "memory"
+    return not in_memory and (layer.source(), layer.subsetString()) == (other.source(), other.subsetString())
+
+
+def _names(found: Sequence[QgsVectorLayer]) -> list[str]:
+    """Names of layers; those of one name are told apart by their folder, else by a number."""
+    names = [layer.name() for layer in found]
+    counts = Counter(names)
+    folders = [Path(layers.layer_path(layer)).parent.name if layers.layer_path(layer) else "" for layer in found]
+    names = [f"{folder}/{name}" if counts[name] > 1 and folder else name for name, folder in zip(names, folders)]
+    seen: Counter[str] = Counter()
+    unique = []
+    for name in names:
+        seen[name] += 1
+        unique.append(name if seen[name] == 1 else f"{name} ({seen[name]})")
+    return unique
+
+
+def _common_system(
+    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
+) -> QgsCoordinateReferenceSystem:
+    """The first one that is not in degrees; the UTM zone of the first layer where all are."""
+    for layer in seams:
+        if not layer.crs.isGeographic():
+            return layer.crs
+    first = seams[0]
+    lines = (feature.geometry() for feature in first.source.getFeatures(QgsFeatureRequest()))
+    middle = next((line.boundingBox().center() for line in lines if not line.isEmpty()), None)
+    if middle is None:
+        return first.crs
+    wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
+    try:
+        place = QgsCoordinateTransform(first.crs, wgs84, transforms).transform(middle)
+    except QgsCsException:
+        raise SettingsError(messages.NOT_TRANSFORMED(name=first.sheet)) from None
+    zone = int(min(max((place.x() + 180) // 6, 0), 59)) + 1
+    return QgsCoordinateReferenceSystem(f"EPSG:{(32600 if place.y() >= 0 else 32700) + zone}")
+
+
+def _pieces(
+    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext
+) -> Iterator[tuple[Attributes, DeliveredPiece | None]]:
+    """Each row with its piece; None for one without a line or a length."""
+    transform = QgsCoordinateTransform(layer.crs, crs, transforms)
+    ruler = QgsDistanceArea()
+    ruler.setSourceCrs(layer.crs, transforms)
+    if layer.crs.isGeographic():
+        ruler.setEllipsoid(layer.crs.ellipsoidAcronym() or "EPSG:7030")
+    for row in attributes(layer.source.getFeatures(QgsFeatureRequest()), layer.fields):
+        line = QgsGeometry(row.feature.geometry())
+        length = number(row["length"])
+        if length is None and not line.isEmpty():
+            length = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES) if layer.crs.isValid() else (
+                line.length()
+            )
+        try:
+            line.transform(transform)
+        except QgsCsException:
+            raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
+        vertices = _vertices(line)
+        usable = len(vertices) > 1 and bool(np.isfinite(vertices).all())
+        known = length is not None and math.isfinite(length) and length > 0
+        yield row, _piece(row, layer.sheet, float(length or 0), vertices) if usable and known else None
+
+
+def _vertices(line: QgsGeometry) -> np.ndarray:
+    """(n, 2) of a line, its parts one after the other."""
+    if line.isEmpty() or line.type() != _LINE:
+        return np.empty((0, 2))
+    merged = line.mergeLines() if line.isMultipart() else line
+    parts = merged.asMultiPolyline() if merged.isMultipart() else [merged.asPolyline()]
+    return np.array([(point.x(), point.y()) for part in parts for point in part], float).reshape(-1, 2)
+
+
+def _piece(row: Attributes, sheet: str, length: float, vertices: np.ndarray) -> DeliveredPiece:
+    named = next((name for name in map(text, (row[field] for field in _SHEET_FIELDS)) if name), "")
+    return DeliveredPiece(
+        0, named or sheet, text(row["seam_id"]), number(row["station"]), length,
+        number(row["kept_1"]), number(row["kept_low"]), number(row["kept_high"]), number(row["band_width"]),
+        text(row["verdict"]), text(row["reason"]), vertices,
+        text(row["left_source"]), text(row["right_source"]), text(row["left_date"]), text(row["right_date"]),
+        whole_number(row["sample"]),
+    )  # fmt: skip

@@ -1,0 +1,140 @@
+"""The rules that a run's parameters state: ready ones, a file, or limits one by one; never two of these at once."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from ..imagery.errors import SettingsError
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
+from .measure import limits, messages
+from .measure.acceptance_rules import (
+    FAILED_SHARE,
+    LONGEST_FAILURE,
+    MEASURED_SHARE,
+    AcceptanceRule,
+    AcceptanceRules,
+    SamplingRule,
+)
+from .measure.rules_file import load_acceptance_rules, ready_files
+from .measure.sampling.iso2859 import DEFAULT_LEVEL, INSPECTION_LEVELS, NORMAL, SEVERITIES, SHARE_AQLS, aql_word
+
+READY_RULES, RULES = "READY_RULES", "RULES"
+MIN_KEPT, MAX_SHARE, MAX_RUN, MIN_MEASURED = "MIN_KEPT", "MAX_SHARE", "MAX_RUN", "MIN_MEASURED"
+PLAN, AQL, INSPECTION_LEVEL, SEVERITY = "PLAN", "AQL", "INSPECTION_LEVEL", "SEVERITY"
+ALL, ISO2859 = "all", "iso2859"
+LIMITS = {
+    MIN_KEPT: limits.STANDARD_KEPT,
+    MAX_SHARE: 100 * limits.STANDARD_FAILED_SHARE,
+    MAX_RUN: limits.STANDARD_LONGEST_M,
+    MIN_MEASURED: 100 * limits.STANDARD_MEASURED_SHARE,
+}
+"""What parameters that are numbers hold when nobody changes them."""
+DEFAULTS: dict[str, object] = {
+    **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, INSPECTION_LEVEL: DEFAULT_LEVEL, SEVERITY: NORMAL
+}
+
+
+def stated_rules(run: Run) -> AcceptanceRules:
+    """Raises SettingsError for limits that can't be, and for a parameter that says something else than the file."""
+    given = _given(run)
+    own, ready = (run.text(RULES) if run.parameters.get(RULES) else ""), run.word(READY_RULES)
+    if own and ready:
+        raise SettingsError(messages.TWO_RULES(ready=ready, name=Path(own).name))
+    if not own and not ready:
+        return _of_parameters(given)
+    rules = load_acceptance_rules(Path(own) if own else ready_files()[ready])
+    said = _as_parameters(rules)
+    for name, value in given.items():
+        if value not in (DEFAULTS[name], said.get(name)):
+            ruled = messages.RULES_SAY_NOTHING() if said.get(name) is None else said[name]
+            raise SettingsError(
+                messages.RULES_AND_PARAMETER(parameter=name, value=value, name=Path(own).name or ready, ruled=ruled)
+            )
+    return rules
+
+
+def check_limit(name: str, value: float, most: float | None = None) -> None:
+    """Raise SettingsError for a number below 0, or above the most there can be."""
+    if value < 0:
+        raise SettingsError(messages.LIMIT_NEGATIVE(parameter=name, value=value))
+    if not (most is None or value <= most):
+        raise SettingsError(messages.LIMIT_NO_SHARE(parameter=name, value=value, least=0, most=most))
+
+
+def standard_aql(run: Run) -> str:
+    """The AQL as the standard writes it, also of a number. Raises SettingsError for one that it does not have."""
+    value = run.parameters.get(AQL)
+    word = aql_word(limits.STANDARD_AQL if value is None or value == "" else run.raster_value(AQL))
+    if word is None:
+        word = aql_word(run.word(AQL))
+    if word is None or word not in SHARE_AQLS:
+        raise SettingsError(messages.AQL_UNKNOWN(aql=value, known=", ".join(SHARE_AQLS)))
+    return word
+
+
+def known_word(run: Run, name: str, known: tuple[str, ...]) -> str:
+    """Of a choice; raises SettingsError for a word that is none of it."""
+    word = run.word(name)
+    if word not in known:
+        raise SettingsError(messages.WORD_UNKNOWN(parameter=name, value=word, known=", ".join(known)))
+    return word
+
+
+def with_standard_aql(parameters: dict[str, Any]) -> dict[str, Any]:
+    """For QGIS's own check: an AQL that is a number, or written in another way, as the standard's word."""
+    word = aql_word(parameters.get(AQL))
+    return parameters if word is None else {**parameters, AQL: word}
+
+
+def _given(run: Run) -> dict[str, object]:
+    """Raises SettingsError for what can't be."""
+    values: dict[str, object] = {}
+    for name, most in ((MIN_KEPT, None), (MAX_SHARE, 100.0), (MAX_RUN, None), (MIN_MEASURED, 100.0)):
+        value = run.real(name)
+        check_limit(name, value, most)
+        values[name] = value
+    values[PLAN] = known_word(run, PLAN, (ALL, ISO2859))
+    values[AQL] = standard_aql(run)
+    values[INSPECTION_LEVEL] = known_word(run, INSPECTION_LEVEL, INSPECTION_LEVELS)
+    values[SEVERITY] = known_word(run, SEVERITY, SEVERITIES)
+    return values
+
+
+def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
+    def limit(name: str) -> float:
+        return float(str(given[name]))
+
+    def source(name: str) -> str:
+        return tr("stated for this decision ({parameter})").format(parameter=name)
+
+    kept, measured = limit(MIN_KEPT), AcceptanceRule(MEASURED_SHARE, limit(MIN_MEASURED) / 100, source(MIN_MEASURED))
+    if given[PLAN] == ISO2859:
+        aql, level, severity = (str(given[name]) for name in (AQL, INSPECTION_LEVEL, SEVERITY))
+        name = tr("at least {kept:g} kept, ISO 2859-1, level {level}, AQL {aql}")
+        sampling = SamplingRule(aql, level, severity, source(PLAN))
+        words = name.format(kept=kept, level=level, aql=aql)
+        return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
+    rules = (
+        AcceptanceRule(FAILED_SHARE, limit(MAX_SHARE) / 100, source(MAX_SHARE)),
+        AcceptanceRule(LONGEST_FAILURE, limit(MAX_RUN), source(MAX_RUN)),
+        measured,
+    )
+    name = tr("at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break")
+    words = name.format(kept=kept, share=limit(MAX_SHARE), run=limit(MAX_RUN))
+    return AcceptanceRules(words, kept, source(MIN_KEPT), rules)
+
+
+def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:
+    """What a file says, in the parameters' units."""
+    said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: ISO2859 if rules.sampling else ALL}
+    for name, check, scale in (
+        (MAX_SHARE, FAILED_SHARE, 100), (MAX_RUN, LONGEST_FAILURE, 1), (MIN_MEASURED, MEASURED_SHARE, 100)
+    ):
+        limit = rules.limit(check)
+        if limit is not None:
+            said[name] = round(limit * scale, 9)
+    if rules.sampling is not None:
+        said[AQL], said[INSPECTION_LEVEL] = rules.sampling.aql, rules.sampling.inspection_level
+        said[SEVERITY] = rules.sampling.severity
+    return said
