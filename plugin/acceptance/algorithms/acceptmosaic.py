@@ -38,8 +38,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without "
-        "a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of the decision. A piece "
-        "of seam fails when it kept less than what is asked for. What could not be measured never counts as passed."
+        "a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece "
+        "of seam fails when it kept less than is asked for. What could not be measured never counts as passed."
     )
     RASTER_LISTS = (SEAMS, common.MOSAIC)
 

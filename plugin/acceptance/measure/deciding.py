@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ...imagery.message import Exceeding, Message
-from ...imagery.statistics.agreement import Agreement
 from ...imagery.statistics.intervals import Interval
 from . import messages
 from .acceptance_rules import (
@@ -31,12 +30,6 @@ from .measured_pieces import is_unclear, metre_figures, piece_state, sheet_figur
 from .observing import observers, windows_over
 from .sampled_lot import sampled_lot
 from .share_interval import failed_share_interval
-
-_WORDS = {
-    FAILED_SHARE: (messages.SHARE_KEPT, messages.SHARE_EXCEEDED),
-    LONGEST_FAILURE: (messages.RUN_KEPT, messages.RUN_EXCEEDED),
-    MEASURED_SHARE: (messages.MEASURED_ENOUGH, messages.MEASURED_TOO_LITTLE),
-}
 
 
 def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0) -> Decision:
@@ -83,9 +76,23 @@ def _outcome(rule: AcceptanceRule, value: float | None) -> RuleOutcome:
         sentence = messages.NOTHING_WAS_MEASURED()
         return RuleOutcome(rule.check, None, rule.limit, rule.is_least, None, rule.source, sentence)
     passed = rule.passes(value)
-    told = value if rule.is_least else Exceeding(value, rule.limit) if not passed else value
-    sentence = _WORDS[rule.check][not passed](value=told, limit=rule.limit)
+    sentence = _rule_sentence(rule, value, passed)
     return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence)
+
+
+def _rule_sentence(rule: AcceptanceRule, value: float, passed: bool) -> Message:
+    limit, above = rule.limit, Exceeding(value, rule.limit)
+    if rule.check == FAILED_SHARE:
+        if passed:
+            return messages.SHARE_KEPT(value=value, limit=limit)
+        return messages.SHARE_EXCEEDED(value=above, limit=limit)
+    if rule.check == LONGEST_FAILURE:
+        if passed:
+            return messages.RUN_KEPT(value=value, limit=limit)
+        return messages.RUN_EXCEEDED(value=above, limit=limit)
+    if passed:
+        return messages.MEASURED_ENOUGH(value=value, limit=limit)
+    return messages.MEASURED_TOO_LITTLE(value=value, limit=limit)
 
 
 def _interval(delivery: Delivery, states: Sequence[PieceState]) -> Interval | None:
@@ -118,7 +125,7 @@ def _decision_sentence(rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], 
     why = reasons[0]
     for also in reasons[1:]:
         why = messages.AND(why=why, also=also)
-    return (messages.ACCEPTED if accepted else messages.REJECTED)(rules=rules.name, why=why)
+    return messages.ACCEPTED(rules=rules.name, why=why) if accepted else messages.REJECTED(rules=rules.name, why=why)
 
 
 def _figures(
@@ -141,14 +148,16 @@ def _figures(
 
 
 def _observers_sentences(seen: Observers | None) -> Iterator[Message]:
-    if seen is not None and seen.both is not None:
-        yield _agreement_sentence(seen.both, messages.OBSERVERS_AGREE, messages.OBSERVERS_WITHOUT_KAPPA)
-    if seen is not None and seen.with_tool is not None:
-        yield _agreement_sentence(seen.with_tool, messages.TOOL_AGREES, messages.TOOL_WITHOUT_KAPPA)
-
-
-def _agreement_sentence(found: Agreement, with_kappa: Message, without: Message) -> Message:
-    if found.kappa is None:
-        return without(count=found.count, agreed=found.agreed)
-    kappa = found.kappa
-    return with_kappa(count=found.count, agreed=found.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high)
+    both, tool = (None, None) if seen is None else (seen.both, seen.with_tool)
+    if both is not None and both.kappa is not None:
+        yield messages.OBSERVERS_AGREE(
+            count=both.count, agreed=both.agreed, kappa=both.kappa.value, low=both.kappa.low, high=both.kappa.high
+        )
+    elif both is not None:
+        yield messages.OBSERVERS_WITHOUT_KAPPA(count=both.count, agreed=both.agreed)
+    if tool is not None and tool.kappa is not None:
+        yield messages.TOOL_AGREES(
+            count=tool.count, agreed=tool.agreed, kappa=tool.kappa.value, low=tool.kappa.low, high=tool.kappa.high
+        )
+    elif tool is not None:
+        yield messages.TOOL_WITHOUT_KAPPA(count=tool.count, agreed=tool.agreed)
