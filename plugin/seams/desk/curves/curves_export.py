@@ -4,13 +4,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import Qgis, QgsApplication
-from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QImage
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QWidget
 
 from ....toolkit.band_titles import band_title
 from ....toolkit.translation import tr
+from ..export_button import ExportButton
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,43 +18,26 @@ if TYPE_CHECKING:
     from .curves_chart import Chart
 
 
-class CurvesExport(QToolButton):
+class CurvesExport(ExportButton):
     """Offers pictures of the chart and tables of its windows."""
 
-    told = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
-
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(tr("Save or copy what is shown: as a picture, or as a table of all values"), parent)
         self._results: list[WindowResult] = []
         self._chart: Chart | None = None
         self._title = self._band = ""
-        self._folder = Path.home()
-        self.setIcon(QgsApplication.getThemeIcon("/mActionSharingExport.svg"))
-        self.setToolTip(tr("Save or copy what is shown: as a picture, or as a table of all values"))
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setAutoRaise(True)
-        self.setMenu(self._make_menu())
-        self.setEnabled(False)
-
-    def offer(self, results: Sequence[WindowResult], chart: Chart | None, title: str, band: str) -> None:
-        """What there is to export from now on; without results nothing."""
-        self._results, self._chart, self._title, self._band = list(results), chart, title, band
-        self.setEnabled(bool(results))
-
-    def _make_menu(self) -> QMenu:
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        for icon, text, tip, slot in (
+        self._offer_formats((
             ("mActionSaveMapAsImage", tr("Save as PNG..."), tr("The picture, for documents"), self.save_png),
             ("mActionSaveAsSVG", tr("Save as SVG..."), tr("The picture, sharp at every size"), self.save_svg),
             ("mActionOpenTable", tr("Save as CSV..."), tr("All rasters and bands of the windows"), self.save_csv),
             ("mActionEditCopy", tr("Copy picture"), tr("To the clipboard"), self.copy_picture),
             ("mActionEditCopy", tr("Copy values"), tr("To the clipboard, for a spreadsheet"), self.copy_values),
-        ):
-            action = menu.addAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text)
-            action.setToolTip(tip)
-            action.triggered.connect(slot)
-        return menu
+        ))
+
+    def offer(self, results: Sequence[WindowResult], chart: Chart | None, title: str, band: str) -> None:
+        """What there is to export from now on; without results nothing."""
+        self._results, self._chart, self._title, self._band = list(results), chart, title, band
+        self.setEnabled(bool(results))
 
     def save_png(self) -> None:
         """Ask where and save the picture."""
@@ -91,23 +73,20 @@ class CurvesExport(QToolButton):
         if chart is None:
             return
         which = f"window_{results[0].window_id}" if len(results) == 1 else f"{len(results)}_windows"
-        suggested = self._folder / f"{which}_{self._band}.{ending}"
-        chosen, _ = QFileDialog.getSaveFileName(self, tr("Save curves"), str(suggested), f"{kind} (*.{ending})")
-        if not chosen:
+        path = self._ask(tr("Save curves"), f"{which}_{self._band}", ending, kind)
+        if path is None:
             return
-        path = Path(chosen) if chosen.lower().endswith(f".{ending}") else Path(f"{chosen}.{ending}")
-        self._folder = path.parent
-        try:
+
+        def write(path: Path) -> None:
             if ending == "csv":
                 chart_export.write_csv(results, path)
             else:
                 chart_export.save_picture(chart, title, path)
-        except OSError as error:
-            text = tr("The curves were not saved to {path}: {error}. Choose another folder.")
-            said, level = text.format(path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
-        else:
-            said, level = tr("The curves were saved to {path}.").format(path=path), Qgis.MessageLevel.Success
-        self.told.emit(said, int(level))
+
+        self._write(
+            write, path, tr("The curves were saved to {path}."),
+            tr("The curves were not saved to {path}: {error}. Choose another folder."),
+        )  # fmt: skip
 
     def _full_title(self) -> str:
         return f"{self._title} ({band_title(self._band)})"

@@ -6,16 +6,16 @@ import io
 from collections.abc import Iterator
 from math import isinf
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
-from qgis.core import Qgis, QgsApplication
-from qgis.PyQt.QtCore import QRectF, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QWidget
 
 from ....imagery.atomic_files import replacing
 from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.translation import tr
+from ..export_button import ExportButton
 from .profile_painter import ProfilePainter, ShownProfile
 
 if TYPE_CHECKING:
@@ -26,33 +26,19 @@ COLUMNS = ("window_id", "level", "from", "to", "kept", "low", "high", "area")
 _WIDTH, _HEIGHT, _SCALE = 560, 340, 3  # px of a picture, and how many dots each is
 
 
-class ProfileExport(QToolButton):
+class ProfileExport(ExportButton):
     """Offers pictures of the chart and a table of its bins."""
 
-    told = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
-
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(tr("Save or copy the seam profile: as a picture, or as a table of all levels"), parent)
         self._result: WindowResult | None = None
         self._shown: ShownProfile | None = None
-        self._folder = Path.home()
-        self.setIcon(QgsApplication.getThemeIcon("/mActionSharingExport.svg"))
-        self.setToolTip(tr("Save or copy the seam profile: as a picture, or as a table of all levels"))
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setAutoRaise(True)
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        for icon, text, tip, slot in (
+        self._offer_formats((
             ("mActionSaveMapAsImage", tr("Save as PNG..."), tr("The picture, for documents"), self.save_png),
             ("mActionOpenTable", tr("Save as CSV..."), tr("All levels and distances"), self.save_csv),
             ("mActionEditCopy", tr("Copy picture"), tr("To the clipboard"), self.copy_picture),
             ("mActionEditCopy", tr("Copy values"), tr("To the clipboard, for a spreadsheet"), self.copy_values),
-        ):
-            action = menu.addAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text)
-            action.setToolTip(tip)
-            action.triggered.connect(slot)
-        self.setMenu(menu)
-        self.setEnabled(False)
+        ))
 
     def offer(self, result: WindowResult | None, shown: ShownProfile | None) -> None:
         """What there is to export from now on; without a result nothing."""
@@ -62,14 +48,14 @@ class ProfileExport(QToolButton):
     def save_png(self) -> None:
         """Ask where and save the picture."""
         shown = self._shown
-        if shown is not None and (path := self._ask("png", tr("PNG picture"))) is not None:
-            self._write(path, lambda unfinished: _save_image(picture(shown), unfinished))
+        if shown is not None:
+            self._save("png", tr("PNG picture"), lambda path: _save_image(picture(shown), path))
 
     def save_csv(self) -> None:
         """Ask where and save the values."""
         result = self._result
-        if result is not None and (path := self._ask("csv", tr("Table with commas"))) is not None:
-            self._write(path, lambda unfinished: unfinished.write_text(table_text(result, ","), encoding="utf-8"))
+        if result is not None:
+            self._save("csv", tr("Table with commas"), lambda path: _save_table(table_text(result, ","), path))
 
     def copy_picture(self) -> None:
         """The picture to the clipboard."""
@@ -81,27 +67,14 @@ class ProfileExport(QToolButton):
         if self._result is not None:
             QApplication.clipboard().setText(table_text(self._result, "\t"))
 
-    def _ask(self, ending: str, kind: str) -> Path | None:
+    def _save(self, ending: str, kind: str, write: Callable[[Path], None]) -> None:
         number = self._result.window_id if self._result is not None else 0
-        suggested = self._folder / f"window_{number}_profile.{ending}"
-        chosen, _ = QFileDialog.getSaveFileName(self, tr("Save seam profile"), str(suggested), f"{kind} (*.{ending})")
-        if not chosen:
-            return None
-        path = Path(chosen) if chosen.lower().endswith(f".{ending}") else Path(f"{chosen}.{ending}")
-        self._folder = path.parent
-        return path
-
-    def _write(self, path: Path, write: object) -> None:
-        assert callable(write)
-        try:
-            with replacing(path) as unfinished:
-                write(unfinished)
-        except OSError as error:
-            text = tr("The seam profile was not saved to {path}: {error}. Choose another folder.")
-            said, level = text.format(path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
-        else:
-            said, level = tr("The seam profile was saved to {path}.").format(path=path), Qgis.MessageLevel.Success
-        self.told.emit(said, int(level))
+        path = self._ask(tr("Save seam profile"), f"window_{number}_profile", ending, kind)
+        if path is not None:
+            self._write(
+                write, path, tr("The seam profile was saved to {path}."),
+                tr("The seam profile was not saved to {path}: {error}. Choose another folder."),
+            )  # fmt: skip
 
 
 def picture(shown: ShownProfile) -> QImage:
@@ -136,5 +109,11 @@ def _rows(result: WindowResult) -> Iterator[tuple[object, ...]]:
 
 
 def _save_image(image: QImage, path: Path) -> None:
-    if not image.save(str(path), "PNG"):
-        raise OSError(tr("the picture could not be written"))
+    with replacing(path) as unfinished:
+        if not image.save(str(unfinished), "PNG"):
+            raise OSError(tr("the picture could not be written"))
+
+
+def _save_table(text: str, path: Path) -> None:
+    with replacing(path) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")
