@@ -149,8 +149,14 @@ class RasterPool:
 
     def close(self) -> None:
         """Forget all of them."""
+        self.emptied()
+
+    def emptied(self) -> list[OpenRaster]:
+        """Forget all of them; they are closed when whoever gets them lets go of them."""
         with self._lock:
+            kept = [raster for raster, _ in self._kept.values()]
             self._kept.clear()
+        return kept
 
 
 _threads = threading.local()

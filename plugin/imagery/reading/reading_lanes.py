@@ -45,7 +45,7 @@ class ReadingLanes:
         return sum(len(lane.pool) for lane in self._lanes)
 
     def let_go(self) -> None:
-        """Close all files, those that are being read as soon as they have been."""
+        """Close all files, in their threads, as a large one takes its time: soon, or when what is read has been."""
         with self._lock:
             self._lane_of.clear()
         for lane in self._lanes:
@@ -53,9 +53,9 @@ class ReadingLanes:
 
     def close(self) -> None:
         """Read nothing more."""
+        self.let_go()
         for lane in self._lanes:
             lane.close()
-        self.let_go()
 
 
 class _Lane:
@@ -72,7 +72,8 @@ class _Lane:
     def let_go(self) -> None:
         """Keep nothing open that was asked for until now."""
         self._turn += 1
-        self.pool.close()
+        if kept := self.pool.emptied():
+            self._thread.submit(kept.clear)
 
     def _read(self, turn: int, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Found | RasterError:
         try:
@@ -82,4 +83,5 @@ class _Lane:
                 self.pool.close()
 
     def close(self) -> None:
+        """Read nothing more."""
         self._thread.shutdown(wait=False, cancel_futures=True)

@@ -3,7 +3,9 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Iterator
+import time
+import weakref
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,6 +13,7 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reading.reading_lanes import ReadingLanes
 from seam_inspector.plugin.imagery.reading.readings import one_by_one
@@ -27,6 +30,7 @@ from seam_inspector.plugin.seams.measure.window.measured_ahead import KEPT, Meas
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of
 from tests.numbers.synthetic import orthoimage
+from tests.patience import PATIENCE_S
 
 SIZE = (640, 640)
 WINDOW = PixelWindow(64, 64, 512, 512)
@@ -51,6 +55,13 @@ def feathered(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]) ->
     weight = np.clip((np.arange(SIZE[1]) - 308) / 24, 0, 1)
     mosaic = np.round((1 - weight) * left + weight * right).astype(np.uint8)
     return block_of(mosaic_of(make_raster, mosaic), make_raster("a.tif", left), make_raster("b.tif", right))
+
+
+def wait_until(condition: Callable[[], object]) -> None:
+    stop = time.monotonic() + PATIENCE_S
+    while not condition():
+        assert time.monotonic() < stop
+        time.sleep(0.01)
 
 
 def request_of(block: Block, window: PixelWindow = WINDOW, window_id: int = 3) -> WindowRequest:
@@ -105,6 +116,20 @@ def test_each_raster_has_its_thread_and_stays_open_until_it_is_let_go(feathered:
     assert len(lanes(readings)) == 3
 
 
+def test_files_are_closed_by_the_threads_that_read_them(feathered: Block, lanes: ReadingLanes) -> None:
+    """A file of many parts takes long to be closed, and the interface must not wait for it."""
+    closed: list[int] = []
+
+    def opened(raster: OpenRaster) -> int:
+        weakref.finalize(raster, lambda: closed.append(threading.get_ident()))
+        return threading.get_ident()
+
+    (reader,) = lanes([(feathered.mosaic.ref, opened)])
+    lanes.let_go()
+    wait_until(lambda: closed)
+    assert closed == [reader]
+
+
 @pytest.mark.skipif(not os.path.isdir("/proc/self/fd"), reason="open files are counted on Linux")
 def test_two_hundred_windows_leave_no_more_files_open(feathered: Block, lanes: ReadingLanes) -> None:
     def count() -> int:
@@ -116,7 +141,7 @@ def test_two_hundred_windows_leave_no_more_files_open(feathered: Block, lanes: R
         assert read_live(request, lanes) is not None
     assert count() <= before + 3
     lanes.let_go()
-    assert count() == before
+    wait_until(lambda: count() == before)
 
 
 def test_what_was_measured_ahead_is_there_and_the_same(feathered: Block, lanes: ReadingLanes) -> None:
