@@ -2,11 +2,12 @@
 
 In an image with little random noise the relative variance of the details rises from level to level. White noise
 has 3/4 of its variance in level 1, 3/16 in level 2, 3/64 in level 3, so it lifts level 1 above level 2 first, and
-level 2 above level 3 where it is strong (Pyka 2009). Everything here is plain arrays and numbers.
+level 2 above level 3 where it is strong (Pyka 2009). Grain coarser than a pixel does not, and is looked for in the
+spectrum of the quiet ground (``grain``). Everything here is plain arrays and numbers.
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -18,20 +19,27 @@ from ...imagery.errors import SettingsError
 from ...imagery.message import Message
 from ...imagery.wavelets import Curve, check_decomposition, clip_curves, detail_components
 from . import messages
+from .grain import Grain, curve_if_white, possible_grains, recognised_grain
+from .inner_coefficients import inner_ranges
+from .quiet_ground import QuietGround, clipped_pixels, quiet_ground
 
 MIN_NOISE_LEVELS = 2  # the rule compares level 1 with level 2
 GAUSSIAN_QUARTILE = 0.6745  # median of the absolute value of a standard normal variable
+MIN_KURTOSIS_VALUES = 192  # 3 x 8 x 8: the kurtosis of fewer Gaussian values is off by more than a third of a unit
 
 
 class NoiseVerdict(str, Enum):
     """What the curve says about random noise."""
 
     LOW = "low"
-    """Rises at every level."""
+    """Rises at every level, and would if the noise that can be there were white."""
+    UNCERTAIN = "uncertain"
+    """Rises at every level, but grain as strong as moderate noise can hide in the texture."""
     MODERATE = "moderate"
-    """Falls from level 1 to 2, then rises; also any other curve that neither rises always nor falls on."""
+    """Falls from level 1 to 2, then rises, or would if the grain were white; also any other curve that neither rises
+    always nor falls on."""
     STRONG = "strong"
-    """Falls from level 1 to 2 and from 2 to 3."""
+    """Falls from level 1 to 2 and from 2 to 3, or would if the grain were white."""
     NOT_MEASURABLE = "not measurable"
     """There is no curve."""
 
@@ -43,12 +51,23 @@ class BandNoise:
     curve: Curve
     kurtosis: tuple[float | None, ...]
     """Of level 1 (finest), 2, ..., R: fourth central moment over squared variance of the level's three detail
-    components pooled; 3 for Gaussian noise, more for edges and structure. None where a level is empty."""
+    components, each less its mean, pooled; 3 for Gaussian noise, more for edges and structure. Without the coefficients
+    that see the opposite border. None where a level is empty or too few are left."""
     sigma: float | None
     """Robust standard deviation of the noise, DN; None for a constant band."""
     verdict: NoiseVerdict
     note: Message | None = None
     """Why it can't be measured, or what to take care of."""
+    largest_sigma: float | None = None
+    """The most that white or correlated noise (up to 1.1 px) can be, by the quietest ground, DN; None where unknown."""
+    grain: Grain | None = None
+    """Noise coarser than a pixel, where the quiet ground has its spectrum."""
+
+
+SEVERITY = (
+    NoiseVerdict.NOT_MEASURABLE, NoiseVerdict.LOW, NoiseVerdict.UNCERTAIN, NoiseVerdict.MODERATE, NoiseVerdict.STRONG,
+)
+"""The verdicts from the mildest on."""
 
 
 def check_noise_settings(wavelet: str, levels: int) -> None:
@@ -94,33 +113,80 @@ def measure_noise(
     curves, _ = clip_curves(bands, wavelet, levels, weights)
     all_names = [*names, LUMINANCE] if weights else list(names)
     kurtoses: list[list[float | None]] = [[] for _ in curves]
+    grounds: list[list[QuietGround | None]] = [[] for _ in curves]
     sigmas: list[float] = []
+    is_filled = masked is not None and bool(masked.any())
+    silent = clipped_pixels(bands)
+    if is_filled:
+        silent |= np.asarray(masked)
+    inner = list(zip(*(inner_ranges(length, wavelet, levels) for length in bands.shape[1:])))
     for level, components in enumerate(detail_components(bands, wavelet, levels), 1):
         if weights:
             mixed = np.tensordot(components[:, :3], np.array(weights, components.dtype), axes=(1, 0))
             components = np.concatenate([components, mixed[:, np.newaxis]], axis=1)
-        kept = None if masked is None or not masked.any() else ~_in_cells(masked, 2**level)
-        for index, (own, curve) in enumerate(zip(kurtoses, curves)):
-            details = components[:, index] if kept is None else components[:, index][:, kept]
-            empty = curve.variance == 0 or curve.detail[level - 1] <= imagery_limits.MIN_SHARE
-            own.append(None if empty else _kurtosis(details))
+        kept = ~_in_cells(np.asarray(masked), 2**level) if is_filled else None
+        usable = ~_in_cells(silent, 2**level)[inner[level - 1]]
+        for index, curve in enumerate(curves):
+            details = components[:, index]
             if level == 1:
-                sigmas.append(float(np.median(np.abs(details[2]))) / GAUSSIAN_QUARTILE)
+                finest = details[2] if kept is None else details[2][kept]
+                sigmas.append(float(np.median(np.abs(finest))) / GAUSSIAN_QUARTILE)
+            details = details[(slice(None), *inner[level - 1])]
+            grounds[index].append(quiet_ground(details, usable))
+            empty = curve.variance == 0 or curve.detail[level - 1] <= imagery_limits.MIN_SHARE
+            values = details.reshape(3, -1) if kept is None else details[:, kept[inner[level - 1]]]
+            kurtoses[index].append(None if empty else _kurtosis(values))
     measured = {}
-    for name, curve, kurtosis, sigma in zip(all_names, curves, kurtoses, sigmas):
+    for name, curve, kurtosis, sigma, ground in zip(all_names, curves, kurtoses, sigmas, grounds):
         if curve.variance == 0:
             verdict, note = NoiseVerdict.NOT_MEASURABLE, messages.NOISE_CONSTANT(name=raster, band=name)
             measured[name] = BandNoise(curve, tuple(kurtosis), None, verdict, note)
         else:
-            measured[name] = BandNoise(curve, tuple(kurtosis), sigma, *noise_verdict(curve.detail))
+            measured[name] = _judged(curve, tuple(kurtosis), sigma, ground, wavelet)
     if weights:
         measured = {LUMINANCE: measured[LUMINANCE], **measured}
     return measured
 
 
+def noisiest_band(measured: Mapping[str, BandNoise]) -> str:
+    """The band that stands for a clip: of the strongest verdict, and among those of the largest sigma.
+
+    The luminance is only looked at where there is nothing else: it averages the noise of its bands away.
+    """
+    bands = [name for name in measured if name != LUMINANCE] or list(measured)
+    return max(bands, key=lambda name: (SEVERITY.index(measured[name].verdict), measured[name].sigma or 0.0))
+
+
+def _judged(
+    curve: Curve, kurtosis: tuple[float | None, ...], sigma: float, ground: Sequence[QuietGround | None], wavelet: str
+) -> BandNoise:
+    """By the curve; and by the noise that the quiet ground has, or has room for, as if that were white."""
+    variances = [share * curve.variance for share in curve.detail]
+
+    def if_white(grain: Grain) -> NoiseVerdict:
+        return noise_verdict(curve_if_white(variances, grain, wavelet))[0]
+
+    verdict, note = noise_verdict(curve.detail)
+    possible = possible_grains(ground, wavelet)
+    largest = None if possible is None else max(grain.sigma for grain in possible)
+    grain = recognised_grain(ground, wavelet)
+    if grain is not None and SEVERITY.index(if_white(grain)) > SEVERITY.index(verdict):
+        verdict, note = if_white(grain), messages.GRAIN_FOUND(size=grain.size, sigma=grain.sigma)
+    elif verdict is NoiseVerdict.LOW and possible is None:
+        verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_UNKNOWN()
+    elif verdict is NoiseVerdict.LOW:
+        hidden = [one.sigma for one in possible or () if if_white(one) is not NoiseVerdict.LOW]
+        if hidden:
+            verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_MAY_HIDE(sigma=max(hidden))
+    return BandNoise(curve, kurtosis, sigma, verdict, note, largest, grain)
+
+
 def _kurtosis(details: np.ndarray) -> float | None:
-    """Fourth central moment over squared variance of all values; None where they do not vary."""
-    deviations = details.ravel() - details.dtype.type(details.mean(dtype=np.float64))
+    """Fourth moment over squared variance of the values of three components, (3, values), each less its mean; None where
+    they do not vary or are too few."""
+    if details.size < MIN_KURTOSIS_VALUES:
+        return None
+    deviations = details - details.mean(axis=1, keepdims=True, dtype=np.float64).astype(details.dtype)
     squares = deviations * deviations
     variance = float(squares.mean(dtype=np.float64))
     squares *= squares

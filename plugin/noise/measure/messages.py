@@ -27,3 +27,14 @@ NOISE_HUMP = Message(
     "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) "
     "or a texture of that size; look at the window.", INFO
 )
+GRAIN_FOUND = Message(
+    "The quiet ground has the spectrum of grain of {size:.1f} px and {sigma:.1f} DN; the curve alone does not show it.", INFO
+)
+GRAIN_MAY_HIDE = Message(
+    "The curve rises, but noise coarser than a pixel (grain) of up to {sigma:.1f} DN can hide in this texture; measure "
+    "smoother ground.", INFO
+)
+GRAIN_UNKNOWN = Message(
+    "The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a larger "
+    "one.", INFO
+)

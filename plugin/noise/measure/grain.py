@@ -1,0 +1,93 @@
+"""Noise that neighbouring pixels share, as the grain of a scanned film: how strong it is, or can be, by its spectrum.
+
+White noise has one variance in all detail coefficients. Grain is white noise made smooth by a Gaussian of so many
+pixels: the finest levels lack it, and beyond its own size it is white. No level has more noise than its quietest
+ground varies, so for each size there is a strength that the grain can't exceed.
+"""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import pywt
+
+from .quiet_ground import QuietGround
+
+FITTED_LEVELS = 3  # levels whose spectrum tells grain from texture
+MAX_HIDDEN_PX = 1.1  # grain up to here is never called low noise; coarser one differs from texture on even ground only
+SIZES_PX = (0.0, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.35, 1.5)
+MIN_GRAIN_PX = 0.4  # below it, noise is as good as white
+MAX_MISFIT = 1.2  # standard deviations of the levels over those of grain, largest over smallest: made grain has 1.1
+MAX_UNEVENNESS = 1.15  # of quiet ground that is grain: made grain has 1.1, images without it 1.2 and more
+_FREQUENCIES = 4096
+
+
+@dataclass(frozen=True)
+class Grain:
+    """Noise of one size."""
+
+    size: float
+    """Standard deviation of the Gaussian that white noise was smoothed by, px; 0 is white."""
+    sigma: float
+    """Standard deviation of the noise, DN."""
+
+
+def possible_grains(ground: Sequence[QuietGround | None], wavelet: str) -> list[Grain] | None:
+    """For each size the strongest grain that the quietest ground of levels 1, 2, ... leaves room for; None where no level
+    is known."""
+    known = [(level, one.least) for level, one in enumerate(ground) if one is not None]
+    if not known:
+        return None
+    return [
+        Grain(size, min(least / math.sqrt(grain_spectrum(wavelet, len(ground), size)[level]) for level, least in known))
+        for size in SIZES_PX
+        if size <= MAX_HIDDEN_PX
+    ]
+
+
+def recognised_grain(ground: Sequence[QuietGround | None], wavelet: str) -> Grain | None:
+    """The grain whose spectrum the quiet ground has, where that is as even as noise is; None elsewhere."""
+    found = [one for one in ground[:FITTED_LEVELS] if one is not None]
+    if len(found) < FITTED_LEVELS or any(one.unevenness > MAX_UNEVENNESS or one.quiet == 0 for one in found):
+        return None
+    quiet = np.array([one.quiet for one in found])
+    ratios = {size: quiet / np.sqrt(grain_spectrum(wavelet, FITTED_LEVELS, size)) for size in SIZES_PX}
+    size = min(ratios, key=lambda size: ratios[size].max() / ratios[size].min())
+    if size < MIN_GRAIN_PX or ratios[size].max() / ratios[size].min() > MAX_MISFIT:
+        return None
+    return Grain(size, float(ratios[size].min()))
+
+
+def curve_if_white(variances: Sequence[float], grain: Grain, wavelet: str) -> list[float]:
+    """The variances of levels 1, 2, ..., were the grain in them white noise of the same strength.
+
+    The paper's rule holds for white noise; so it judges correlated noise by its strength, wherever that lies.
+    """
+    share = np.array([3 / 4**level for level in range(1, len(variances) + 1)])
+    own = grain_spectrum(wavelet, len(variances), grain.size)
+    ground = np.maximum(np.asarray(variances) - share * own * grain.sigma**2, 0)
+    return [float(value) for value in ground + share * grain.sigma**2]
+
+
+@lru_cache(maxsize=1024)
+def grain_spectrum(wavelet: str, levels: int, size: float) -> tuple[float, ...]:
+    """Mean variance of the detail coefficients of levels 1, 2, ... of grain whose variance is 1; all 1 for white noise."""
+    frequency = np.fft.fftfreq(_FREQUENCIES)
+    power = np.exp(-np.square(2 * np.pi * frequency * size))
+    power /= power.mean()
+    bank = pywt.Wavelet(wavelet)
+    variances = []
+    for level in range(levels):
+        low, high = (_gain(taps, frequency * 2**level) for taps in (bank.dec_lo, bank.dec_hi))
+        across, power = power * high, power * low
+        variances.append(float(2 * across.mean() * power.mean() + across.mean() ** 2) / 3)
+    return tuple(variances)
+
+
+def _gain(taps: Sequence[float], frequency: np.ndarray) -> np.ndarray:
+    """What a filter makes of the power at each frequency, cycles per sample."""
+    phases = np.exp(-2j * np.pi * np.outer(frequency, np.arange(len(taps))))
+    return np.asarray(np.abs(phases @ np.asarray(taps)) ** 2)
