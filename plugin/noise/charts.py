@@ -9,30 +9,33 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..imagery.band_names import judged_band
+from ..imagery.band_names import LUMINANCE
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.charts.variance_axes import draw_frame
 from ..toolkit.translation import tr
-from .measure.band_noise import BandNoise
+from .measure.band_noise import BandNoise, noisiest_band
 from .measure.group_noise import ClipNoise
-from .noise_summary import judged_noise
+from .noise_summary import NoiseGroup, class_title, judged_curve, noise_groups
 
 _LINES = {1: "-", 2: "--"}
 _HEADROOM = 1.25
+MAX_PANELS = 8  # classes of windows that a chart shows; the report's table has all
+MAX_TITLE = 40  # characters of a name
 
 
 def draw_noise(
     axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER, line: str = "-", label: str = ""
 ) -> list[Artist]:
-    """The curves of one clip by band, the judged one (luminance, or the only band) bold; see ``noise_rule``."""
+    """The curves of one clip by band, the judged one (the noisiest) bold; see ``draw_rule``."""
     drawn: list[Artist] = []
-    bold = judged_band(measured) if measured else ""
+    bold = noisiest_band(measured) if measured else ""
     spare = iter(style.sources * 9)
     for band, noise in measured.items():
         if noise.curve.variance == 0:
             continue
-        colour = style.text if band == bold else BAND_COLOURS.get(band) or next(spare)
+        is_alone = band in (LUMINANCE, bold)
+        colour = BAND_COLOURS.get(band) or (style.text if is_alone else next(spare))
         detail = noise.curve.detail
         width, size, order = (2.4, 5, 4) if band == bold else (1.3, 3, 3)
         drawn += axes.plot(
@@ -60,7 +63,7 @@ def draw_noise_clip(
     levels = max((len(noise.curve.detail) for noise in measured.values()), default=0)
     known = [noise.curve.detail for noise in measured.values() if noise.curve.variance > 0]
     noise_frame(axes, levels, known, style, logarithmic)
-    bold = measured[judged_band(measured)] if measured else None
+    bold = measured[noisiest_band(measured)] if measured else None
     if bold is not None and bold.curve.variance > 0:
         draw_rule(axes, bold.curve.detail, style)
     draw_noise(axes, measured, style)
@@ -102,39 +105,74 @@ def noise_frame(
         axes.set_ylim(0, max(shares) * _HEADROOM)
 
 
-def noise_figure(results: Sequence[ClipNoise]) -> Figure | None:
-    """Left the range of each group with its mean line (Pyka 2009, figure 3), right the bands of one window
-    (figure 4), dashed those of the second group; None where nothing was measured."""
-    groups = _judged(results)
-    if not groups:
+def noise_figure(results: Sequence[ClipNoise], field: str = "") -> Figure | None:
+    """The range of each group with its mean line (Pyka 2009, figure 3), a panel for each class of windows, and last the
+    bands of one window (figure 4), dashed those of the second group; None where nothing was measured.
+
+    ``field``: what the windows are grouped by.
+    """
+    panels = _panels(results)
+    if not panels:
         return None
-    figure = new_figure(10, 5.2)
-    left, right = figure.subplots(1, 2)
-    levels = len(next(iter(groups.values()))[0])
-    noise_frame(left, levels, [curve for curves in groups.values() for curve in curves])
-    for group, curves in groups.items():
-        words = tr("group {group}: mean and range of {count} windows") if len(groups) > 1 else (
-            tr("mean and range of {count} windows")
+    count = len(panels) + 1
+    columns = 2 if count < 5 else 3
+    rows = math.ceil(count / columns)
+    figure = new_figure(5 * columns, 5.2 * rows)
+    places = iter(figure.subplots(rows, columns).flat)
+    curves = [curve for groups in panels.values() for group in groups for curve in group.curves]
+    for window_class, groups in panels.items():
+        axes = next(places)
+        noise_frame(axes, len(curves[0]), curves)
+        for group in groups:
+            draw_group(axes, group.curves, group.group, _range_words(group))
+        title = tr("{field}: {value}").format(field=field, value=class_title(window_class)) if field else (
+            tr("All windows, noisiest band")
         )
-        draw_group(left, curves, group, words.format(group=group, count=len(curves)))
-    left.set_title(tr("All windows, judged band"), fontsize="medium")
-    _legend(left, 1)
+        axes.set_title(shown_title(title), fontsize="medium", wrap=True)
+        _legend(axes, 1)
+    _draw_example(next(places), results)
+    for spare in places:
+        spare.set_visible(False)
+    return figure
+
+
+def _panels(results: Sequence[ClipNoise]) -> dict[str | None, list[NoiseGroup]]:
+    """The groups with a curve by class of windows; of many classes those with the most windows."""
+    panels: dict[str | None, list[NoiseGroup]] = {}
+    for group in noise_groups(results):
+        if group.curves:
+            panels.setdefault(group.window_class, []).append(group)
+    largest = sorted(panels, key=lambda one: -max(group.windows for group in panels[one]))[:MAX_PANELS]
+    return {one: groups for one, groups in panels.items() if one in largest}
+
+
+def _range_words(group: NoiseGroup) -> str:
+    words = tr("{name}: mean and range of {count} windows") if group.name else tr("mean and range of {count} windows")
+    return words.format(name=shown_title(group.name), count=group.windows)
+
+
+def _draw_example(axes: Axes, results: Sequence[ClipNoise]) -> None:
+    """The bands of one window."""
     shown = example(results)
     first = shown[0]
-    clips = [result.bands for result in shown]
-    curves = [noise.curve.detail for bands in clips for noise in bands.values() if noise.curve.variance > 0]
-    noise_frame(right, levels, curves)
+    curves = [noise.curve.detail for one in shown for noise in one.bands.values() if noise.curve.variance > 0]
+    noise_frame(axes, len(curves[0]), curves)
     if len(shown) == 1:
-        draw_rule(right, first.bands[judged_band(first.bands)].curve.detail)
+        draw_rule(axes, first.bands[noisiest_band(first.bands)].curve.detail)
     for result in shown:
-        group = result.part.member.group
-        label = tr("group {group}:").format(group=group) if len(shown) > 1 else ""
-        draw_noise(right, result.bands, line=_LINES[group], label=label)
-    names = " / ".join(result.part.member.image.ref.name for result in shown)
-    right.set_title(tr("Window {window}: {names}").format(window=first.window_id, names=names), fontsize="medium",
-                    wrap=True)
-    _legend(right, 2)
-    return figure
+        member = result.part.member
+        label = f"{shown_title(member.group_name)}:" if len(shown) > 1 else ""
+        draw_noise(axes, result.bands, line=_LINES[member.group], label=label)
+    names = " / ".join(shown_title(result.part.member.image.ref.name) for result in shown)
+    axes.set_title(tr("Window {window}: {names}").format(window=first.window_id, names=names), fontsize="medium",
+                   wrap=True)
+    _legend(axes, 2)
+
+
+def shown_title(name: str) -> str:
+    """A user's word as a chart shows it: none of it is a formula, and not all of a long one."""
+    cut = name if len(name) <= MAX_TITLE else f"{name[: MAX_TITLE - 3]}..."
+    return cut.replace("$", "\\$").lstrip("_")
 
 
 def _legend(axes: Axes, columns: int) -> None:
@@ -147,27 +185,11 @@ def _legend(axes: Axes, columns: int) -> None:
 def example(results: Sequence[ClipNoise]) -> list[ClipNoise]:
     """The window whose bands are shown: of group 1 (paired where any is) the one with the median noise, with its
     partner of group 2."""
-    measured = [result for result in results if _detail(result) is not None]
+    measured = [result for result in results if judged_curve(result) is not None]
     first = min(result.part.member.group for result in measured)
     candidates = [result for result in measured if result.part.member.group == first]
     candidates = [result for result in candidates if result.paired] or candidates
-    candidates.sort(key=lambda result: result.bands[judged_band(result.bands)].sigma or 0.0)
+    candidates.sort(key=lambda result: result.bands[noisiest_band(result.bands)].sigma or 0.0)
     shown = candidates[len(candidates) // 2]
     same = [result for result in measured if result.window_id == shown.window_id and shown.paired]
     return [shown, *[result for result in same if result.part.member.group != first][:1]]
-
-
-def _judged(results: Sequence[ClipNoise]) -> dict[int, list[tuple[float, ...]]]:
-    """The judged curves by group."""
-    groups: dict[int, list[tuple[float, ...]]] = {}
-    for result in results:
-        detail = _detail(result)
-        if detail is not None:
-            groups.setdefault(result.part.member.group, []).append(detail)
-    return dict(sorted(groups.items()))
-
-
-def _detail(result: ClipNoise) -> tuple[float, ...] | None:
-    """The judged curve of a result; None where there is none."""
-    judged = judged_noise(result)
-    return judged.curve.detail if judged is not None and judged.curve.variance > 0 else None

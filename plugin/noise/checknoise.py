@@ -5,23 +5,32 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterField,
+    QgsProcessingParameterString,
+)
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
+from ..toolkit.algorithms.raster_lists import RASTERS, WINDOWS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
+from .measure import messages
 
 if TYPE_CHECKING:
     from ..imagery.message import Message
+    from ..imagery.rasters import RasterRef
     from .measure.group_noise import ClipNoise
 
 SECOND_GROUP, OUTPUT = "SECOND_GROUP", "OUTPUT"
-LOW_COUNT, MODERATE_COUNT, STRONG_COUNT = "LOW_COUNT", "MODERATE_COUNT", "STRONG_COUNT"
+GROUP_NAME, SECOND_GROUP_NAME, GROUP_FIELD = "GROUP_NAME", "SECOND_GROUP_NAME", "GROUP_FIELD"
+LOW_COUNT, UNCERTAIN_COUNT = "LOW_COUNT", "UNCERTAIN_COUNT"
+MODERATE_COUNT, STRONG_COUNT = "MODERATE_COUNT", "STRONG_COUNT"
 
 
 class CheckNoise(RasterListAlgorithm):
@@ -34,9 +43,12 @@ class CheckNoise(RasterListAlgorithm):
         "@default",
         "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "
         "relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) "
-        "and, where it is strong, level 2 above level 3 (Pyka 2009). Photographs and scans need no place on the map. "
+        "and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the "
+        "spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. Photographs and "
+        "scans need no place on the map. "
         "Two groups of images, of another camera, film or process, are compared; where they show the same ground "
-        "each window is measured on both, with the same pixels left out."
+        "each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as "
+        "land use or scale."
     )
     RASTER_LISTS = (RASTERS, SECOND_GROUP)
 
@@ -48,11 +60,25 @@ class CheckNoise(RasterListAlgorithm):
             tr("Images of another camera, film or process, to be compared with the first. Pixel sizes may differ."),
             optional=True,
         )
+        self.addDescribed(
+            QgsProcessingParameterString(GROUP_NAME, tr("Name of the rasters"), optional=True),
+            tr("What the first group is called in chart and report. Empty: its file's name, or group 1."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterString(SECOND_GROUP_NAME, tr("Name of the second group"), optional=True),
+            tr("What the second group is called. Empty: its file's name, or group 2."),
+        )
         self.addWindows(
             tr(
                 "Rectangles in any reference system; each is measured on all rasters under it. Without windows up to "
                 "25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first."
             )
+        )
+        self.addDescribed(
+            QgsProcessingParameterField(
+                GROUP_FIELD, tr("Group windows by"), parentLayerParameterName=WINDOWS, optional=True
+            ),
+            tr("A field of the windows, as land use, scale or film: chart and report compare its values."),
         )
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
@@ -61,7 +87,8 @@ class CheckNoise(RasterListAlgorithm):
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Noise"), table),
             tr(
                 "One row per window, raster and band: relative variances, kurtosis of each level's details (3 for "
-                "Gaussian noise), sigma in DN, and the verdict low, moderate or strong."
+                "Gaussian noise), sigma in DN, the most that grain can be, and the verdict low, uncertain, moderate or "
+                "strong."
             ),
         )
         self.addDescribed(
@@ -72,6 +99,7 @@ class CheckNoise(RasterListAlgorithm):
         self.addDescribed(*common.report(tr("All figures with the chart on one HTML page.")))
         self.addNumbers({
             LOW_COUNT: tr("Windows with low noise"),
+            UNCERTAIN_COUNT: tr("Windows whose texture could hide grain"),
             MODERATE_COUNT: tr("Windows with moderate noise"),
             STRONG_COUNT: tr("Windows with strong noise"),
         })
@@ -79,29 +107,34 @@ class CheckNoise(RasterListAlgorithm):
     def check(self, run: Run) -> None:
         super().check(run)
         self._settings(run)
+        self._group_field(run)
         run.check_chart()
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.executors import open_executor
         from . import noise_summary, tables
-        from .measure import group_noise, window_plan
+        from .measure import chosen_plan, group_noise, window_plan
         from .measure.band_noise import NoiseVerdict
         from .measure.noise_requests import describe_images
 
         super().check(run)
         wavelet, levels = self._settings(run)
+        field = self._group_field(run)
         run.check_chart()
         images = []
-        for group, name in enumerate(self.RASTER_LISTS, 1):
-            found, notices = describe_images(self.refs[name], group)
+        names = (run.text(GROUP_NAME), run.text(SECOND_GROUP_NAME))
+        for group, (name, given) in enumerate(zip(self.RASTER_LISTS, names), 1):
+            title = given or _default_name(group, self.refs[name])
+            found, notices = describe_images(self.refs[name], group, title)
             images += found
             self.left_out += notices
         self.require_rasters(images)
-        drawn = self.drawn_windows(run)
+        drawn = self.drawn_windows(run, (field,) if field else ())
         if drawn is None:
-            plan = window_plan.plan_chosen(images, levels, run.is_cancelled)
+            plan = chosen_plan.plan_chosen(images, levels, run.is_cancelled)
         else:
-            plan = window_plan.plan_drawn(images, drawn, levels)
+            classes = self._classes(field) if field else None
+            plan = window_plan.plan_drawn(images, drawn, levels, classes)
         notices = [*self.left_out, *plan.notices]
         sizes = window_plan.pixel_size_notice(plan)
         notices += [sizes] if sizes else []
@@ -124,12 +157,26 @@ class CheckNoise(RasterListAlgorithm):
         run.inform(", ".join(f"{tr(word)}: {counts[verdict]}" for verdict, word in words.items()))
         return {
             OUTPUT: output_id,
-            **run.save(common.CHART, lambda path: _save_chart(path, results)),
-            **run.save(common.REPORT, lambda path: _save_report(path, results, notices, wavelet, levels)),
+            **run.save(common.CHART, lambda path: _save_chart(path, results, field)),
+            **run.save(common.REPORT, lambda path: _save_report(path, results, notices, wavelet, levels, field)),
             LOW_COUNT: counts[NoiseVerdict.LOW],
+            UNCERTAIN_COUNT: counts[NoiseVerdict.UNCERTAIN],
             MODERATE_COUNT: counts[NoiseVerdict.MODERATE],
             STRONG_COUNT: counts[NoiseVerdict.STRONG],
         }
+
+    def _group_field(self, run: Run) -> str:
+        """What windows are grouped by; empty when they are not. Raises SettingsError when there are none."""
+        field = run.text(GROUP_FIELD)
+        if field and not run.parameters.get(WINDOWS):
+            raise SettingsError(messages.GROUP_FIELD_WITHOUT_WINDOWS())
+        return field
+
+    def _classes(self, field: str) -> dict[int, str | None]:
+        """What each window is grouped by. Raises SettingsError when the windows have no such field."""
+        if any(field not in values for values in self.window_values.values()):
+            raise SettingsError(messages.GROUP_FIELD_UNKNOWN(field=field))
+        return {window: values[field] for window, values in self.window_values.items()}
 
     def _settings(self, run: Run) -> tuple[str, int]:
         """Wavelet and levels. Raises SettingsError when they can't be used."""
@@ -140,19 +187,24 @@ class CheckNoise(RasterListAlgorithm):
         return wavelet, levels
 
 
-def _save_chart(path: Path, results: Sequence[ClipNoise]) -> bool:
+def _default_name(group: int, refs: Sequence[RasterRef]) -> str:
+    """A group of one image is called as its file is."""
+    return refs[0].name if len(refs) == 1 else tr("group {group}").format(group=group)
+
+
+def _save_chart(path: Path, results: Sequence[ClipNoise], field: str) -> bool:
     from ..toolkit.charts.figure_files import save_figure
     from .charts import noise_figure
 
-    figure = noise_figure(results)
+    figure = noise_figure(results, field)
     if figure is not None:
         save_figure(figure, path)
     return figure is not None
 
 
 def _save_report(
-    path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int
+    path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int, field: str
 ) -> None:
     from .report import save_noise_report
 
-    save_noise_report(path, results, notices, wavelet, levels)
+    save_noise_report(path, results, notices, wavelet, levels, field)

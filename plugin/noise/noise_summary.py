@@ -1,19 +1,22 @@
 """What was found about random noise, in plain words. Knows no matplotlib."""
 from __future__ import annotations
 
+import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
-from ..imagery.band_names import judged_band
+from ..toolkit.attribute_values import number
 from ..toolkit.band_titles import band_title
 from ..toolkit.translation import sentence, tr
-from .measure.band_noise import BandNoise, NoiseVerdict
+from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
 from .measure.group_noise import ClipNoise
 
 VERDICT_WORDS = {
     NoiseVerdict.LOW: QT_TRANSLATE_NOOP("@default", "low"),
+    NoiseVerdict.UNCERTAIN: QT_TRANSLATE_NOOP("@default", "uncertain"),
     NoiseVerdict.MODERATE: QT_TRANSLATE_NOOP("@default", "moderate"),
     NoiseVerdict.STRONG: QT_TRANSLATE_NOOP("@default", "strong"),
     NoiseVerdict.NOT_MEASURABLE: QT_TRANSLATE_NOOP("@default", "not measurable"),
@@ -21,29 +24,87 @@ VERDICT_WORDS = {
 
 
 def verdict_counts(results: Iterable[ClipNoise]) -> Counter[NoiseVerdict]:
-    """How many windows of rasters have each verdict."""
-    return Counter(verdict_of(result) for result in results)
+    """How many windows have each verdict. A window that several images of a group show counts once in the group, with
+    their strongest verdict: it is the same ground."""
+    found: dict[tuple[int, int], NoiseVerdict] = {}
+    for result in results:
+        window = result.part.member.group, result.window_id
+        found[window] = max(found.get(window, NoiseVerdict.NOT_MEASURABLE), verdict_of(result), key=SEVERITY.index)
+    return Counter(found.values())
 
 
 def verdict_of(result: ClipNoise) -> NoiseVerdict:
-    """The verdict of the judged band."""
+    """The verdict of the noisiest band."""
     judged = judged_noise(result)
     return judged.verdict if judged else NoiseVerdict.NOT_MEASURABLE
 
 
 def judged_noise(result: ClipNoise) -> BandNoise | None:
-    """The noise of the judged band; None where nothing could be measured."""
-    return result.bands[judged_band(result.bands)] if result.bands else None
+    """The noise of the noisiest band; None where nothing could be measured."""
+    return result.bands[noisiest_band(result.bands)] if result.bands else None
+
+
+def judged_curve(result: ClipNoise) -> tuple[float, ...] | None:
+    """The curve that a window is judged by; None where there is none."""
+    judged = judged_noise(result)
+    return judged.curve.detail if judged is not None and judged.curve.variance > 0 else None
+
+
+@dataclass(frozen=True)
+class NoiseGroup:
+    """What was measured on the windows of one class in one group of images."""
+
+    window_class: str | None
+    group: int
+    name: str
+    """Of the group of images."""
+    results: tuple[ClipNoise, ...]
+
+    @property
+    def windows(self) -> int:
+        """How many there are; ground that several images show counts once."""
+        return len({result.window_id for result in self.results})
+
+    @property
+    def curves(self) -> list[tuple[float, ...]]:
+        """Those that are judged."""
+        return [curve for result in self.results if (curve := judged_curve(result)) is not None]
+
+
+def noise_groups(results: Sequence[ClipNoise]) -> list[NoiseGroup]:
+    """The results by class of windows, numbers by size and those without one last, and by group of images."""
+    found: dict[tuple[str | None, int], list[ClipNoise]] = {}
+    for result in results:
+        found.setdefault((result.window_class, result.part.member.group), []).append(result)
+
+    def order(key: tuple[str | None, int]) -> tuple[bool, float, str, int]:
+        value = number(key[0])
+        return key[0] is None, math.inf if value is None else value, key[0] or "", key[1]
+
+    return [
+        NoiseGroup(key[0], key[1], found[key][0].part.member.group_name, tuple(found[key]))
+        for key in sorted(found, key=order)
+    ]
+
+
+def class_title(window_class: str | None) -> str:
+    """A class of windows in words."""
+    return tr("no value") if window_class is None else window_class
 
 
 def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
     """The judged band of a clip: how much noise, and its numbers; why not, where it can't be measured."""
-    judged = bands[judged_band(bands)]
+    name = noisiest_band(bands)
+    judged = bands[name]
     note = sentence(judged.note) if judged.note else ""
     if judged.sigma is None:
         return note
-    words = tr("{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).").format(
-        finding=_curve_clause(judged), sigma=_number(judged.sigma, 2), kurtosis=_number(judged.kurtosis[0], 1)
+    words = tr("{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).")
+    if len(bands) > 1:
+        words = tr("{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).")
+    words = words.format(
+        finding=_curve_clause(judged), band=band_title(name), sigma=_number(judged.sigma, 2),
+        kurtosis=_number(judged.kurtosis[0], 1),
     )
     return f"{words} {note}".strip()
 
@@ -54,8 +115,9 @@ def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
     for name, noise in bands.items():
         line = f"{band_title(name)}: {tr(VERDICT_WORDS[noise.verdict])}"
         if noise.sigma is not None:
-            numbers = tr("sigma {sigma} DN, kurtosis by level {kurtosis}").format(
-                sigma=_number(noise.sigma, 2), kurtosis=" / ".join(_number(value, 1) for value in noise.kurtosis)
+            numbers = tr("sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}").format(
+                sigma=_number(noise.sigma, 2), largest=_number(noise.largest_sigma, 1),
+                kurtosis=" / ".join(_number(value, 1) for value in noise.kurtosis),
             )
             line = f"{line}, {numbers}"
         lines.append(line)
@@ -65,6 +127,10 @@ def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
 def _curve_clause(noise: BandNoise) -> str:
     if noise.verdict is NoiseVerdict.LOW:
         return tr("Low noise: the curve rises at every level")
+    if noise.verdict is NoiseVerdict.UNCERTAIN:
+        return tr("Uncertain")  # the note says why
+    if noise.verdict is NoiseVerdict.STRONG and noise.note is not None:
+        return tr("Strong noise")  # the note says why
     if noise.verdict is NoiseVerdict.STRONG:
         return tr("Strong noise: the curve falls from level 1 to 2 and from 2 to 3")
     if noise.note is None:

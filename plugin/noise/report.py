@@ -5,22 +5,34 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from ..imagery.message import Message
+from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, each_raster
 from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import sentence, tr
 from .charts import noise_figure
+from .measure.band_noise import noisiest_band
 from .measure.group_noise import ClipNoise
 from .measure.noise_requests import GroupedImage
-from .noise_summary import VERDICT_WORDS, judged_noise, verdict_counts, verdict_of
+from .noise_summary import (
+    VERDICT_WORDS,
+    NoiseGroup,
+    class_title,
+    judged_noise,
+    noise_groups,
+    verdict_counts,
+    verdict_of,
+)
 
 
 def save_noise_report(
-    path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int
+    path: Path, results: Sequence[ClipNoise], notices: Iterable[Message], wavelet: str, levels: int, field: str = ""
 ) -> None:
-    """Write the report. Raises SettingsError where no file can be."""
-    counts, figure = verdict_counts(results), noise_figure(results)
-    headings, windows = _windows(results, levels)
+    """Write the report. ``field``: what the windows are grouped by. Raises SettingsError where no file can be."""
+    counts, figure = verdict_counts(results), noise_figure(results, field)
+    groups = noise_groups(results)
+    headings, windows = _windows(results, levels, field)
+    grouped_headings, grouped = _groups(groups, levels, field)
     save_page(
         path,
         "random_noise",
@@ -32,12 +44,36 @@ def save_noise_report(
         notices=sentences_once(notices),
         chart=None if figure is None else svg_text(figure),
         verdicts=[tr(words) for words in VERDICT_WORDS.values()],
+        group_headings=grouped_headings,
+        groups=grouped if len(groups) > 1 else [],
         rasters=_rasters(results),
         headings=headings,
         windows=windows,
         wavelet=wavelet,
         levels=levels,
     )
+
+
+def _groups(groups: Sequence[NoiseGroup], levels: int, field: str) -> tuple[list[str], list[list[object]]]:
+    """A row for each class of windows and group of images: what Pyka 2009 compares."""
+    headings = [field] if field else []
+    headings += [tr("group"), tr("windows"), *(tr(words) for words in VERDICT_WORDS.values())]
+    headings += [tr("mean detail {level}").format(level=level) for level in range(1, levels + 1)]
+    headings.append(tr("mean sigma (DN)"))
+    rows: list[list[object]] = []
+    for group in groups:
+        counts, curves = verdict_counts(group.results), group.curves
+        sigmas = [judged.sigma for one in group.results if (judged := judged_noise(one)) and judged.sigma is not None]
+        means = [f"{sum(shares) / len(curves):.4f}" for shares in zip(*curves)] if curves else [""] * levels
+        rows.append([
+            *([class_title(group.window_class)] if field else []),
+            group.name,
+            group.windows,
+            *(counts[verdict] for verdict in VERDICT_WORDS),
+            *means,
+            f"{sum(sigmas) / len(sigmas):.2f}" if sigmas else "",
+        ])
+    return headings, rows
 
 
 def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
@@ -52,7 +88,7 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
         size = member.ground_sample_distance
         rows.append([
             member.image.ref.name,
-            member.group,
+            member.group_name,
             "" if size is None else f"{size:.3g} m",
             *(counts[verdict] for verdict in VERDICT_WORDS),
             f"{min(sigmas):.2f}" if sigmas else "",
@@ -62,27 +98,33 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
     return rows
 
 
-def _windows(results: Sequence[ClipNoise], levels: int) -> tuple[list[str], list[list[object]]]:
-    """The judged band of every window, headings and rows; what could not be measured, and notes, in words."""
+def _windows(results: Sequence[ClipNoise], levels: int, field: str) -> tuple[list[str], list[list[object]]]:
+    """The noisiest band of every window, headings and rows; what could not be measured, and notes, in words."""
     rows = []
     for result in results:
         judged, window = judged_noise(result), result.part.window
-        head = [result.window_id, result.part.member.image.ref.name, result.part.member.group]
+        band = band_title(noisiest_band(result.bands)) if len(result.bands) > 1 else ""
+        member = result.part.member
+        head = [result.window_id, class_title(result.window_class), member.image.ref.name, member.group_name]
         if judged is None or judged.sigma is None:
-            figures = [""] * (levels + 2)
+            figures = [""] * (levels + 3)
             reason = result.reason or (judged.note if judged else None)
         else:
             known = ("-" if kurtosis is None else f"{kurtosis:.1f}" for kurtosis in judged.kurtosis)
-            figures = [f"{judged.sigma:.2f}", *(f"{share:.4f}" for share in judged.curve.detail)]
+            largest = "" if judged.largest_sigma is None else f"{judged.largest_sigma:.1f}"
+            figures = [f"{judged.sigma:.2f}", largest, *(f"{share:.4f}" for share in judged.curve.detail)]
             figures.append("\u00a0\u00a0".join(known))
             reason = judged.note
         place = f"{window.column},\u00a0{window.row}"
-        rows.append([*head, tr(VERDICT_WORDS[verdict_of(result)]), *figures, place, sentence(reason) if reason else ""])
-    headings = [tr("window"), tr("raster"), tr("group"), tr("noise"), tr("sigma (DN)")]
+        words = sentence(reason) if reason else ""
+        rows.append([*head, tr(VERDICT_WORDS[verdict_of(result)]), band, *figures, place, words])
+    headings = [tr("window"), field, tr("raster"), tr("group"), tr("noise"), tr("band"), tr("sigma (DN)")]
+    headings.append(tr("largest possible"))
     headings += [tr("detail {level}").format(level=level) for level in range(1, levels + 1)]
     headings += [tr("kurtosis by level"), tr("column, row"), tr("note")]
-    group, note = 2, len(headings) - 1
-    left_out = {group} if len({row[group] for row in rows}) < 2 else set()
-    left_out |= set() if any(row[note] for row in rows) else {note}
+    of_class, group, band_column, note = 1, 3, 5, len(headings) - 1
+    left_out = set() if field else {of_class}
+    left_out |= {group} if len({row[group] for row in rows}) < 2 else set()
+    left_out |= {column for column in (band_column, note) if not any(row[column] for row in rows)}
     shown = [i for i in range(len(headings)) if i not in left_out]
     return [headings[i] for i in shown], [[row[i] for i in shown] for row in rows]

@@ -29,6 +29,11 @@ def noise_fields(levels: int) -> QgsFields:
         ("width", "integer"),
         ("height", "integer"),
         ("pixel_size", "real"),
+        ("group_name", "text"),
+        ("class", "text"),
+        ("largest_sigma", "real"),
+        ("grain", "real"),
+        ("grain_sigma", "real"),
     )
 
 
@@ -38,14 +43,17 @@ def noise_features(result: ClipNoise, levels: int) -> Iterator[QgsFeature]:
     member, window = result.part.member, result.part.window
     head: list[object] = [member.image.ref.name, member.group, result.window_id]
     tail = [window.column, window.row, window.width, window.height, member.ground_sample_distance]
+    tail += [member.group_name or None, result.window_class]
     nothing: list[object] = [None] * levels
     if not result.bands:
         reason = sentence(result.reason) if result.reason else None
         unknown = [*nothing, None, *nothing, None, NoiseVerdict.NOT_MEASURABLE.value, reason]
-        yield feature(fields, [*head, None, *unknown, *tail])
+        yield feature(fields, [*head, None, *unknown, *tail, None, None, None])
     for band, noise in result.bands.items():
         known = noise.curve.variance > 0
         shares: list[object] = [*noise.curve.detail, noise.curve.background] if known else [*nothing, None]
         note = sentence(noise.note) if noise.note else None
+        grain: list[object] = [None, None] if noise.grain is None else [noise.grain.size, noise.grain.sigma]
         row = [*head, band, *shares, *noise.kurtosis, noise.sigma, noise.verdict.value, note, *tail]
+        row += [noise.largest_sigma, *grain]
         yield feature(fields, row)

@@ -35,6 +35,13 @@ def texture(shape: tuple[int, int], beta: float = 2.0, seed: int = 0) -> np.ndar
     return (made - made.mean()) / made.std()
 
 
+def patchy_texture(shape: tuple[int, int], beta: float = 2.0, seed: int = 0) -> np.ndarray:
+    """A texture between quiet patches, as woods stand between fields: of mean 0 and standard deviation 1."""
+    patches = 1 / (1 + np.exp(-8 * texture(shape, 5, seed + 500)))
+    made = patches * texture(shape, beta, seed)
+    return (made - made.mean()) / made.std()
+
+
 def orthoimage(
     shape: tuple[int, int], bands: int = 3, seed: int = 0, beta: float = 1.6, dtype: type = np.uint8
 ) -> np.ndarray:

@@ -8,7 +8,6 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QCloseEvent, QHideEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
-from ...imagery.band_names import judged_band
 from ...imagery.drawn_windows import DrawnWindow
 from ...imagery.message import Message
 from ...imagery.rasters import RasterRef
@@ -20,6 +19,7 @@ from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
 from ...toolkit.desk.tooltips import rich_tip
 from ...toolkit.translation import sentence, tr
 from ..jobs import noise_job
+from ..measure.band_noise import noisiest_band
 from ..measure.group_noise import ClipNoise
 from ..noise_summary import band_lines, noise_sentence
 
@@ -172,7 +172,7 @@ class NoisePanel(ChartPanel):
             self._say(sentence(reason) if reason is not None else "")
             return
         words = noise_sentence(result.bands)
-        if result.bands[judged_band(result.bands)].sigma is None:
+        if result.bands[noisiest_band(result.bands)].sigma is None:
             self._say(words)
             return
         if self._chart is None and self._loader.is_alive():

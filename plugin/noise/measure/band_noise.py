@@ -182,8 +182,9 @@ def _judged(
 
 
 def _kurtosis(details: np.ndarray) -> float | None:
-    """Fourth moment over squared variance of the values of three components, (3, values), each less its mean; None where
-    they do not vary or are too few."""
+    """Fourth moment over squared variance of the values of three components, (3, values), each less its mean.
+
+    None where they do not vary or are too few."""
     if details.size < MIN_KURTOSIS_VALUES:
         return None
     deviations = details - details.mean(axis=1, keepdims=True, dtype=np.float64).astype(details.dtype)

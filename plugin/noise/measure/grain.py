@@ -36,8 +36,9 @@ class Grain:
 
 
 def possible_grains(ground: Sequence[QuietGround | None], wavelet: str) -> list[Grain] | None:
-    """For each size the strongest grain that the quietest ground of levels 1, 2, ... leaves room for; None where no level
-    is known."""
+    """For each size the strongest grain that the quietest ground of levels 1, 2, ... leaves room for.
+
+    None where no level is known."""
     known = [(level, one.least) for level, one in enumerate(ground) if one is not None]
     if not known:
         return None
@@ -74,9 +75,10 @@ def curve_if_white(variances: Sequence[float], grain: Grain, wavelet: str) -> li
 
 @lru_cache(maxsize=1024)
 def grain_spectrum(wavelet: str, levels: int, size: float) -> tuple[float, ...]:
-    """Mean variance of the detail coefficients of levels 1, 2, ... of grain whose variance is 1; all 1 for white noise."""
+    """Mean variance of the detail coefficients of levels 1, 2, ... of grain of variance 1; all 1 for white noise."""
     frequency = np.fft.fftfreq(_FREQUENCIES)
-    power = np.exp(-np.square(2 * np.pi * frequency * size))
+    aliases = frequency[:, np.newaxis] + np.arange(-3, 4)  # a scanner samples what is finer than its pixels as well
+    power = np.exp(-np.square(2 * np.pi * aliases * size)).sum(axis=1)
     power /= power.mean()
     bank = pywt.Wavelet(wavelet)
     variances = []

@@ -40,6 +40,8 @@ class ClipNoise:
     """By band name, luminance first where there is one; empty when nothing could be measured."""
     reason: Message | None = None
     """Why nothing could be measured."""
+    window_class: str | None = None
+    """What the window is grouped by."""
 
 
 def measure_window(
@@ -104,11 +106,11 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
     results: dict[Part, ClipNoise] = {}
     for part, clip in zip(request.parts, clips):
         if isinstance(clip, Message):
-            results[part] = ClipNoise(request.window_id, part, request.paired, {}, clip)
+            results[part] = ClipNoise(request.window_id, part, request.paired, {}, clip, request.window_class)
         elif (share := float(clip[1].mean())) > most:
             name = part.member.image.ref.name
             why = imagery_messages.TOO_MANY_INVALID(name=name, share=Exceeding(share, most), most=most)
-            results[part] = ClipNoise(request.window_id, part, request.paired, {}, why)
+            results[part] = ClipNoise(request.window_id, part, request.paired, {}, why, request.window_class)
         else:
             usable.append((part, clip))
     paired = len({part.member.group for part, _ in usable}) > 1
@@ -120,11 +122,11 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
         name, share = part.member.image.ref.name, float(mask.mean())
         if share > most:
             why = messages.MASKED_TOO_MUCH(share=Exceeding(share, most), most=most)
-            results[part] = ClipNoise(request.window_id, part, paired, {}, why)
+            results[part] = ClipNoise(request.window_id, part, paired, {}, why, request.window_class)
         else:
             names = part.member.image.band_names
             measured = measure_noise(filled(bands, mask), names, wavelet, levels, name, mask)
-            results[part] = ClipNoise(request.window_id, part, paired, measured)
+            results[part] = ClipNoise(request.window_id, part, paired, measured, None, request.window_class)
     return [results[part] for part in request.parts]
 
 

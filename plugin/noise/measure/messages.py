@@ -5,6 +5,10 @@ from ...imagery.message import INFO, WARNING, Message
 
 NOISE_LEVELS_TOO_FEW = Message("{levels} levels asked for; the noise rule compares levels, so use at least {least}.")
 # windows and groups
+GROUP_FIELD_WITHOUT_WINDOWS = Message(
+    "Windows are grouped by a field of theirs; give WINDOWS, or leave GROUP_FIELD empty."
+)
+GROUP_FIELD_UNKNOWN = Message("The windows have no field {field}; choose one that they have.")
 RASTER_WITHOUT_WINDOW = Message(
     "{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster.", WARNING
 )
@@ -28,13 +32,14 @@ NOISE_HUMP = Message(
     "or a texture of that size; look at the window.", INFO
 )
 GRAIN_FOUND = Message(
-    "The quiet ground has the spectrum of grain of {size:.1f} px and {sigma:.1f} DN; the curve alone does not show it.", INFO
+    "The quiet ground has the spectrum of grain of {size:.1f} px and {sigma:.1f} DN; the curve alone does not show it.",
+    INFO,
 )
 GRAIN_MAY_HIDE = Message(
     "The curve rises, but noise coarser than a pixel (grain) of up to {sigma:.1f} DN can hide in this texture; measure "
     "smoother ground.", INFO
 )
 GRAIN_UNKNOWN = Message(
-    "The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a larger "
-    "one.", INFO
+    "The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a "
+    "larger one.", INFO
 )

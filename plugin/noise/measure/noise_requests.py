@@ -19,6 +19,7 @@ class GroupedImage:
     image: Raster
     group: int
     """1 or 2."""
+    group_name: str = ""
 
     @property
     def ground_sample_distance(self) -> float | None:
@@ -40,6 +41,8 @@ class NoiseRequest:
 
     window_id: int
     parts: tuple[Part, ...]
+    window_class: str | None = None
+    """What windows are grouped by, as land use or scale; None where they are not, or this one has no value."""
 
     @property
     def paired(self) -> bool:
@@ -55,12 +58,14 @@ class Plan:
     notices: tuple[Message, ...]
 
 
-def describe_images(refs: Iterable[RasterRef], group: int) -> tuple[list[GroupedImage], list[Message]]:
+def describe_images(
+    refs: Iterable[RasterRef], group: int, group_name: str = ""
+) -> tuple[list[GroupedImage], list[Message]]:
     """The images of a group, and notices about those that can't be opened."""
     images, notices = [], []
     for ref in dict.fromkeys(refs):
         try:
-            images.append(GroupedImage(describe(ref), group))
+            images.append(GroupedImage(describe(ref), group, group_name))
         except RasterError as error:
             notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
     return images, notices

@@ -18,7 +18,7 @@ _FREE = 40  # values of a cell that count as independent: 48 of white noise, few
 
 @dataclass(frozen=True)
 class QuietGround:
-    """The details of one level and band where the ground is quiet: standard deviations as pure noise would need them."""
+    """The details of one level and band where the ground is quiet: standard deviations of noise that gives as much."""
 
     least: float
     """On the quietest ground, DN: noise has no more."""
@@ -32,8 +32,8 @@ def quiet_ground(details: np.ndarray, usable: np.ndarray | None = None) -> Quiet
     """What the quiet ground of a level has; None where there are too few cells to choose from.
 
     ``details`` is (3, rows, columns), one level of one band without the coefficients at its border; ``usable``, (rows,
-    columns) of bool, leaves out more. The ground is cut into cells of 4 x 4 coefficients. Of cells with nothing but noise the
-    quieter ones are so by chance, which is allowed for (chi-square).
+    columns) of bool, leaves out more. The ground is cut into cells of 4 x 4 coefficients. Of cells with nothing but
+    noise the quieter ones are so by chance, which is allowed for (chi-square).
     """
     rows, columns = (size // CELL * CELL for size in details.shape[1:])
     shape = (rows // CELL, CELL, columns // CELL, CELL)
@@ -57,7 +57,7 @@ def _by_chance(share: float) -> float:
 
 
 def clipped_pixels(bands: np.ndarray) -> np.ndarray:
-    """(rows, columns): where any band is cut off, the smallest or largest value amid more of it. Noise is missing there."""
+    """(rows, columns): where any band is cut off, its smallest or largest value amid more of it. No noise is there."""
     found = np.zeros(bands.shape[1:], bool)
     for band in bands:
         for value in (band.min(), band.max()):

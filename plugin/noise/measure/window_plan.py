@@ -1,26 +1,26 @@
-"""Which windows of a noise check are measured on which images: drawn ones, or ones chosen on the images."""
+"""Which drawn windows of a noise check are measured on which images."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import Callable
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.drawn_windows import DrawnWindow, extent_on_image, shared_extent, shown_share
-from ...imagery.errors import RasterError, WindowError
-from ...imagery.grids import Extent, PixelWindow, snap_window
+from ...imagery.errors import WindowError
+from ...imagery.grids import Extent, snap_window
 from ...imagery.message import Message
-from ...imagery.open_raster import OpenRaster
-from ...imagery.rasters import Raster
 from . import messages
 from .noise_requests import GroupedImage, NoiseRequest, Part, Plan
-from .window_choice import NOISE_SHRINK, NOISE_WINDOW_PX, choose_windows
 
 MIN_PAIRED_SHARE = 0.5  # of a window: a raster that shows less of it takes no part there
 
 
-def plan_drawn(images: Sequence[GroupedImage], windows: Iterable[DrawnWindow], levels: int) -> Plan:
-    """Requests for drawn windows: each on all images under it.
+def plan_drawn(
+    images: Sequence[GroupedImage], windows: Iterable[DrawnWindow], levels: int,
+    classes: Mapping[int, str | None] | None = None,
+) -> Plan:
+    """Requests for drawn windows: each on all images under it. ``classes``: what windows are grouped by, by their id.
 
     An image that shows less than half of a window takes no part in it, unless no image shows more. Where both
     groups take part the window is cut to what all of them show.
@@ -51,31 +51,8 @@ def plan_drawn(images: Sequence[GroupedImage], windows: Iterable[DrawnWindow], l
         else:
             for one in taken:
                 requests += _requests(drawn.window_id, [one], levels, notices)
-    return Plan(tuple(requests), tuple(notices))
-
-
-def plan_chosen(images: Sequence[GroupedImage], levels: int, cancelled: Callable[[], bool] = lambda: False) -> Plan:
-    """Requests for windows that are chosen on the images, up to 25 on each.
-
-    An image of group 1 that shares ground with images of group 2 gets windows where those are valid too, and they
-    are measured there as well; all others get windows of their own. Windows are numbered through.
-    """
-    requests: list[NoiseRequest] = []
-    notices: list[Message] = []
-    first, second = ([one for one in images if one.group == group] for group in (1, 2))
-    matched: set[int] = set()
-    for one in (*first, *second):
-        if cancelled():
-            break
-        if one.group == 2 and id(one) in matched:
-            continue
-        partners = [other for other in second if _overlap(one.image, other.image)] if one.group == 1 else []
-        found = _chosen(one, partners, levels, notices)
-        for parts in found:
-            requests.append(NoiseRequest(len(requests) + 1, parts))
-            matched.update(id(part.member) for part in parts[1:])
-    if first and second and not any(request.paired for request in requests):
-        notices.append(messages.GROUPS_APART())
+    if classes:
+        requests = [replace(request, window_class=classes.get(request.window_id)) for request in requests]
     return Plan(tuple(requests), tuple(notices))
 
 
@@ -88,43 +65,6 @@ def pixel_size_notice(plan: Plan) -> Message | None:
             if abs(ratio - 1) > imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE:
                 return messages.PIXEL_SIZES_DIFFER(first=f"{sizes[1]:.3g} m", second=f"{sizes[2]:.3g} m")
     return None
-
-
-def _chosen(
-    one: GroupedImage, partners: list[GroupedImage], levels: int, notices: list[Message]
-) -> list[tuple[Part, ...]]:
-    """The windows of an image, each with the partners that show it."""
-    name = one.image.ref.name
-    opened = [(partner, OpenRaster(partner.image.ref)) for partner in partners]
-
-    def shown(window: PixelWindow) -> tuple[Part, ...]:
-        parts = []
-        for partner, source in opened:
-            there = _window_on(one.image, window, partner.image, levels)
-            if there is not None and _is_valid(source, there):
-                parts.append(Part(partner, there))
-        return tuple(parts)
-
-    try:
-        source = OpenRaster(one.image.ref)
-        found: list[tuple[Part, ...]] = []
-        if opened:
-            region = _shared_region(one.image, [partner.image for partner in partners])
-            windows = choose_windows(source, levels, region, lambda window: bool(shown(window)))
-            found = [(Part(one, window), *shown(window)) for window in windows]
-        if not found:
-            found = [(Part(one, window),) for window in choose_windows(source, levels)]
-        found.sort(key=lambda parts: (parts[0].window.row, parts[0].window.column))  # as a file is read best
-    except RasterError as error:
-        notices.append(imagery_messages.SOURCE_LEFT_OUT(name=name, why=error.message))
-        return []
-    if not found:
-        fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
-        notices.append(messages.RASTER_WITHOUT_WINDOW(name=name, fewest=fewest))
-    elif found[0][0].window.width < NOISE_WINDOW_PX:
-        side, wanted = found[0][0].window.width, NOISE_WINDOW_PX
-        notices.append(messages.WINDOWS_SMALLER(name=name, wanted=wanted, side=side))
-    return found
 
 
 def _requests(
@@ -154,41 +94,3 @@ def _common(taken: list[tuple[GroupedImage, Extent]], drawn: DrawnWindow) -> lis
         (x0 + left * (x1 - x0), y0 + bottom * (y1 - y0), x0 + right * (x1 - x0), y0 + top * (y1 - y0))
         for _, (x0, y0, x1, y1) in taken
     ]
-
-
-def _overlap(a: Raster, b: Raster) -> bool:
-    """Whether two images share ground, as far as their footprints tell."""
-    if not all(image.is_north_up and image.has_place and image.wkt for image in (a, b)):
-        return False
-    extent = extent_on_image(b.grid.extent, b.wkt, a)
-    return extent is not None and shared_extent(a.grid.extent, extent) is not None
-
-
-def _shared_region(image: Raster, others: Sequence[Raster]) -> PixelWindow:
-    """The pixels of an image around all that other images share with it, as far as their footprints tell."""
-    shared = []
-    for other in others:
-        extent = extent_on_image(other.grid.extent, other.wkt, image)
-        box = None if extent is None else shared_extent(image.grid.extent, extent)
-        shared += [] if box is None else [box]
-    xmin, ymin = (min(box[i] for box in shared) for i in (0, 1))
-    xmax, ymax = (max(box[i] for box in shared) for i in (2, 3))
-    left, right = (round(image.grid.column_at(x)) for x in (xmin, xmax))
-    top, bottom = (round(image.grid.row_at(y)) for y in (ymax, ymin))
-    return PixelWindow(left, top, max(right - left, 1), max(bottom - top, 1))
-
-
-def _window_on(image: Raster, window: PixelWindow, other: Raster, levels: int) -> PixelWindow | None:
-    """The pixels of another image that show a window; None when it does not show all of it."""
-    extent = extent_on_image(image.grid.window_extent(window), image.wkt, other)
-    if extent is None or shown_share(other.grid, extent) < 1 - imagery_limits.MAX_INVALID_SHARE:
-        return None
-    try:
-        return snap_window(other.grid, extent, levels)
-    except WindowError:
-        return None
-
-
-def _is_valid(source: OpenRaster, window: PixelWindow) -> bool:
-    invalid = source.thinned(window, min(NOISE_SHRINK, min(window.width, window.height) // 16))[1]
-    return invalid is None or not invalid.any()

@@ -1,7 +1,7 @@
 """What the algorithms on lists of rasters share: their parameters, and the rasters and windows behind them."""
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSource, QgsProcessingParameterMultipleLayers
@@ -58,8 +58,11 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
             why = tuple(self.left_out[: imagery_limits.MAX_REASONS])
             raise SettingsError(messages.NO_RASTER_USABLE(why=why) if why else messages.NO_RASTERS())
 
-    def drawn_windows(self, run: Run) -> list[DrawnWindow] | None:
-        """The windows that were given, those without a usable outline named in the log; None when none were."""
+    def drawn_windows(self, run: Run, carried: Sequence[str] = ()) -> list[DrawnWindow] | None:
+        """The windows that were given, those without a usable outline named in the log; None when none were.
+
+        ``carried``: fields whose values ``window_values`` then has, as text.
+        """
         from ...imagery.drawn_windows import DrawnWindow
         from .. import layers
 
@@ -68,7 +71,11 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         source = run.source(WINDOWS)
         wkt = layers.system_wkt(source.sourceCrs())
         windows = []
-        for window in WindowFeatures(source, source.sourceCrs(), run).windows():
+        self.window_values: dict[int, dict[str, str | None]] = {}
+        """Of each window's carried fields."""
+        features = WindowFeatures(source, source.sourceCrs(), run, carried)
+        for window in features.windows():
+            self.window_values[window.window_id] = features.taken(window.window_id)[1]
             if window.extent is not None:
                 windows.append(DrawnWindow(window.window_id, window.extent, wkt))
             elif window.reason is not None:

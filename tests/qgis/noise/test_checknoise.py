@@ -22,14 +22,14 @@ from qgis.core import (
 )
 from qgis.core import QgsProcessingModelChildParameterSource as ChildSource
 
-from tests.numbers.synthetic import decompose, luminance, read_pixels, texture, write_raster
-from tests.qgis.runs import Log, algorithm, assert_refused, assert_sentence, run
+from tests.numbers.synthetic import decompose, luminance, patchy_texture, read_pixels, texture, write_raster
+from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import Scene, layer, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
 SIDE = 512
-NUMBERS = {"LOW_COUNT", "MODERATE_COUNT", "STRONG_COUNT"}
+NUMBERS = {"LOW_COUNT", "UNCERTAIN_COUNT", "MODERATE_COUNT", "STRONG_COUNT"}
 FIELDS = (
     "raster group window_id band detail_1 detail_2 detail_3 background kurtosis_1 kurtosis_2 kurtosis_3 sigma noise"
 ).split()
@@ -39,7 +39,7 @@ FIELDS = (
 def pictures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """The same ground clean and with noise."""
     folder, random = tmp_path_factory.mktemp("pictures"), np.random.default_rng(0)
-    ground = np.stack([120 + 25 * texture((SIDE, SIDE), 2.7, 1 + band // 9) for band in range(3)])
+    ground = np.stack([120 + 25 * patchy_texture((SIDE, SIDE), 2.7, 1 + band // 9) for band in range(3)])
     made = {}
     for name, sigma in (("clean", 0.3), ("grainy", 5.0), ("noisy", 15.0)):
         pixels = np.rint(ground + random.normal(0, sigma, ground.shape)).clip(1, 255).astype(np.uint8)
@@ -50,7 +50,9 @@ def pictures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 def test_parameters_and_outputs_are_those_promised() -> None:
     job = algorithm("checknoise")
     names = [definition.name() for definition in job.parameterDefinitions()]
-    assert names == "RASTERS SECOND_GROUP WINDOWS WAVELET LEVELS OUTPUT CHART REPORT".split()
+    assert names == (
+        "RASTERS SECOND_GROUP GROUP_NAME SECOND_GROUP_NAME WINDOWS GROUP_FIELD WAVELET LEVELS OUTPUT CHART REPORT"
+    ).split()
     required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
     assert required == ["RASTERS", "WAVELET", "LEVELS", "OUTPUT"]
     assert job.parameterDefinition("WAVELET").defaultValue() == "coif3"
@@ -73,11 +75,90 @@ def test_the_table_holds_the_figures_of_every_band(pictures: dict[str, str]) -> 
         assert row["pixel_size"] == pytest.approx(0.1)
 
 
-def test_counts_are_of_windows_by_their_luminance(pictures: dict[str, str]) -> None:
+def counts(outcome: Run) -> list[int]:
+    return [outcome.results[f"{word}_COUNT"] for word in ("LOW", "UNCERTAIN", "MODERATE", "STRONG")]
+
+
+def test_ground_that_three_images_show_counts_once_with_the_strongest_verdict(pictures: dict[str, str]) -> None:
     outcome = run("checknoise", RASTERS=list(pictures.values()))
-    words = {row["raster"]: row["noise"] for row in outcome.rows() if row["band"] == "luminance"}
+    words = {row["raster"]: row["noise"] for row in outcome.rows() if row["band"] == "red"}
     assert words == {"clean.tif": "low", "grainy.tif": "moderate", "noisy.tif": "strong"}
-    assert [outcome.results[name] for name in ("LOW_COUNT", "MODERATE_COUNT", "STRONG_COUNT")] == [1, 1, 1]
+    assert {row["window_id"] for row in outcome.rows()} == {1}
+    assert counts(outcome) == [0, 0, 0, 1]
+    assert counts(run("checknoise", RASTERS=[pictures["clean"]] * 3)) == [1, 0, 0, 0]
+    drawn = windows((0, 0, 256, 256), (256, 256, 256, 256))
+    assert sum(counts(run("checknoise", RASTERS=list(pictures.values()), WINDOWS=drawn))) == 2
+
+
+def test_each_group_counts_its_windows(pictures: dict[str, str]) -> None:
+    outcome = run("checknoise", RASTERS=[pictures["clean"]], SECOND_GROUP=[pictures["noisy"]])
+    assert counts(outcome) == [1, 0, 0, 1]
+
+
+def test_windows_are_judged_by_their_noisiest_band(tmp_path: Path) -> None:
+    ground = 120 + 25 * patchy_texture((SIDE, SIDE), 2.8, 1)
+    pixels = np.stack([ground + np.random.default_rng(seed).normal(0, 6, ground.shape) for seed in range(3)])
+    path = write_raster(tmp_path / "rgb.tif", np.rint(pixels).clip(0, 255).astype(np.uint8))
+    outcome = run("checknoise", RASTERS=[path])
+    words = {row["band"]: row["noise"] for row in outcome.rows()}
+    assert words == {"luminance": "moderate", "red": "strong", "green": "strong", "blue": "strong"}
+    assert counts(outcome) == [0, 0, 0, 1]
+
+
+# --- groups ----------------------------------------------------------------------------------------------------
+
+
+def test_groups_have_names(pictures: dict[str, str], tmp_path: Path) -> None:
+    chart, report = tmp_path / "noise.svg", tmp_path / "noise.html"
+    outcome = run(
+        "checknoise", RASTERS=[pictures["clean"], pictures["grainy"]], SECOND_GROUP=[pictures["noisy"]],
+        GROUP_NAME="DMC <8 bit> & $x$", CHART=str(chart), REPORT=str(report),
+    )
+    assert {row["group_name"] for row in outcome.rows()} == {"DMC <8 bit> & $x$", "noisy.tif"}
+    drawn = chart.read_text(encoding="utf-8").replace("&gt;", ">")
+    assert "DMC &lt;8 bit> &amp; $x$: mean and range of 1 windows" in drawn
+    page = report.read_text(encoding="utf-8")
+    assert "DMC &lt;8 bit&gt; &amp; $x$" in page
+    assert "DMC <8 bit>" not in page
+
+
+def test_windows_are_grouped_by_a_field(pictures: dict[str, str], tmp_path: Path) -> None:
+    chart, report = tmp_path / "noise.svg", tmp_path / "noise.html"
+    drawn = windows(
+        (0, 0, 192, 192), (192, 0, 192, 192), (0, 192, 192, 192), (256, 256, 192, 192),
+        land_use=("string", ["forest", "field", "forest", None]),
+    )
+    outcome = run(
+        "checknoise", RASTERS=[pictures["clean"]], SECOND_GROUP=[pictures["noisy"]], WINDOWS=drawn,
+        GROUP_FIELD="land_use", CHART=str(chart), REPORT=str(report),
+    )
+    classes = {(row["window_id"], row["class"] or None) for row in outcome.rows()}
+    assert classes == {(1, "forest"), (2, "field"), (3, "forest"), (4, None)}
+    words = chart.read_text(encoding="utf-8")
+    titles = "land_use: forest", "land_use: field", "land_use: no value"
+    for title in (*titles, "clean.tif: mean and range of 2 windows"):
+        assert title in words
+    page = report.read_text(encoding="utf-8")
+    assert "Groups" in page
+    assert page.index("<td>field</td>") < page.index("<td>forest</td>") < page.index("<td>no value</td>")
+
+
+def test_windows_are_grouped_by_numbers_and_many_values(pictures: dict[str, str], tmp_path: Path) -> None:
+    boxes = [(32 * column, 32 * row, 96, 96) for row in range(4) for column in range(4)]
+    drawn = windows(*boxes, scale=("double", [1000.0 * (number % 12) for number in range(16)]))
+    outcome = run(
+        "checknoise", RASTERS=[pictures["grainy"]], WINDOWS=drawn, GROUP_FIELD="scale", CHART=str(tmp_path / "a.png"),
+        REPORT=str(tmp_path / "a.html"), WAVELET="haar",
+    )
+    assert {row["class"] for row in outcome.rows()} == {str(1000 * number) for number in range(12)}
+    page = (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert page.index(">2000</td>") < page.index(">11000</td>")  # by size, as numbers are
+
+
+def test_a_field_without_windows_or_that_they_do_not_have_is_refused(pictures: dict[str, str]) -> None:
+    assert_refused("checknoise", "give WINDOWS", RASTERS=[pictures["clean"]], GROUP_FIELD="scale")
+    drawn = windows((0, 0, 128, 128))
+    assert_refused("checknoise", "scale", RASTERS=[pictures["clean"]], WINDOWS=drawn, GROUP_FIELD="scale")
 
 
 def test_two_groups_on_the_same_ground_are_compared_window_by_window(pictures: dict[str, str]) -> None:
@@ -113,7 +194,8 @@ def test_chart_and_report(pictures: dict[str, str], tmp_path: Path, ending: str)
         assert picture[..., :3].std() > 0.05
     if ending == "svg":
         drawn = chart.read_text(encoding="utf-8")
-        for words in ("relative variance", "group 1: mean and range of 1 windows", "group 2: luminance", "clean.tif"):
+        said = "relative variance", "clean.tif: mean and range of 1 windows", "noisy.tif: luminance", "clean.tif"
+        for words in said:
             assert words in drawn
     page = report.read_text(encoding="utf-8")
     for words in ("Random noise", "noisy.tif", "strong", "svg+xml", "Pyka 2009"):

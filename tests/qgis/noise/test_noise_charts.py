@@ -10,7 +10,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.charts import draw_noise_clip
-from seam_inspector.plugin.noise.measure.band_noise import measure_noise
+from seam_inspector.plugin.noise.measure.band_noise import measure_noise, noisiest_band
 from seam_inspector.plugin.noise.measure.group_noise import measure_window
 from seam_inspector.plugin.radiometry.charts import balance_figure, histogram_figure
 from seam_inspector.plugin.radiometry.measure.assessment import assess
@@ -35,7 +35,7 @@ def test_one_window_of_one_raster_is_measured_and_drawn(scene: Scene, qgis_app: 
         assert tuple(lines[name].get_ydata()) == noise.curve.detail
         assert list(lines[name].get_xdata()) == [1, 2, 3]
     widths = {name: line.get_linewidth() for name, line in lines.items() if name in result.bands}
-    assert max(widths, key=lambda name: widths[name]) == "luminance"
+    assert max(widths, key=lambda name: widths[name]) == noisiest_band(result.bands)
     low, high = axes.get_ylim()
     assert all(low < share < high for noise in result.bands.values() for share in noise.curve.detail)
 

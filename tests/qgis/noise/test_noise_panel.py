@@ -20,10 +20,11 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise import jobs
 from seam_inspector.plugin.noise.desk.noise_chart import NoiseDrawing, figure
 from seam_inspector.plugin.noise.desk.noise_panel import NoisePanel
+from seam_inspector.plugin.noise.measure.band_noise import noisiest_band
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise, measure_window
 from seam_inspector.plugin.toolkit.charts.chart_style import PAPER
 
-from tests.numbers.synthetic import orthoimage, write_raster
+from tests.numbers.synthetic import patchy_texture, write_raster
 from tests.qgis.scenes import COLUMNS, ROWS, Scene, outline, windows
 from tests.qgis.seams.desk.session_desk import Desk, settle, wait_for_tasks, wait_until
 
@@ -37,7 +38,8 @@ SIGMA = 12.0
 def noisy_scene(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     """Smooth ground: a clean mosaic with a hole and flat water, a noisy source, and its western half."""
     folder = tmp_path_factory.mktemp("noisy")
-    ground = orthoimage((ROWS, COLUMNS), beta=3.0)
+    one = patchy_texture((ROWS, COLUMNS), 3.0, 4)
+    ground = np.rint(120 + 30 * np.stack([one] * 3)).clip(1, 254).astype(np.uint8)
     column, row, width, height = HOLE
     mosaic = ground.copy()
     mosaic[:, row : row + height, column : column + width] = 0
@@ -127,7 +129,7 @@ def wait_for_words(panel: NoisePanel) -> str:
 def test_a_clean_and_a_noisy_raster(desk: Desk, panel: NoisePanel) -> None:
     clean = select(desk, panel, 1)
     assert rasters(panel) == ["clean.tif (mosaic)", "noisy.tif", "west.tif"]
-    assert clean.startswith("Low noise: the curve rises at every level; sigma ")
+    assert clean.startswith("Low noise: the curve rises at every level; in red sigma ")
     column, row, width, height = BOX
     for index, name in enumerate(("mosaic", "source")):
         choose(panel, index)
@@ -135,12 +137,12 @@ def test_a_clean_and_a_noisy_raster(desk: Desk, panel: NoisePanel) -> None:
         layer = desk.mosaic if name == "mosaic" else desk.sources[0]
         expected = measure_window(RasterRef(layer.source()), PixelWindow(column, row, width, height)).bands
         assert panel._chart.bands == expected
-        luminance = expected["luminance"]
-        assert f"sigma {luminance.sigma:.2f} DN" in said
-        assert f"kurtosis of level 1: {luminance.kurtosis[0]:.1f}" in said
+        judged = expected[noisiest_band(expected)]
+        assert f"sigma {judged.sigma:.2f} DN" in said
+        assert f"kurtosis of level 1: {judged.kurtosis[0]:.1f}" in said
         tip = panel._words.toolTip()
         assert all(f"sigma {noise.sigma:.2f} DN" in tip for noise in expected.values())
-    assert said.startswith("Strong noise: the curve falls from level 1 to 2 and from 2 to 3; sigma ")
+    assert said.startswith("Strong noise: the curve falls from level 1 to 2 and from 2 to 3; in blue sigma ")
     assert expected["green"].sigma == pytest.approx(SIGMA, rel=0.05)
 
 
@@ -153,7 +155,7 @@ def test_the_curves_and_the_rule_are_in_the_picture(desk: Desk, panel: NoisePane
     for name, noise in request.bands.items():
         assert tuple(lines[name].get_ydata()) == noise.curve.detail
     limit = [line.get_ydata()[0] for line in axes.get_lines() if same_color(line.get_color(), request.style.limit)]
-    assert limit == pytest.approx(request.bands["luminance"].curve.detail[:-1])
+    assert limit == pytest.approx(request.bands[noisiest_band(request.bands)].curve.detail[:-1])
     texts = [text.get_text() for text in axes.figure.legends[0].get_texts()]
     assert texts == ["luminance", "red", "green", "blue", "bold curve in the red: noise"]
     image = panel._chart.grab().toImage()
@@ -184,9 +186,9 @@ def test_a_window_that_cant_be_measured_says_why(desk: Desk, panel: NoisePanel) 
     assert words(panel) == "Select a window, in the table or on the map, to see its noise."
     assert "100.00% of the pixels of clean.tif are invalid in the window" in select(desk, panel, 2)
     assert panel._words.text() == ""
-    assert select(desk, panel, 3).startswith("clean.tif has no variance in luminance here")
+    assert select(desk, panel, 3).startswith("clean.tif has no variance in red here")
     choose(panel, 1)
-    assert wait_for_words(panel).startswith("Moderate noise: the curve falls from level 1 to 2, then rises; sigma")
+    assert wait_for_words(panel).startswith("Strong noise: the curve falls from level 1 to 2 and from 2 to 3; in ")
 
 
 def test_a_file_that_is_gone_says_so(desk: Desk, panel: NoisePanel, tmp_path: Path) -> None:
