@@ -42,7 +42,7 @@ def noise_features(result: ClipNoise, levels: int) -> Iterator[QgsFeature]:
     fields = noise_fields(levels)
     member, window = result.part.member, result.part.window
     head: list[object] = [member.image.ref.name, member.group, result.window_id]
-    tail = [window.column, window.row, window.width, window.height, member.ground_sample_distance]
+    tail: list[object] = [window.column, window.row, window.width, window.height, member.ground_sample_distance]
     tail += [member.group_name or None, result.window_class]
     nothing: list[object] = [None] * levels
     if not result.bands:
