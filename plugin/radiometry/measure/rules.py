@@ -81,6 +81,8 @@ class Rule:
 
     def bands_of(self, names: Sequence[str]) -> Sequence[str]:
         """Which figures of an image with these bands it is for; a band it names need not be there."""
+        if self.check == COLOUR_BALANCE:
+            return (ALL_BANDS,)
         return names if self.band == EACH_BAND else (self.band,)
 
 

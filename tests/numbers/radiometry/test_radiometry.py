@@ -274,6 +274,21 @@ def test_the_worst_seam_counts_and_invalid_sides_do_not(make_raster: MakeRaster)
     assert figure(result, "seam_step") == pytest.approx(40 / 150)
 
 
+def test_the_worst_seam_is_named_with_its_place(make_raster: MakeRaster) -> None:
+    pixels = np.full((3, 300, 600), 100, np.uint8)
+    pixels[:, :, 150:] = 110
+    pixels[:, :, 300:] = np.array([150, 111, 111])[:, np.newaxis, np.newaxis]
+    pixels[2, :, 450:] = 60
+    seams = [seam((x, 0), (x, 300), number=i) for i, x in enumerate((150, 300, 450), 1)]
+    result = checked(make_raster("a.tif", pixels), seams=seams)
+    for band, number, column in (("red", 2, 300), ("green", 1, 150), ("blue", 3, 450)):
+        spot = checked_figure(result, "seam_step", band).spot
+        assert spot is not None
+        assert str(spot.what) == f"seam {number}"
+        assert spot.place[0] == pytest.approx(ORIGIN[0] + 0.1 * column, abs=0.01)
+        assert ORIGIN[1] - 30 < spot.place[1] < ORIGIN[1]
+
+
 def test_no_seam_on_the_raster(make_raster: MakeRaster) -> None:
     path = make_raster("a.tif", grey())
     for seams in ([], [seam((900, 0), (900, 300))], [seam((10, 10), (50, 10))]):

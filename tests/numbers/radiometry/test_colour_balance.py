@@ -1,0 +1,105 @@
+"""Colour balance comes from surfaces that somebody knows to be grey, and from nothing else."""
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from osgeo import ogr
+from seam_inspector.plugin.radiometry.measure.assessment import Assessment
+from seam_inspector.plugin.radiometry.measure.decision import RadiometricOutcome, decide_image
+from seam_inspector.plugin.radiometry.measure.grey_areas import GreyArea
+from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
+
+from tests.numbers.radiometry.judging import checked, checked_figure, figure
+from tests.numbers.synthetic import ORIGIN
+
+MakeRaster = Callable[..., str]
+GRASS, SOIL, STRAW = (90, 120, 70), (141, 130, 118), (150, 143, 131)
+ROAD, ROOF, CONCRETE = (96, 96, 96), (140, 140, 140), (178, 178, 178)
+RULES = RuleSet("own", (Rule("colour_balance", None, 0.02, "s"),))
+
+
+def fields(*colours: tuple[float, float, float], cast: tuple[float, float, float] = (0, 0, 0)) -> np.ndarray:
+    """Stripes of 64 columns, each of one colour, noisy, under a cast given in shares of the range."""
+    stripes = np.repeat(np.array(colours, float).T[:, np.newaxis], 64, axis=2).reshape(3, 1, -1)
+    light = np.array(cast)[:, np.newaxis, np.newaxis] * 255
+    noise = np.random.default_rng(0).normal(0, 4, (3, 256, stripes.shape[2]))
+    return np.rint(stripes + light + noise).clip(0, 255).astype(np.uint8)
+
+
+def area(number: int, left: float, top: float, right: float, bottom: float) -> GreyArea:
+    """A rectangle given by columns and rows of 0.1 m pixels."""
+    corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)]
+    ring = ", ".join(f"{ORIGIN[0] + 0.1 * x} {ORIGIN[1] - 0.1 * y}" for x, y in corners)
+    return GreyArea(number, bytes(ogr.CreateGeometryFromWkt(f"POLYGON (({ring}))").ExportToWkb()))
+
+
+def outcome(result: Assessment) -> RadiometricOutcome:
+    return decide_image(result).outcome
+
+
+@pytest.mark.parametrize("share", [0.0, 0.015, 0.031, 0.040, 0.047, 0.12])
+@pytest.mark.parametrize("band", [0, 1, 2])
+def test_a_cast_is_what_it_is_on_grey_areas(make_raster: MakeRaster, share: float, band: int) -> None:
+    """Also where something of another colour would hide it: nothing is chosen by its colour."""
+    cast = [0.0, 0.0, 0.0]
+    cast[band] = share
+    path = make_raster("a.tif", fields(ROAD, GRASS, ROOF, SOIL, CONCRETE, STRAW, cast=tuple(cast)))
+    areas = [area(1, 3, 10, 60, 200), area(2, 130, 10, 190, 90), area(3, 258, 100, 318, 200)]
+    result = checked(path, rules=RULES, grey_areas=areas)
+    found = checked_figure(result, "colour_balance", "all")
+    assert found.value == pytest.approx(share, abs=0.003)
+    assert found.passed is (share < 0.02)
+    assert result.balance is not None
+    assert [tone.number for tone in result.balance.tones] == [1, 2, 3]
+
+
+@pytest.mark.parametrize("colours", [(SOIL, STRAW, GRASS), (SOIL,), (GRASS, GRASS)])
+def test_soil_and_fields_without_any_cast_do_not_fail(make_raster: MakeRaster, colours: tuple[tuple]) -> None:
+    result = checked(make_raster("a.tif", fields(*colours)), rules=RULES)
+    found = checked_figure(result, "colour_balance", "all")
+    assert (found.value, found.passed) == (None, None)
+    assert str(found.reason).startswith("not measurable: no grey areas are given")
+    assert outcome(result) is RadiometricOutcome.UNDECIDED
+
+
+def test_what_may_be_grey_is_shown_with_its_share_and_place(make_raster: MakeRaster) -> None:
+    result = checked(make_raster("a.tif", fields(GRASS, ROOF, GRASS, GRASS, cast=(0.04, 0, 0))), rules=RULES)
+    said = str(checked_figure(result, "colour_balance", "all").reason)
+    assert result.maybe_grey is not None
+    assert result.maybe_grey.share == pytest.approx(0.25, abs=0.03)
+    assert 64 <= result.maybe_grey.middle[0] < 128
+    assert "areas of 16 px that may be grey were found (2" in said
+    assert f"near {ORIGIN[0] + 0.1 * result.maybe_grey.middle[0]:.1f}" in said
+    assert result.maybe_grey.difference == pytest.approx(0.04, abs=0.005)
+    assert (np.abs(result.maybe_grey.corners[:, 0] - 88) <= 24).all()
+
+
+def test_the_area_with_most_colour_is_named_with_its_place(make_raster: MakeRaster) -> None:
+    path = make_raster("a.tif", fields(ROOF, (148, 140, 140)))
+    result = checked(path, rules=RULES, grey_areas=[area(7, 0, 0, 64, 64), area(9, 70, 100, 120, 140)])
+    found = checked_figure(result, "colour_balance", "all")
+    assert found.value == pytest.approx(4 / 255, abs=0.002)  # each area counts once, however large
+    assert found.spot is not None
+    assert found.spot.place == pytest.approx((ORIGIN[0] + 9.5, ORIGIN[1] - 12.0), abs=0.02)
+    assert str(found.spot.what).startswith("grey area 9 with 3.")
+
+
+def test_areas_too_small_too_bright_or_beside_the_image_are_no_measure(make_raster: MakeRaster) -> None:
+    path = make_raster("a.tif", fields((254, 254, 254), ROOF))
+    for drawn in ([], [area(1, 0, 0, 60, 200)], [area(1, 70, 0, 80, 20)], [area(1, 9000, 0, 9100, 50)]):
+        said = str(checked_figure(checked(path, rules=RULES, grey_areas=drawn), "colour_balance", "all").reason)
+        assert said.startswith("not measurable: the grey areas show fewer than 256 valid pixels"), drawn
+    mixed = checked(path, rules=RULES, grey_areas=[area(1, 0, 0, 60, 200), area(2, 70, 0, 120, 60)])
+    assert figure(mixed, "colour_balance", "all") < 0.01
+    assert mixed.balance is not None
+    assert [tone.number for tone in mixed.balance.tones] == [2]
+
+
+def test_one_band_has_no_colours_and_needs_none(make_raster: MakeRaster) -> None:
+    result = checked(make_raster("a.tif", fields(ROOF)[0]), rules=RuleSet("own", (
+        *RULES.rules, Rule("clipped_low", None, 0.5, "s"))), grey_areas=[area(1, 0, 0, 60, 200)])  # fmt: skip
+    said = str(checked_figure(result, "colour_balance", "all").reason)
+    assert said == "not measurable: it has no red, green and blue."
+    assert outcome(result) is RadiometricOutcome.ACCEPTED
