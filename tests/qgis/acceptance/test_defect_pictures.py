@@ -1,0 +1,112 @@
+"""Pictures of failures: where they are cut, what is drawn into them, what they weigh."""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.measure.defects import defects_of
+from seam_inspector.plugin.acceptance.paper.defect_pictures import PICTURE_PX, DefectPicture, DefectPictures
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+
+from tests.numbers.acceptance.made_decisions import BOTTOM, LEFT, UTM, decided
+from tests.numbers.synthetic import write_raster
+from tests.qgis.acceptance.papers import ground
+
+YELLOW = np.array([255, 214, 0])
+
+
+def decoded(picture: DefectPicture) -> np.ndarray:
+    """(rows, columns, 3), by GDAL."""
+    gdal.FileFromMemBuffer("/vsimem/defect.jpg", picture.jpeg)
+    pixels = np.moveaxis(gdal.Open("/vsimem/defect.jpg").ReadAsArray(), 0, 2).astype(int)
+    gdal.Unlink("/vsimem/defect.jpg")
+    return pixels
+
+
+def picture_of(decision: Decision, *mosaics: Raster) -> DefectPicture:
+    found = DefectPictures(mosaics, decision.delivery.wkt).of(defects_of(decision)[0])
+    assert found is not None
+    return found
+
+
+def dashes(pixels: np.ndarray) -> np.ndarray:
+    """(n, 2) rows and columns of the line."""
+    return np.argwhere(abs(pixels - YELLOW).sum(axis=2) < 90)
+
+
+def flat(path: Path, kind: str = "uint8", value: int = 120, pixel: float = 0.1) -> Raster:
+    """An even mosaic of 60 x 60 m around the first seam, from 80 m north of its beginning."""
+    shape = (3, round(60 / pixel), round(60 / pixel))
+    pixels = np.full(shape, value, kind)
+    pixels[:, ::7] += value // 4
+    write_raster(path, pixels, pixel, (LEFT - 30, BOTTOM + 140), system=UTM)
+    return describe_mosaic(RasterRef(str(path)))
+
+
+def test_the_seam_is_drawn_where_it_runs_and_can_be_seen_between_dashes(tmp_path: Path) -> None:
+    decision = decided(failed=[(0, 4)])
+    found = picture_of(decision, flat(tmp_path / "mosaic.tif"))
+    assert (found.columns, found.is_whole) == (PICTURE_PX, True)
+    assert found.side_m == pytest.approx(40)
+    pixels = decoded(found)
+    drawn = dashes(pixels)
+    path = decision.delivery.pieces[4].vertices
+    middle = (path.min(axis=0) + path.max(axis=0)) / 2
+    for row, column in drawn[::25]:
+        y, x = middle[1] + 20 - row / 10, middle[0] - 20 + column / 10
+        assert abs(x - np.interp(y, path[:, 1], path[:, 0])) < 0.4
+    rows = np.unique(drawn[:, 0])
+    assert 75 < rows.max() - 75 < 330
+    assert 0.15 < len(rows) / (rows.max() - rows.min()) < 0.75
+
+
+def test_a_long_failure_is_reduced_and_a_longer_one_shown_where_least_is_kept(tmp_path: Path) -> None:
+    mosaic = ground(tmp_path / "mosaic.tif")
+    whole = picture_of(decided(failed=[(0, one) for one in range(4, 18)]), mosaic)
+    assert whole.is_whole
+    decision = decided(failed=[(0, one) for one in range(40)])
+    pieces = list(decision.pieces)
+    pieces[12] = replace(pieces[12], piece=replace(pieces[12].piece, kept_1=0.1))
+    part = picture_of(replace(decision, pieces=tuple(pieces)), mosaic)
+    assert not part.is_whole
+    assert part.side_m <= 600
+    assert len(part.jpeg) < 150_000
+
+
+@pytest.mark.parametrize(("kind", "value"), [("uint16", 900), ("float32", 0.25)])
+def test_any_type_of_pixels_becomes_a_picture(tmp_path: Path, kind: str, value: float) -> None:
+    shape = (3, 600, 600)
+    pixels = (np.random.default_rng(2).normal(1, 0.1, shape) * value).astype(kind)
+    write_raster(tmp_path / "mosaic.tif", pixels, 0.1, (LEFT - 30, BOTTOM + 140), system=UTM)
+    found = picture_of(decided(failed=[(0, 4)]), describe_mosaic(RasterRef(str(tmp_path / "mosaic.tif"))))
+    assert 40 < np.median(decoded(found)) < 215
+
+
+def test_the_sheet_that_shows_it_is_taken(tmp_path: Path) -> None:
+    elsewhere = tmp_path / "elsewhere.tif"
+    write_raster(elsewhere, np.full((600, 600), 255, np.uint8), 0.1, (LEFT + 500, BOTTOM + 140), system=UTM)
+    other = describe_mosaic(RasterRef(str(elsewhere)))
+    found = picture_of(decided(failed=[(0, 4)]), other, flat(tmp_path / "here.tif"))
+    assert found.side_m == pytest.approx(40)
+    maker = DefectPictures([other], UTM)
+    assert maker.of(defects_of(decided(failed=[(0, 4)]))[0]) is None
+
+
+def test_a_mosaic_that_is_gone_or_broken_gives_none(tmp_path: Path) -> None:
+    mosaic = flat(tmp_path / "mosaic.tif")
+    (tmp_path / "mosaic.tif").write_bytes((tmp_path / "mosaic.tif").read_bytes()[:5000])
+    maker = DefectPictures([mosaic], UTM)
+    assert maker.of(defects_of(decided(failed=[(0, 4)]))[0]) is None
+    (tmp_path / "mosaic.tif").unlink()
+    assert DefectPictures([mosaic], UTM).of(defects_of(decided(failed=[(0, 4)]))[0]) is None
+
+
+def test_a_mosaic_in_another_system_is_found(tmp_path: Path) -> None:
+    gdal.Warp(str(tmp_path / "moved.tif"), flat(tmp_path / "mosaic.tif").ref.path, dstSRS="EPSG:3857")
+    found = picture_of(decided(failed=[(0, 4)]), describe_mosaic(RasterRef(str(tmp_path / "moved.tif"))))
+    assert len(dashes(decoded(found))) > 100
