@@ -62,6 +62,10 @@ class Arrangement:
         """Pixels per millimetre."""
         return float(math.hypot(self.matrix[0, 0], self.matrix[1, 0]))
 
+    def predicted(self, places: np.ndarray) -> list[Place]:
+        """Where places of the frame, (n, 2) mm, lie in the photo."""
+        return [(float(x), float(y)) for x, y in np.column_stack([places, np.ones(len(places))]) @ self.matrix.T]
+
 
 FramedArrangement = tuple[MarkFrame, Arrangement]
 

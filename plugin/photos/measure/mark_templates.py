@@ -11,7 +11,7 @@ from enum import Enum
 from functools import lru_cache
 
 import numpy as np
-from scipy import special
+from scipy import ndimage, special
 
 from ...imagery.errors import PhotoError
 from . import limits, messages
@@ -20,7 +20,8 @@ from .correlation_surface import SurfaceError, subpixel_maximum
 
 ARM_WIDTH = 0.6  # the arms of a ring with cross against its ring: UNBC's photo, Wild RC10
 WEDGE_HALF_ANGLE_DEG = 30.0  # equilateral
-MIN_SYMMETRY = 0.8  # a cut-out that correlates so with itself turned by 180 degrees has a centre of its own
+MIN_SYMMETRY = 0.7  # a cut-out that correlates so with itself turned by 180 degrees has a centre of its own
+SYMMETRY_BLUR_PX = 1.0  # against grain, which has no symmetry: without it a mark in strong grain has 0.7
 
 
 class MarkKind(Enum):
@@ -207,8 +208,9 @@ def cut_out(pixels: np.ndarray) -> CutOut:
         raise PhotoError(messages.TEMPLATE_EMPTY())
     middle = columns / 2, rows / 2
     reach = (rows // 4, columns // 4)
-    inner = pixels[reach[0] : rows - reach[0], reach[1] : columns - reach[1]]
-    alike = correlate(pixels[::-1, ::-1], inner)
+    smooth = ndimage.gaussian_filter(pixels, SYMMETRY_BLUR_PX)
+    inner = smooth[reach[0] : rows - reach[0], reach[1] : columns - reach[1]]
+    alike = correlate(smooth[::-1, ::-1], inner)
     row, column = peak_pixel(alike)
     if alike[row, column] < MIN_SYMMETRY:
         return CutOut(pixels, middle)

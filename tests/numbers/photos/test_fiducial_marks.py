@@ -16,7 +16,7 @@ from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibr
 from seam_inspector.plugin.photos.measure.finding import finding_marks
 from seam_inspector.plugin.photos.measure.fitting_marks import fit_marks
 from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
-from seam_inspector.plugin.photos.measure.mark_templates import chosen_shapes
+from seam_inspector.plugin.photos.measure.mark_templates import CutOut, chosen_shapes, cut_out
 from seam_inspector.plugin.photos.measure.orientation import (
     GivenPosition,
     MarkResult,
@@ -242,6 +242,43 @@ def test_a_given_place_that_is_off_takes_no_part(tmp_path: Path) -> None:
         measured(frame.pixels, tmp_path, positions=everywhere)
     with pytest.raises(PhotoError, match="The position of '2' lies outside the photo"):
         measured(frame.pixels, tmp_path, positions={"2": GivenPosition((-5.0, 10.0), False)})
+
+
+def cut(frame: Frame, name: str, aside: tuple[int, int] = (0, 0)) -> CutOut:
+    column, row = (int(value) + by for value, by in zip(frame.places[name], aside))
+    return cut_out(frame.pixels[row - 24 : row + 25, column - 24 : column + 25].astype(float))
+
+
+@pytest.mark.parametrize("name", ["1", "2"])
+def test_a_cut_out_is_used_for_its_own_mark_first(tmp_path: Path, name: str) -> None:
+    """Wedges at other sides look otherwise: by the cut-out alone no three were found, now the others are drawn."""
+    frame = make_frame(Look("wedge"), SIDES, 1000, seed=8, rotation=1.1)
+    made = measured(frame.pixels, tmp_path, SIDES, OrientationSettings(template=cut(frame, name)))
+    assert max(errors(made, frame)) < 0.05
+    marks = {mark.name: mark for mark in made.marks}
+    assert len(errors(made, frame)) == 4
+    assert marks[name].correlation == pytest.approx(1, abs=0.002)
+    assert marks[name].correlation == max(mark.correlation or 0 for mark in made.marks)
+
+
+def test_a_mark_that_looks_like_no_other_is_measured_by_its_cut_out(tmp_path: Path) -> None:
+    frame = make_frame(Look(dots=True, diagonal=True), side=1000, seed=8)
+    column, row = (int(value) for value in frame.places["3"])
+    around = slice(row - 24, row + 25), slice(column - 24, column + 25)
+    pixels = frame.pixels.copy()
+    pixels[around] = np.where(np.hypot(*np.mgrid[-24:25, -24:25]) < 13, 230, pixels[around])  # painted over by hand
+    template = cut_out(pixels[around].astype(float))
+    made = measured(pixels, tmp_path, settings=OrientationSettings(template=template))
+    assert made.count(MarkStatus.MEASURED) == 4
+    assert max(errors(made, frame)) < 1
+
+
+def test_a_cut_out_of_strong_grain_has_its_centre_in_the_mark(tmp_path: Path) -> None:
+    """Cut out 3 px aside and taken by its middle, it put all marks 3 px off."""
+    frame = make_frame(Look("ring with dot", grain=0.2), side=1000, seed=8)
+    made = measured(frame.pixels, tmp_path, settings=OrientationSettings(template=cut(frame, "1", (3, -2))))
+    assert made.count(MarkStatus.MEASURED) == 4
+    assert max(errors(made, frame)) < 0.3
 
 
 # --- real photos -----------------------------------------------------------------------------------------------

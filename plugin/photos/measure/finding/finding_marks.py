@@ -4,6 +4,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
+from itertools import islice
 from typing import Callable
 
 import numpy as np
@@ -19,6 +21,7 @@ from ..orientation import GivenPosition, OrientationSettings
 from ..photo import Photo
 from ..photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
 from ..transformations import PlaneModel, fit_transformation
+from . import own_mark
 from .found_marks import FoundMarks
 from .mark_candidates import Candidate, candidates
 from .naming_marks import MeasuredFrame, name_marks
@@ -106,11 +109,10 @@ class _Finder:
         made = scan_orientation.possible_frames(self._calibration, photo.columns, photo.rows)
         scale = max(frame.scales[1] for frame in made)
         self._check_template(scale)
-        factor = max(1, math.ceil(max(photo.columns, photo.rows) / SEARCH_SIDE_PX))
-        image = photo.reduced(factor)
+        image = photo.reduced(self._factor)
         if np.ptp(image) == 0:
             raise PhotoError(messages.PHOTO_EMPTY(name=photo.ref.name))
-        found = self._candidates(whole_photo_views(image, factor), made)
+        found = self._candidates(whole_photo_views(image, self._factor), made)
         found_marks = _best(map(self._named, found), len(made[0].marks))
         if found_marks is not None and found_marks.results:
             return found_marks
@@ -150,8 +152,30 @@ class _Finder:
 
     # --- what is there ------------------------------------------------------------------------------------------
 
+    @cached_property
+    def _own_place(self) -> Place | None:
+        """Of the mark that the user's template was cut out of, where that is in this photo."""
+        template = self._settings.template
+        return None if template is None else own_mark.own_place(self._photo, template, self._factor)
+
+    @property
+    def _factor(self) -> int:
+        """By which the photo is reduced to be searched."""
+        return max(1, math.ceil(max(self._photo.columns, self._photo.rows) / SEARCH_SIDE_PX))
+
     def _candidates(self, scene: Scene, frames: Sequence[MarkFrame]) -> Iterator[Candidate]:
-        return candidates(self._photo, scene, frames, self._settings, self._cancelled)
+        """By the user's template or by drawn marks; by these too where the template has found its own mark only."""
+        yield from candidates(self._photo, scene, frames, self._settings, self._cancelled)
+        if self._own_place is not None:
+            drawn = replace(self._settings, template=None)
+            for one in candidates(self._photo, scene, frames, drawn, self._cancelled):
+                if len(one.frame.marks) == 1 or self._has_own_mark(one):
+                    yield one
+
+    def _has_own_mark(self, candidate: Candidate) -> bool:
+        frame, found = candidate.frame, candidate.arrangement
+        reach = placing_tolerance(frame, found.uncertainty) + 2
+        return any(own_mark.near(self._own_place, place, reach) for place in found.predicted(frame.places))
 
     def _named(self, candidate: Candidate) -> FoundMarks:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
@@ -173,12 +197,14 @@ class _Finder:
             if name in found.places:
                 near, reach = found.places[name], 2 * found.uncertainty + 2
             else:
-                x, y = found.matrix @ np.append(sites[name], 1.0)
-                near, reach = (float(x), float(y)), placing_tolerance(frame, found.uncertainty) + 2
-            mark = candidate.template
+                (near,) = found.predicted(np.array([sites[name]]))
+                reach = placing_tolerance(frame, found.uncertainty) + 2
+            mark, sign = candidate.template, found.sign
             if isinstance(mark, MarkShape):
                 mark = turned_with_frame(mark, sites[name], found.angle)
-            results[name] = self._measured_at(MeasuringTemplate(mark, found.sign), mark, near, reach, scale)
+            if self._settings.template is not None and own_mark.near(self._own_place, near, reach + 2):
+                mark, sign, near, reach = self._settings.template, 1, self._own_place or near, 2.0
+            results[name] = self._measured_at(MeasuringTemplate(mark, sign), mark, near, reach, scale)
         return FoundMarks(results, candidate.template)
 
     def _measured_at(
@@ -200,12 +226,14 @@ class _Finder:
         template: MarkShape | CutOut | None = self._settings.template
         for k, name in enumerate(frame.marks):
             single = MarkFrame((name,), frame.places[k : k + 1], (frame.areas[k],), frame.scales, frame.rotation)
-            candidate = next(self._candidates(window_views(self._search_views(single)), [single]), None)
-            if candidate is None:
+            found = self._candidates(window_views(self._search_views(single)), [single])
+            tries = islice(found, 1 if template is None else 2)  # with the user's own, then drawn
+            best = _best((self._measured(candidate, scale) for candidate in tries), 1)
+            if best is None:
                 results[name] = UnmeasuredMark(messages.MARK_NOT_SEEN())
                 continue
-            template = candidate.template
-            results.update(self._measured(candidate, scale).results)
+            template = template or best.template
+            results.update(best.results)
         return FoundMarks(results, template)
 
 
