@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from ...imagery.message import Message
     from ...imagery.open_raster import OpenRaster
     from ..measure.adjustment import Accuracy, Adjustment
+    from ..measure.control_coverage import ImageBox
     from ..measure.models.registry import ModelRequest
     from ..measure.models.rpc import Domain
 
@@ -39,6 +40,7 @@ MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
 OUTPUT, MODEL_FILE, RPC = "OUTPUT", "MODEL_FILE", "RPC"
 CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
+BIAS_COLUMN, BIAS_ROW = "BIAS_COLUMN", "BIAS_ROW"
 _BIASES = tuple(one.name for one in registry.RPC_BIAS.variants)
 _ERRORS = ("RMSE_X", "RMSE_Y", "MAX_X", "MAX_Y")
 
@@ -103,6 +105,8 @@ class FitSensorModel(SensorAlgorithm):
             CONTROL_COUNT: tr("Control points used"),
             CHECK_COUNT: tr("Check points used"),
             CONDITION: tr("Condition number"),
+            BIAS_COLUMN: tr("Correction of the RPC in the middle of the image, columns (px)"),
+            BIAS_ROW: tr("Correction of the RPC in the middle of the image, rows (px)"),
         })
 
     def execute(self, run: Run) -> dict[str, Any]:
@@ -116,7 +120,10 @@ class FitSensorModel(SensorAlgorithm):
         done = adjust(request, points, run.flag(sensor_parameters.ROBUST))
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
+        bias = _bias(done, box)
         notices = self._notices(done) + coverage_warnings(coverage)
+        if bias is not None:
+            notices.append(messages.RPC_BIAS_FOUND(columns=bias.column, rows=bias.row, most=bias.most))
         run.tell(*notices)
         run.progress(0.6)
         crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
@@ -151,6 +158,7 @@ class FitSensorModel(SensorAlgorithm):
         condition = done.fitted.condition
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
+        results.update({BIAS_COLUMN: bias and bias.column, BIAS_ROW: bias and bias.row})
         return results
 
     def _request(self, run: Run, image: OpenRaster | None) -> ModelRequest:
@@ -233,6 +241,31 @@ class FitSensorModel(SensorAlgorithm):
             return messages.RPC_EXACT(), True
         low, high = rpc_heights(domain)
         return messages.RPC_FITTED(rms=made.rms_px, largest=made.max_px, low=low, high=high), True
+
+
+class _Bias(NamedTuple):
+    """How far off an RPC was, px."""
+
+    column: float
+    """In the middle of the image."""
+    row: float
+    most: float
+    """The longest in its corners."""
+
+
+def _bias(done: Adjustment, box: ImageBox) -> _Bias | None:
+    """Of a corrected RPC; None for other models."""
+    import numpy as np
+
+    from ..measure.models.bias import BiasedRpc
+
+    model = done.fitted.model
+    if not isinstance(model, BiasedRpc):
+        return None
+    left, top, right, bottom = box
+    places = [((left + right) / 2, (top + bottom) / 2), (left, top), (right, top), (left, bottom), (right, bottom)]
+    found = model.bias(np.array(places))
+    return _Bias(float(found[0, 0]), float(found[0, 1]), float(np.hypot(*found.T).max()))
 
 
 def _described(kind: registry.ModelKind) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsFeature, QgsGeometry, QgsPoint, QgsPointXY, QgsProject, QgsVectorLayer
+from seam_inspector.plugin.sensors.measure.models.rpc_files import write_rpc
 
 from tests.numbers.sensors.sensor_scenes import WGS84, made_rational, places, pleiades_grid, ten_spread
 from tests.qgis.runs import Log, assert_refused, run, run_unchecked
@@ -82,6 +83,22 @@ def test_fit_keeps_its_contract(project: QgsProject, tmp_path: Path) -> None:
     report = files["REPORT"].read_text()
     assert "<svg" in report or "image/svg+xml" in report
     assert "p7" in report
+
+
+def test_the_bias_of_an_rpc_is_the_result(tmp_path: Path) -> None:
+    """In the outputs, the log and the report, to what was put in."""
+    ground = places(12, 3)
+    rpc = made_rational(3, 5, 0.001)
+    write_rpc(rpc, tmp_path / "vendor_RPC.TXT")
+    outcome = run(
+        "fitsensormodel", GCPS=gcps(rpc.project(ground) + [3.5, -1.25], ground), MODEL="rpc_bias", BIAS="shift",
+        IMAGE_RPC=str(tmp_path / "vendor_RPC.TXT"), HEIGHTS="ellipsoid", REPORT=str(tmp_path / "r.html"),
+    )
+    assert outcome.results["BIAS_COLUMN"] == pytest.approx(3.5, abs=1e-6)
+    assert outcome.results["BIAS_ROW"] == pytest.approx(-1.25, abs=1e-6)
+    told = "off by 3.50 columns and -1.25 rows"
+    assert told in (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert any(told in line for line in outcome.log.infos)
 
 
 @pytest.mark.parametrize("model", ["polynomial_2d", "polynomial_3d", "dlt", "pushbroom"])

@@ -37,7 +37,11 @@ class BiasedRpc(SensorModel):
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         seen = self.rpc.project(ground)
-        return seen + _linear(self.rpc.image, seen) @ self.correction
+        return seen + self.bias(seen)
+
+    def bias(self, image: np.ndarray) -> np.ndarray:
+        """(n, 2) px: how far off the RPC is at the places (n, 2) where it sees points; what is measured minus that."""
+        return _linear(self.rpc.image, image) @ self.correction
 
     def as_rational(self) -> Rational | None:
         if self.correction[1:].any():
