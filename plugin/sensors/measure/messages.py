@@ -114,7 +114,7 @@ NOT_INVERTED = Message(
 NO_RPC = Message("The image has no RPC of its own; give the file that came with it, or choose a model that needs none.")
 RPC_INCOMPLETE = Message("{name} holds no complete RPC; get the file anew from the image's vendor.")
 RPC_BIAS_FOUND = Message(
-    "The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, and by {most:.2f} px where "
+    "The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where "
     "it is worst; the model corrects that.", INFO
 )
 PLANE_MODEL_HAS_NO_RPC = Message(
