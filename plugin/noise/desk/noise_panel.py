@@ -13,7 +13,7 @@ from ...imagery.message import Message
 from ...imagery.rasters import RasterRef
 from ...toolkit.charts.chart_loader import chart_missing
 from ...toolkit.desk.background_tasks import BackgroundTasks
-from ...toolkit.desk.chart_panel import ChartPanel
+from ...toolkit.desk.chart_panel import MatplotlibPanel
 from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
 from ...toolkit.desk.tooltips import rich_tip
@@ -32,7 +32,7 @@ _LOADING_MS = 100  # between looks whether matplotlib is there
 _MOST_KEPT = 500  # results, for going back and forth
 
 
-class NoisePanel(ChartPanel):
+class NoisePanel(MatplotlibPanel):
     """Measures the first selected window, in the background and only while the panel is in sight."""
 
     def __init__(self, session: InspectedWindows, parent: QWidget | None = None) -> None:

@@ -1,4 +1,4 @@
-"""What the tabs with a chart have in common. matplotlib is loaded in the background."""
+"""What the tabs with a chart have in common."""
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import QEvent, Qt
@@ -16,8 +16,6 @@ class ChartPanel(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._loader = ChartLoader()
-        self._loader.start()
         self._timer = single_shot(self, self._refresh)
         self._text = QLabel()
         self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -54,3 +52,12 @@ class ChartPanel(QWidget):
     def _refresh(self) -> None:
         """Show what is selected now; nothing while the panel is out of sight."""
         raise NotImplementedError
+
+
+class MatplotlibPanel(ChartPanel):
+    """Its chart is matplotlib's, which is loaded in the background."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._loader = ChartLoader()
+        self._loader.start()

@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QToolButton, 
 
 from ....toolkit.band_titles import BAND_ORDER, band_title
 from ....toolkit.charts.chart_loader import chart_missing
-from ....toolkit.desk.chart_panel import ChartPanel
+from ....toolkit.desk.chart_panel import MatplotlibPanel
 from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
@@ -36,7 +36,7 @@ _WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the cha
 _MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
 
 
-class CurvesPanel(ChartPanel):
+class CurvesPanel(MatplotlibPanel):
     """Curves of one window, or mean and range of several; words where there is nothing to draw."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:

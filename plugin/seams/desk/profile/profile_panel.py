@@ -3,13 +3,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QEvent, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QIcon, QPalette, QPixmap, QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtGui import QIcon, QPixmap, QResizeEvent
+from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from ....toolkit.desk.chart_look import chart_style
+from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.clipped_label import ClippedLabel
-from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import sentence, tr
 from .profile_chart import ProfileChart
 from .profile_export import ProfileExport
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 _TITLE_CHARACTERS = 38  # a narrower panel has no title; the axis says what it is
 
 
-class ProfilePanel(QWidget):
+class ProfilePanel(ChartPanel):
     """Chart, levels to choose, and a line of words. Looks anew once it comes into sight."""
 
     followed = pyqtSignal(object)
@@ -35,7 +35,6 @@ class ProfilePanel(QWidget):
         super().__init__(parent)
         self._session = session
         self._result: WindowResult | None = None
-        self._timer = single_shot(self, self._refresh)
         self.chart = ProfileChart()
         self.chart.pointed.connect(self._on_pointed)
         self._levels: list[QToolButton] = []
@@ -44,7 +43,7 @@ class ProfilePanel(QWidget):
             session.selectionChanged, session.inputsChanged, session.windowsChanged, session.resultArrived,
             session.liveChanged,
         ):  # fmt: skip
-            signal.connect(self._refresh_soon)
+            signal.connect(self._refresh_now)
 
     @property
     def words(self) -> str:
@@ -84,35 +83,15 @@ class ProfilePanel(QWidget):
             self._say()
         self._follow(result)
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._refresh_soon()
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._title.setVisible(self.width() > _TITLE_CHARACTERS * self.fontMetrics().averageCharWidth())
         self._say()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange):
-            self._refresh_soon()
-
     def _build(self) -> None:
-        line = self.fontMetrics().height()
-        self._text = QLabel()
-        self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._text.setWordWrap(True)
-        self._text.setAutoFillBackground(True)
-        self._text.setBackgroundRole(QPalette.ColorRole.Base)
-        self._text.setForegroundRole(QPalette.ColorRole.Text)
-        self._text.setMargin(line)
-        self._text.setMinimumSize(1, 1)
-        self._pages = QStackedWidget()
-        self._pages.addWidget(self._text)
         self._pages.addWidget(self.chart)
         self._status = ClippedLabel(1)
-        self._status.setContentsMargins(*[line // 6] * 4)
+        self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         self._title = title = QLabel(tr("Seam profile"))
         title.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
@@ -123,12 +102,7 @@ class ProfilePanel(QWidget):
         self._tools.addWidget(title)
         self._tools.addStretch()
         self._tools.addWidget(self._export)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(line // 5)
-        layout.addLayout(self._tools)
-        layout.addWidget(self._pages, 1)
-        layout.addWidget(self._status)
+        self._lay_out(self._tools, self._status)
         self._fill_levels(3)
 
     def _fill_levels(self, count: int) -> None:
@@ -164,9 +138,6 @@ class ProfilePanel(QWidget):
             frozenset(level for level, button in enumerate(self._levels, 1) if button.isChecked()) or frozenset({1})
         )
         self.refresh()
-
-    def _refresh_soon(self, *_: object) -> None:
-        self._timer.start(0)
 
     def _refresh(self) -> None:
         if self.isVisible():
