@@ -1,4 +1,4 @@
-"""The view of the windows' table: widths from the font and the room there is, keys, a hint when it is empty."""
+"""The view of the windows' table: its columns as they fit, keys, a hint when it is empty."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -6,30 +6,14 @@ from dataclasses import replace
 
 from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QPoint, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPalette, QResizeEvent
-from qgis.PyQt.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QMenu,
-    QStyle,
-    QStyleOptionHeader,
-    QTableView,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
-from ....toolkit.translation import tr
-from ...cause_words import cause_word
-from ...measure.causes import Cause
-from ...verdict_words import VERDICTS, observer_word, verdict_word
 from .column_choice import ColumnChoice, columns_menu, load_choice, save_choice
-from .windows_columns import CAUSE, PAPER, TableColumn
+from .column_widths import ColumnChoosing, ColumnMeter, choose_columns, shared_room
+from .windows_columns import TableColumn
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
-
-Widths = tuple[int, int, int]
-"""Of a column, px: with words cut short, with all of them, with air."""
-_LEAST, _NATURAL, _AIRY = range(3)
-_GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio")
 
 
 class WindowsTable(QTableView):
@@ -127,64 +111,20 @@ class WindowsTable(QTableView):
         self.setIconSize(QSize(side, side))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
         self._has_stale = self._windows.has_stale
-        room, columns, chosen = self.viewport().width(), self._windows.columns, self._chosen()
-        if chosen is not None:
-            hidden = {section for section, column in enumerate(columns) if column.field not in chosen}
-            short, widths = False, [self._widths(column, metrics, False) for column in columns]
+        room, columns, wanted = self.viewport().width(), self._windows.columns, self._chosen()
+        meter = ColumnMeter(self, self._windows.sorted_by, self._has_stale)
+        if wanted is not None:
+            hidden = {section for section, column in enumerate(columns) if column.field not in wanted}
+            chosen = ColumnChoosing(hidden, False, meter.widths(columns, short=False))
+            sizes = {section: one.natural for section, one in enumerate(chosen.widths) if section not in hidden}
         else:
-            hidden, short, widths = self._choose(metrics, room)
-        self._windows.set_short_titles(short)
-        for section in range(len(widths)):
-            self.setColumnHidden(section, section in hidden)
-        shown = [section for section in range(len(widths)) if section not in hidden]
-        if chosen is not None:
-            for section in shown:
-                self.setColumnWidth(section, int(widths[section][_NATURAL]))
-            return
-        shown = [section for section in shown if columns[section].name != "reason"]  # they take what is left
-        cause = columns.index(CAUSE)
-        least, natural, airy = (sum(sizes) for sizes in zip(*(widths[section] for section in shown)))
-        for section in shown:
-            smallest, normal, largest = widths[section]
-            if room < natural and cause in shown:  # that alone gives way
-                size = normal if section != cause else room - natural + normal
-            elif room < least:  # the verdict's word ends in an ellipsis; its chip is still seen
-                size = smallest - (least - room) * (self._windows.columns[section].name == "verdict")
-            elif room < natural:
-                size = smallest + (room - least) / (natural - least) * (normal - smallest)
-            else:
-                share = min(1.0, (room - natural) / max(airy - natural, 1))
-                size = normal + share * (largest - normal)
-            self.setColumnWidth(section, int(size))
-
-    def _choose(self, metrics: QFontMetrics, room: int) -> tuple[set[int], bool, list[Widths]]:
-        """Which columns are hidden, whether headings are short, and the columns' widths.
-
-        Reasons give way first, then the ratios beyond level 1 and the paper's flag, then the causes.
-        """
-        columns = self._windows.columns
-        reason, cause = next(place for place, one in enumerate(columns) if one.name == "reason"), columns.index(CAUSE)
-        off = set(range(reason + 1, len(columns)))  # for the operator to choose
-        coarser = {section for section, column in enumerate(columns) if column.level > 1 or column == PAPER}
-        long, brief = ([self._widths(column, metrics, short) for column in columns] for short in (False, True))
-
-        def needed(widths: list[Widths], size: int, without: set[int]) -> int:
-            return sum(sizes[size] for section, sizes in enumerate(widths) if section not in without)
-
-        if room >= needed(long, _AIRY, off):
-            return off, False, long
-        for hidden in ({reason, *off}, {reason, *off, *coarser}):
-            for widths, short, size in ((long, False, _NATURAL), (brief, True, _NATURAL), (brief, True, _LEAST)):
-                if room >= needed(widths, _NATURAL, {*hidden, cause}) + widths[cause][size]:
-                    return hidden, short, widths
-        hidden = {reason, cause, *off}
-        if room < needed(brief, _NATURAL, hidden):
-            hidden |= coarser
-        for name in _GIVING_WAY:
-            if room < needed(brief, _NATURAL, hidden):  # so that a verdict's word is never cut
-                hidden |= {place for place, one in enumerate(columns) if one.name == name}
-        short = room < needed(long, _NATURAL, hidden)
-        return hidden, short, brief if short else long
+            chosen = choose_columns(columns, meter, room)
+            sizes = shared_room(columns, chosen, room)
+        self._windows.set_short_titles(chosen.short)
+        for section in range(len(columns)):
+            self.setColumnHidden(section, section in chosen.hidden)
+        for section, size in sizes.items():
+            self.setColumnWidth(section, size)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -229,54 +169,6 @@ class WindowsTable(QTableView):
             room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
             painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
             painter.end()
-
-    def _widths(self, column: TableColumn, metrics: QFontMetrics, short: bool) -> Widths:
-        style, em = self.style(), metrics.horizontalAdvance("m")
-        margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self) + 1) + em // 2
-        title = self._heading_width(column.title(short), column == self._windows.sorted_by)
-        chip = self.iconSize().width() + em // 2
-
-        def width(*texts: str) -> int:
-            return max(map(metrics.horizontalAdvance, texts)) + margins
-
-        if column.name in ("reason", "causes"):
-            return 20 * em, 20 * em, 20 * em
-        if column.name in ("remark", "remark_2"):
-            return 8 * em, 10 * em, 12 * em
-        if column.name == "verdict":
-            words = [verdict_word(verdict) for verdict in VERDICTS]
-            changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
-            natural, airy = chip + width(*words), chip + width(*changed)
-            least = natural = airy if self._has_stale else natural
-        elif column.name == "cause":
-            natural = width(*(cause_word(cause.value) for cause in Cause))
-            least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
-        elif column == PAPER:
-            natural = width(*(verdict_word(verdict) for verdict in VERDICTS))
-            least, airy = natural, natural + em
-        elif column.name in ("observer", "observer_2"):
-            natural = width(*map(observer_word, ("visible", "invisible", "unsure")))
-            least, airy = natural, natural + em
-        else:
-            natural = width({"window_id": "000", "sources": "00", "kept": "100.9 %"}.get(column.name, "0.00"))
-            least, airy = natural, natural + em
-        return max(least, title), max(natural, title), max(airy, title) + em
-
-    def _heading_width(self, title: str, is_sorted: bool) -> int:
-        """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
-        header = self.horizontalHeader()
-        option = QStyleOptionHeader()
-        option.initFrom(header)
-        option.orientation = Qt.Orientation.Horizontal
-        option.text = title
-        if is_sorted:
-            option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
-        style, metrics = header.style(), header.fontMetrics()
-        least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
-        needed = metrics.horizontalAdvance(title + "n") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
-        if is_sorted:
-            needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
-        return max(int(least), int(needed))  # the style's own word is too little in Fusion
 
     def show_sorting(self) -> None:
         """The arrow may stand on another column, or on none, after the order or the columns changed."""

@@ -1,0 +1,154 @@
+"""How wide the columns of the windows' table are, and which of them there is room for."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QFontMetrics
+from qgis.PyQt.QtWidgets import QStyle, QStyleOptionHeader, QTableView
+
+from ....toolkit.translation import tr
+from ...cause_words import cause_word
+from ...measure.causes import Cause
+from ...verdict_words import VERDICTS, observer_word, verdict_word
+from .windows_columns import CAUSE, PAPER, TableColumn
+
+_GIVING_WAY = ("sources", "remark_2", "remark", "confidence_2", "confidence", "ratio")
+
+
+class Widths(NamedTuple):
+    """Of a column, px."""
+
+    least: int
+    """With words cut short."""
+    natural: int
+    """With all of them."""
+    airy: int
+
+
+class ColumnChoosing(NamedTuple):
+    """What a room is used for."""
+
+    hidden: set[int]
+    """Sections."""
+    short: bool
+    """Whether headings are."""
+    widths: list[Widths]
+    """Of all sections."""
+
+
+class ColumnMeter:
+    """Measures columns in the font and style of a table as they are now."""
+
+    def __init__(self, table: QTableView, sorted_by: TableColumn | None, has_stale: bool) -> None:
+        self._table, self._sorted_by, self._has_stale = table, sorted_by, has_stale
+        self._metrics = QFontMetrics(table.font())
+
+    def widths(self, columns: Sequence[TableColumn], short: bool) -> list[Widths]:
+        """With short headings or whole ones."""
+        return [self._widths(column, short) for column in columns]
+
+    def _widths(self, column: TableColumn, short: bool) -> Widths:
+        table, metrics = self._table, self._metrics
+        style, em = table.style(), metrics.horizontalAdvance("m")
+        margins = 2 * (style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, table) + 1) + em // 2
+        title = self._heading(column.title(short), column == self._sorted_by)
+        chip = table.iconSize().width() + em // 2
+
+        def width(*texts: str) -> int:
+            return max(map(metrics.horizontalAdvance, texts)) + margins
+
+        if column.name in ("reason", "causes"):
+            return Widths(20 * em, 20 * em, 20 * em)
+        if column.name in ("remark", "remark_2"):
+            return Widths(8 * em, 10 * em, 12 * em)
+        if column.name == "verdict":
+            words = [verdict_word(verdict) for verdict in VERDICTS]
+            changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
+            natural, airy = chip + width(*words), chip + width(*changed)
+            least = natural = airy if self._has_stale else natural
+        elif column.name == "cause":
+            natural = width(*(cause_word(cause.value) for cause in Cause))
+            least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
+        elif column == PAPER:
+            natural = width(*(verdict_word(verdict) for verdict in VERDICTS))
+            least, airy = natural, natural + em
+        elif column.name in ("observer", "observer_2"):
+            natural = width(*map(observer_word, ("visible", "invisible", "unsure")))
+            least, airy = natural, natural + em
+        else:
+            natural = width({"window_id": "000", "sources": "00", "kept": "100.9 %"}.get(column.name, "0.00"))
+            least, airy = natural, natural + em
+        return Widths(max(least, title), max(natural, title), max(airy, title) + em)
+
+    def _heading(self, title: str, is_sorted: bool) -> int:
+        """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
+        header = self._table.horizontalHeader()
+        option = QStyleOptionHeader()
+        option.initFrom(header)
+        option.orientation = Qt.Orientation.Horizontal
+        option.text = title
+        if is_sorted:
+            option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
+        style, metrics = header.style(), header.fontMetrics()
+        least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
+        needed = metrics.horizontalAdvance(title + "n") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        if is_sorted:
+            needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
+        return max(int(least), int(needed))  # the style's own word is too little in Fusion
+
+
+def choose_columns(columns: Sequence[TableColumn], meter: ColumnMeter, room: int) -> ColumnChoosing:
+    """Those there is room for.
+
+    Reasons give way first, then the ratios beyond level 1 and the paper's flag, then the causes.
+    """
+    reason, cause = next(place for place, one in enumerate(columns) if one.name == "reason"), columns.index(CAUSE)
+    off = set(range(reason + 1, len(columns)))  # for the operator to choose
+    coarser = {section for section, column in enumerate(columns) if column.level > 1 or column == PAPER}
+    long, brief = meter.widths(columns, short=False), meter.widths(columns, short=True)
+
+    def needed(widths: list[Widths], without: set[int]) -> int:
+        return sum(one.natural for section, one in enumerate(widths) if section not in without)
+
+    if room >= sum(one.airy for section, one in enumerate(long) if section not in off):
+        return ColumnChoosing(off, False, long)
+    for hidden in ({reason, *off}, {reason, *off, *coarser}):
+        for widths, short, size in (
+            (long, False, long[cause].natural), (brief, True, brief[cause].natural), (brief, True, brief[cause].least)
+        ):
+            if room >= needed(widths, {*hidden, cause}) + size:
+                return ColumnChoosing(hidden, short, widths)
+    hidden = {reason, cause, *off}
+    if room < needed(brief, hidden):
+        hidden |= coarser
+    for name in _GIVING_WAY:
+        if room < needed(brief, hidden):  # so that a verdict's word is never cut
+            hidden |= {place for place, one in enumerate(columns) if one.name == name}
+    short = room < needed(long, hidden)
+    return ColumnChoosing(hidden, short, brief if short else long)
+
+
+def shared_room(columns: Sequence[TableColumn], chosen: ColumnChoosing, room: int) -> dict[int, int]:
+    """The width of each section that is shown; reasons take what is left."""
+    shown = [
+        section for section, column in enumerate(columns) if section not in chosen.hidden and column.name != "reason"
+    ]
+    cause = columns.index(CAUSE)
+    least, natural, airy = (sum(sizes) for sizes in zip(*(chosen.widths[section] for section in shown)))
+    found = {}
+    for section in shown:
+        one = chosen.widths[section]
+        size: float
+        if room < natural and cause in shown:  # that alone gives way
+            size = one.natural if section != cause else room - natural + one.natural
+        elif room < least:  # the verdict's word ends in an ellipsis; its chip is still seen
+            size = one.least - (least - room) * (columns[section].name == "verdict")
+        elif room < natural:
+            size = one.least + (room - least) / (natural - least) * (one.natural - one.least)
+        else:
+            share = min(1.0, (room - natural) / max(airy - natural, 1))
+            size = one.natural + share * (one.airy - one.natural)
+        found[section] = int(size)
+    return found
