@@ -85,6 +85,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
         has_images=any(one.worst.piece.left_source or one.worst.piece.right_source for one in defects[:MOST_ROWS]),
         pictures=_pictures(defects, pictures),
+        picture_count=len(pictures),
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
         observers=_observer_rows(decision.observers),
@@ -103,7 +104,7 @@ def _how(record: InspectionRecord) -> HowMeasured:
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
         (tr("a piece fails where it keeps less than"), whole_share(decision.rules.least_kept)),
-        *((names.get(name, name), value) for name, value in record.scan.items()),
+        *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
         (tr("layer of windows"), record.windows),
         (tr("reference system"), system_name(decision.delivery.wkt)),
     ]

@@ -24,6 +24,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
+from ...toolkit.pages.how_measured import whole_path
 from ...toolkit.translation import tr
 from ..measure.decision import Decision
 from ..measure.defects import Defect
@@ -114,9 +115,9 @@ def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom
     loss, settings = _loss(run, inputs.loss)
     report = run.file_path(REPORT)
     maker, mosaics = _maker(run, inputs, decision) if run.parameters.get(DEFECTS) or report else (None, ())
-    record = InspectionRecord(
-        decision, origin.seams, origin.windows, origin.rules, mosaics, loss, settings, str(report or "")
-    )
+    seams = tuple((sheet, whole_path(address)) for sheet, address in origin.seams)
+    windows, rules = whole_path(origin.windows), whole_path(origin.rules)
+    record = InspectionRecord(decision, seams, windows, rules, mosaics, loss, settings, str(report or ""))
     defects = record.defects
     pictures = _Pictures()
     results = _write_defects(run, decision, defects, maker, pictures)
@@ -180,8 +181,8 @@ def _write_defects(
 
 def _file_of(destination: str) -> Path | None:
     """The file of a layer; None for one in memory or in a database."""
-    path = str(QgsProviderRegistry.instance().decodeUri("ogr", destination).get("path") or "")
-    return Path(path) if path and Path(path).is_absolute() and Path(path).parent.is_dir() else None
+    path = Path(str(QgsProviderRegistry.instance().decodeUri("ogr", destination).get("path") or ""))
+    return path.absolute() if path.is_file() else None
 
 
 def _make_pictures(

@@ -17,7 +17,7 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
-from ...toolkit.pages.how_measured import HowMeasured, system_code
+from ...toolkit.pages.how_measured import HowMeasured, system_code, whole_path
 from ...toolkit.pages.templates import environment
 from ...toolkit.translation import language, sentence, tr
 from ..measure.decision import Decision
@@ -54,6 +54,7 @@ def quality_document(record: InspectionRecord) -> str:
         report=Path(record.report).name if record.report else "",
         elements=list(quality_elements(record)),
         loss=record.loss,
+        loss_path=whole_path(record.loss.ref.path) if record.loss else "",
         software=HowMeasured().software,
         steps=list(_steps(record)),
         sources=_sources(record),
@@ -88,6 +89,6 @@ def _steps(record: InspectionRecord) -> Iterator[str]:
 def _sources(record: InspectionRecord) -> list[str]:
     """What was read."""
     found = [f"{sheet}: {path}" for sheet, path in record.seams]
-    found += [one.ref.path for one in record.mosaics]
+    found += [whole_path(one.ref.path) for one in record.mosaics]
     found += [one for one in (record.windows, record.rules) if one]
     return list(dict.fromkeys(found))

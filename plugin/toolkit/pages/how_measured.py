@@ -1,6 +1,7 @@
 """What every report says of how its figures came about."""
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -66,10 +67,10 @@ class HowMeasured:
 def measured_raster(role: str, raster: Raster | RasterRef) -> MeasuredRaster:
     """Of one raster; of one that was not opened its path alone is known."""
     if isinstance(raster, RasterRef):
-        return MeasuredRaster(role, raster.path)
+        return MeasuredRaster(role, whole_path(raster.path))
     return MeasuredRaster(
         role,
-        raster.ref.path,
+        whole_path(raster.ref.path),
         f"{raster.columns} x {raster.rows} px",
         _pixel_size(raster) if raster.has_place else "",
         f"{len(raster.band_names)} x {raster.data_type}",
@@ -80,6 +81,12 @@ def measured_raster(role: str, raster: Raster | RasterRef) -> MeasuredRaster:
 def each_raster(role: str, rasters: Iterable[Raster | RasterRef]) -> list[MeasuredRaster]:
     """Of several rasters, each path once."""
     return list({facts.path: facts for facts in (measured_raster(role, one) for one in rasters)}.values())
+
+
+def whole_path(address: str) -> str:
+    """What somebody else finds a file or a layer in it by, wherever the program was started; others as they are."""
+    path, bar, layer = address.partition("|")
+    return f"{os.path.abspath(path)}{bar}{layer}" if path and os.path.exists(path) else address
 
 
 def system_name(wkt: str) -> str:
