@@ -5,6 +5,7 @@ from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .acceptance.algorithms.acceptmosaic import AcceptMosaic
+from .acceptance.algorithms.planinspection import PlanInspection
 from .noise.checknoise import CheckNoise
 from .photos.algorithms.comparemarks import CompareMarks
 from .photos.algorithms.enhancephoto import EnhancePhoto
@@ -29,6 +30,7 @@ ALGORITHMS = (
     PlaceWindows,
     InspectWindows,
     ScanMosaic,
+    PlanInspection,
     AcceptMosaic,
     PredictLoss,
     CalibrateThreshold,

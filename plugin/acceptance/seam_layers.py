@@ -53,9 +53,9 @@ class SeamLayer:
     fields: tuple[str, ...]
 
 
-def seam_layers(values: Sequence[object], context: QgsProcessingContext, needed: str = "") -> tuple[
-    list[SeamLayer], list[Message]
-]:
+def seam_layers(
+    values: Sequence[object], context: QgsProcessingContext, needed: str = ""
+) -> tuple[list[SeamLayer], list[Message]]:
     """The layers behind a parameter's values, each once, and what is to be told of them.
 
     ``needed``: a field that each must have. Raises SettingsError where one is no layer of lines.
@@ -83,19 +83,21 @@ def seam_layers(values: Sequence[object], context: QgsProcessingContext, needed:
 
 
 def read_delivery(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
+    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext, sheet_field: str = "",
+    crs: QgsCoordinateReferenceSystem | None = None,
 ) -> tuple[Delivery, list[Message]]:
-    """All pieces, in the reference system of the first layer, in UTM where that is in degrees; and what is to be told.
+    """All pieces, in a reference system (None: see ``common_system``), and what is to be told.
 
-    Raises SettingsError where there are none, or a layer has no place in that system.
+    ``sheet_field``: whose values are the sheets, instead of the layers. Raises SettingsError where there are none, or a
+    layer has no place in that system.
     """
-    crs = _common_system(seams, transforms)
+    crs = crs or common_system(seams, transforms)
     pieces: list[DeliveredPiece] = []
     told: list[Message] = []
     lots: set[int] = set()
     for layer in seams:
         before, left_out = len(pieces), 0
-        for row, piece in _pieces(layer, crs, transforms):
+        for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS):
             if piece is None:
                 left_out += 1
                 continue
@@ -107,9 +109,13 @@ def read_delivery(
             told.append(messages.LAYER_EMPTY(name=layer.sheet))
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
-    unit = QgsUnitTypes.fromUnitToUnitFactor(crs.mapUnits(), _METRES) if crs.isValid() else 1.0
     size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
-    return Delivery(tuple(pieces), layers.system_wkt(crs), unit, lot_size=size), told
+    return Delivery(tuple(pieces), layers.system_wkt(crs), metres_in_unit(crs), lot_size=size), told
+
+
+def metres_in_unit(crs: QgsCoordinateReferenceSystem) -> float:
+    """Of a system that is not in degrees; 1 where there is none."""
+    return QgsUnitTypes.fromUnitToUnitFactor(crs.mapUnits(), _METRES) if crs.isValid() else 1.0
 
 
 def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
@@ -152,7 +158,7 @@ def _names(found: Sequence[QgsVectorLayer]) -> list[str]:
     return unique
 
 
-def _common_system(
+def common_system(
     seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
 ) -> QgsCoordinateReferenceSystem:
     """The first one that is not in degrees; the UTM zone of the first layer where all are."""
@@ -174,7 +180,8 @@ def _common_system(
 
 
 def _pieces(
-    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext
+    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext,
+    sheet_fields: Sequence[str],
 ) -> Iterator[tuple[Attributes, DeliveredPiece | None]]:
     """Each row with its piece; None for one without a line or a length."""
     transform = QgsCoordinateTransform(layer.crs, crs, transforms)
@@ -186,9 +193,9 @@ def _pieces(
         line = QgsGeometry(row.feature.geometry())
         length = number(row["length"])
         if length is None and not line.isEmpty():
-            length = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES) if layer.crs.isValid() else (
-                line.length()
-            )
+            length = line.length()
+            if layer.crs.isValid():
+                length = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
         try:
             line.transform(transform)
         except QgsCsException:
@@ -196,7 +203,8 @@ def _pieces(
         vertices = _vertices(line)
         usable = len(vertices) > 1 and bool(np.isfinite(vertices).all())
         known = length is not None and math.isfinite(length) and length > 0
-        yield row, _piece(row, layer.sheet, float(length or 0), vertices) if usable and known else None
+        sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
+        yield row, _piece(row, sheet, float(length or 0), vertices) if usable and known else None
 
 
 def _vertices(line: QgsGeometry) -> np.ndarray:
@@ -209,9 +217,8 @@ def _vertices(line: QgsGeometry) -> np.ndarray:
 
 
 def _piece(row: Attributes, sheet: str, length: float, vertices: np.ndarray) -> DeliveredPiece:
-    named = next((name for name in map(text, (row[field] for field in _SHEET_FIELDS)) if name), "")
     return DeliveredPiece(
-        0, named or sheet, text(row["seam_id"]), number(row["station"]), length,
+        0, sheet, text(row["seam_id"]), number(row["station"]), length,
         number(row["kept_1"]), number(row["kept_low"]), number(row["kept_high"]), number(row["band_width"]),
         text(row["verdict"]), text(row["reason"]), vertices,
         text(row["left_source"]), text(row["right_source"]), text(row["left_date"]), text(row["right_date"]),

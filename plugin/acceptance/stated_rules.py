@@ -64,10 +64,8 @@ def check_limit(name: str, value: float, most: float | None = None) -> None:
 
 def standard_aql(run: Run) -> str:
     """The AQL as the standard writes it, also of a number. Raises SettingsError for one that it does not have."""
-    value = run.parameters.get(AQL)
-    word = aql_word(limits.STANDARD_AQL if value is None or value == "" else run.raster_value(AQL))
-    if word is None:
-        word = aql_word(run.word(AQL))
+    value = run.raster_value(AQL)
+    word = limits.STANDARD_AQL if value is None or value == "" else aql_word(value)
     if word is None or word not in SHARE_AQLS:
         raise SettingsError(messages.AQL_UNKNOWN(aql=value, known=", ".join(SHARE_AQLS)))
     return word
@@ -111,7 +109,7 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
     kept, measured = limit(MIN_KEPT), AcceptanceRule(MEASURED_SHARE, limit(MIN_MEASURED) / 100, source(MIN_MEASURED))
     if given[PLAN] == ISO2859:
         aql, level, severity = (str(given[name]) for name in (AQL, INSPECTION_LEVEL, SEVERITY))
-        name = tr("at least {kept:g} kept, ISO 2859-1, level {level}, AQL {aql}")
+        name = tr("at least {kept:g} kept, sampled at level {level}, AQL {aql}")
         sampling = SamplingRule(aql, level, severity, source(PLAN))
         words = name.format(kept=kept, level=level, aql=aql)
         return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)

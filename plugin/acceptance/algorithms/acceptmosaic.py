@@ -20,6 +20,7 @@ from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from .. import stated_rules as stated
 from ..measure.rules_file import ready_files
+from ..paper import outputs as paper
 from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
 
 if TYPE_CHECKING:
@@ -41,7 +42,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         "a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece "
         "of seam fails when it kept less than is asked for. What could not be measured never counts as passed."
     )
-    RASTER_LISTS = (SEAMS, common.MOSAIC)
+    RASTER_LISTS = (SEAMS, paper.MOSAIC)
+    PAGES = (paper.REPORT, paper.QUALITY)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
@@ -79,6 +81,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
                 "and the agreement of operators and tool is told."
             ),
         )
+        paper.add_inputs(self)
+        paper.add_outputs(self)
         self.addDescribed(*common.chart(tr(
             "The plan's operating characteristic; without a plan how many metres kept how much."
         )))
@@ -102,12 +106,18 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         from ..seam_layers import seam_layers
 
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, "kept_1")
+        windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
+        self._windows = "" if windows is None else windows.source()
+        self._paper = paper.prepare(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
         decision = self._decision(run)
         run.tell(*decision.sentences)
         whole = decision.whole
+        seams = tuple((layer.sheet, layer.address) for layer in self._seams)
+        rules = run.text(stated.RULES) if run.parameters.get(stated.RULES) else ""
         return {
+            **paper.write(run, decision, self._paper, paper.DecidedFrom(seams, self._windows, rules)),
             **run.save(common.CHART, lambda path: _save_chart(path, decision)),
             ACCEPTED: int(decision.accepted),
             TOTAL_METRES: whole.total_m,
@@ -161,6 +171,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
 def _save_chart(path: Path, decision: Decision) -> None:
     from ...toolkit.charts.figure_files import save_figure
-    from ..charts import decision_figure
+    from ..kept_chart import kept_figure
+    from ..paper.charts import oc_figure
 
-    save_figure(decision_figure(decision), path)
+    save_figure(kept_figure(decision) if decision.plan is None else oc_figure(decision.plan), path)

@@ -34,6 +34,24 @@ RISK_OUT_OF_RANGE = Message(
 QUALITIES_TOO_NEAR = Message(
     "No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks."
 )
+COUNT_NOT_POSITIVE = Message("A sample of {count} pieces was asked for; give 1 or more.")
+NO_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
+MOSAIC_SMALLER_THAN_WINDOW = Message("The mosaic is smaller than a window of {side:.1f} m; give a shorter SIDE.")
+PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are no part of the lot.", WARNING)
+ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
+PLANNED_BY_STANDARD = Message(
+    "{size} of {lot} pieces are inspected and up to {acceptance} may fail (ISO 2859-1, level {level}, AQL {aql}, code "
+    "letter {letter}): a lot at the AQL is rejected with {producers:.1%}, one with {limiting:.1%} failing pieces is "
+    "accepted with 10 %.", INFO
+)
+PLANNED_BY_RISK = Message(
+    "{size} of {lot} pieces are inspected and up to {acceptance} may fail; pieces of one seam are alike by "
+    "{correlation:.2f}, which makes the sample {effect:.2f} times as large.", INFO
+)
+SAMPLE_LARGER_THAN_GIVEN = Message(
+    "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING
+)
+PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic tells what that is worth.", INFO)
 # the decision: {why} and {also} are reasons from below
 ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
 REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
@@ -48,13 +66,13 @@ MEASURED_TOO_LITTLE = Message(
 )
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be told", INFO)
 PLAN_KEPT = Message(
-    "{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, level {level}, "
-    "AQL {aql}, code letter {letter}; a lot at the AQL is rejected with {producers:.1%}, one with {limiting:.1%} "
-    "failing pieces accepted with 10 %)", INFO
+    "{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, code letter "
+    "{letter}; a lot at the AQL of {aql} is rejected with {producers:.1%}, one with {limiting:.1%} failing pieces "
+    "accepted with 10 %)", INFO
 )
 PLAN_EXCEEDED = Message(
-    "{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, level "
-    "{level}, AQL {aql}, code letter {letter}; a lot at the AQL is rejected with {producers:.1%})", INFO
+    "{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, code "
+    "letter {letter}; a lot at the AQL of {aql} is rejected with {producers:.1%})", INFO
 )
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be told", INFO

@@ -65,16 +65,15 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     curve = outcome.characteristic
     if passed:
         sentence = messages.PLAN_KEPT(
-            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size,
-            level=plan.inspection_level, aql=rule.aql, letter=plan.code_letter, producers=curve.producers_risk,
-            limiting=curve.limiting_quality,
+            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=rule.aql,
+            letter=plan.code_letter, producers=curve.producers_risk, limiting=curve.limiting_quality,
         )  # fmt: skip
     elif passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
     else:
         sentence = messages.PLAN_EXCEEDED(
-            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size,
-            level=plan.inspection_level, aql=rule.aql, letter=plan.code_letter, producers=curve.producers_risk,
+            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=rule.aql,
+            letter=plan.code_letter, producers=curve.producers_risk,
         )  # fmt: skip
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
 

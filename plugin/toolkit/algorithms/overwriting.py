@@ -20,6 +20,7 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterMultipleLayers,
     QgsProcessingUtils,
     QgsProperty,
     QgsProviderRegistry,
@@ -35,6 +36,13 @@ from .. import messages
 from . import parameters as common
 
 _OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
+_VECTORS = (
+    QgsProcessing.SourceType.TypeVector,
+    QgsProcessing.SourceType.TypeVectorAnyGeometry,
+    QgsProcessing.SourceType.TypeVectorPoint,
+    QgsProcessing.SourceType.TypeVectorLine,
+    QgsProcessing.SourceType.TypeVectorPolygon,
+)
 _DATABASES = {".gpkg", ".sqlite"}  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
     ".shp": (".shx", ".dbf", ".prj", ".cpg"),
@@ -131,7 +139,7 @@ def _inputs(
         name, kind = definition.name(), definition.type()
         if definition.isDestination() or kind in _OF_WORDS_AND_NUMBERS:
             continue
-        for place in _places(parameters.get(name), "ogr" if kind in ("source", "vector") else "gdal", context):
+        for place in _places(parameters.get(name), "ogr" if _is_vector(definition) else "gdal", context):
             yield place
             yield from _parts(place.path, seen)
         if name.upper() == common.SOURCE_INDEX and parameters.get(name):
@@ -139,6 +147,13 @@ def _inputs(
                 yield _DataPlace(path)
                 if path.lower().endswith(".vrt"):  # there may be too many to open all
                     yield from _parts(path, seen)
+
+
+def _is_vector(definition: QgsProcessingParameterDefinition) -> bool:
+    """Whether its values are layers of features, alone or in a list."""
+    if isinstance(definition, QgsProcessingParameterMultipleLayers):
+        return definition.layerType() in _VECTORS
+    return definition.type() in ("source", "vector")
 
 
 def _places(

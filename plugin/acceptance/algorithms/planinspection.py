@@ -1,0 +1,292 @@
+"""``seaminspector:planinspection``: a random sample of a delivery, to be judged."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsGeometry,
+    QgsLineString,
+    QgsProcessing,
+    QgsProcessingOutputString,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
+    QgsWkbTypes,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery import limits as imagery_limits
+from ...imagery.errors import SettingsError
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.run import Run
+from ...toolkit.translation import tr
+from .. import stated_rules as stated
+from ..measure import limits, messages
+from ..measure.sampling.iso2859 import INSPECTION_LEVELS, SEVERITIES
+from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
+
+if TYPE_CHECKING:
+    from ...imagery.rasters import Raster
+    from ..measure.delivery import DeliveredPiece, Delivery
+    from ..measure.inspection_plan import CountedPlan
+    from ..measure.sampling.sample_size import StatedRisk
+    from ..sample_tables import SampledItem
+
+SEAMS, UNIT, SIDE, PIECE, SHEET_FIELD, COUNT = "SEAMS", "UNIT", "SIDE", "PIECE", "SHEET_FIELD", "COUNT"
+GOOD_SHARE, PRODUCERS_RISK = "GOOD_SHARE", "PRODUCERS_RISK"
+BAD_SHARE, CONSUMERS_RISK, CORRELATION = "BAD_SHARE", "CONSUMERS_RISK", "CORRELATION"
+OUTPUT, SAMPLE_SIZE, ACCEPTANCE_NUMBER, CODE_LETTER = "OUTPUT", "SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "CODE_LETTER"
+RISK, BY_COUNT = "risk", "count"
+PIECES, WINDOWS = "pieces", "windows"
+
+
+class PlanInspection(SeamInspectorAlgorithm):
+    """Which pieces of seam to look at when not all are."""
+
+    ID = "planinspection"
+    NAME = QT_TRANSLATE_NOOP("@default", "Plan an inspection")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks "
+        "for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for 'Accept or "
+        "reject a delivery', or as windows that open in the dock to be judged. The same seed draws the same sample."
+    )
+    RASTER_LISTS = (SEAMS,)
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addDescribed(
+            QgsProcessingParameterMultipleLayers(SEAMS, tr("Seams"), QgsProcessing.SourceType.TypeVectorLine),
+            tr("Layers 'Seams' of scans, a sheet each, or plain seamlines: these are cut into pieces first."),
+        )
+        self.addDescribed(
+            common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, RISK, BY_COUNT)),
+            tr(
+                "How many: iso2859, as the standard's tables say for the lot; risk, as few as keep the risks below; "
+                "count, as many as you say."
+            ),
+        )
+        add_plan_parameters(self)
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                COUNT, tr("Count"), QgsProcessingParameterNumber.Type.Integer, 50, minValue=1
+            ),
+            tr("How many are drawn with the plan 'count'."),
+        )
+        self._add_risks()
+        self.addDescribed(
+            common.choice(UNIT, tr("Unit"), (PIECES, WINDOWS)),
+            tr("pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic's pixels."),
+        )
+        self.addDescribed(
+            common.mosaic(optional=True)[0],
+            tr("What windows are placed on; pieces that do not lie on it are no part of the lot."),
+        )
+        self.addDescribed(
+            common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01),
+            tr("What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
+        )
+        self.addDescribed(
+            common.real(PIECE, tr("Length of a piece (metres)"), limits.STANDARD_PIECE_M, 0.01),
+            tr("Plain seamlines are cut into pieces of about this length; those of a scan stay as they are."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterString(SHEET_FIELD, tr("Field of the sheets"), optional=True),
+            tr("Whose values the sample is drawn from in proportion. Empty: layer by layer."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Sample")),
+            tr("The sample: its field 'sample' numbers the pieces as they were drawn, 'lot_size' says of how many."),
+        )
+        self.addNumbers({
+            SAMPLE_SIZE: tr("Pieces in the sample"),
+            ACCEPTANCE_NUMBER: tr("How many of them may fail"),
+            LOT_SIZE: tr("Pieces in the lot"),
+        })
+        self.addOutput(QgsProcessingOutputString(CODE_LETTER, tr("Code letter of the plan")))
+
+    def check(self, run: Run) -> None:
+        self._check(run)
+
+    def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
+        return stated.with_standard_aql(super().for_check(parameters))
+
+    def prepare(self, run: Run) -> None:
+        from ..seam_layers import seam_layers
+
+        self._check(run)
+        self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context)
+        self._mosaic = run.mosaic() if run.word(UNIT) == WINDOWS else None
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        from ..measure.inspection_plan import drawn_sample
+
+        run.tell(*self._told)
+        delivery = self._delivery(run)
+        lot = self._on_mosaic(run, delivery)
+        size = run.whole(LOT_SIZE) or len(lot)
+        if size < len(lot):
+            raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
+        counted = self._plan(run, lot, size)
+        count = min(run.whole(COUNT), size) if counted is None else counted.plan.sample_size
+        sample = drawn_sample(lot, count, run.whole(SEED))
+        self._tell_plan(run, counted, len(sample), size)
+        destination = self._write(run, sample, size, QgsCoordinateReferenceSystem.fromWkt(delivery.wkt))
+        return {
+            OUTPUT: destination,
+            SAMPLE_SIZE: len(sample),
+            ACCEPTANCE_NUMBER: None if counted is None else counted.plan.acceptance_number,
+            LOT_SIZE: size,
+            CODE_LETTER: (counted.plan.code_letter if counted is not None else "") or None,
+        }
+
+    def _add_risks(self) -> None:
+        share = tr("Of the plan 'risk', in percent of the pieces.")
+        self.addDescribed(common.real(GOOD_SHARE, tr("Good: failing pieces (%)"), 1.0, 0.0), share, advanced=True)
+        self.addDescribed(
+            common.real(PRODUCERS_RISK, tr("Producer's risk (%)"), 5.0, 0.0),
+            tr("How often a lot that is good may be rejected."),
+            advanced=True,
+        )
+        self.addDescribed(common.real(BAD_SHARE, tr("Bad: failing pieces (%)"), 8.0, 0.0), share, advanced=True)
+        self.addDescribed(
+            common.real(CONSUMERS_RISK, tr("Consumer's risk (%)"), 10.0, 0.0),
+            tr("How often a lot that is bad may be accepted."),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.real(CORRELATION, tr("Likeness along a seam"), None, 0.0, optional=True),
+            tr(
+                "How much alike pieces of one seam are, 0 to 1 (intraclass correlation); the sample grows with it. "
+                "Empty: as a scan's kept_1 says, or 0.3 without one."
+            ),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.real(stated.MIN_KEPT, tr("Least share of detail kept"), stated.LIMITS[stated.MIN_KEPT], 0.0),
+            tr("What counts as failed where likeness along seams is taken from a scan."),
+            advanced=True,
+        )
+
+    def _check(self, run: Run) -> None:
+        """Raise SettingsError for what can't be planned."""
+        plan = stated.known_word(run, stated.PLAN, (stated.ISO2859, RISK, BY_COUNT))
+        stated.standard_aql(run)
+        stated.known_word(run, stated.INSPECTION_LEVEL, INSPECTION_LEVELS)
+        stated.known_word(run, stated.SEVERITY, SEVERITIES)
+        stated.check_limit(LOT_SIZE, run.whole(LOT_SIZE))
+        stated.check_limit(PIECE, run.real(PIECE))
+        if plan == RISK:
+            self._risk(run).check()
+            self._correlation(run)
+        if plan == BY_COUNT and run.whole(COUNT) < 1:
+            raise SettingsError(messages.COUNT_NOT_POSITIVE(count=run.whole(COUNT)))
+        if stated.known_word(run, UNIT, (PIECES, WINDOWS)) == WINDOWS and not run.parameters.get(common.MOSAIC):
+            raise SettingsError(messages.NO_MOSAIC())
+
+    @staticmethod
+    def _risk(run: Run) -> StatedRisk:
+        from ..measure.sampling.sample_size import StatedRisk
+
+        return StatedRisk(*(run.real(name) / 100 for name in (GOOD_SHARE, PRODUCERS_RISK, BAD_SHARE, CONSUMERS_RISK)))
+
+    @staticmethod
+    def _correlation(run: Run) -> float | None:
+        if run.parameters.get(CORRELATION) is None:
+            return None
+        correlation = run.real(CORRELATION)
+        stated.check_limit(CORRELATION, correlation, 1.0)
+        return correlation
+
+    def _delivery(self, run: Run) -> Delivery:
+        """The pieces of the scans, and those that plain seamlines are cut into."""
+        from ..seamline_pieces import with_cut_seamlines
+
+        step = self._mosaic.grid.ground_sample_distance if self._mosaic is not None else None
+        delivery, told = with_cut_seamlines(
+            self._seams, run.context.transformContext(), run.text(SHEET_FIELD), run.real(PIECE), step
+        )
+        run.tell(*told)
+        return delivery
+
+    def _on_mosaic(self, run: Run, delivery: Delivery) -> Sequence[DeliveredPiece]:
+        """The pieces that windows can be placed on; all where none are."""
+        from ..sampled_windows import middle_on
+
+        if self._mosaic is None:
+            return delivery.pieces
+        found = [piece for piece in delivery.pieces if middle_on(self._mosaic, piece, delivery.wkt) is not None]
+        if not found:
+            raise SettingsError(messages.ALL_OFF_MOSAIC())
+        if len(found) < len(delivery.pieces):
+            run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(found)))
+        return found
+
+    def _plan(self, run: Run, lot: Sequence[DeliveredPiece], size: int) -> CountedPlan | None:
+        """None where as many are drawn as were asked for."""
+        from ..measure.inspection_plan import plan_of_risk, plan_of_standard
+
+        plan = run.word(stated.PLAN)
+        if plan == BY_COUNT:
+            return None
+        if plan == RISK:
+            return plan_of_risk(lot, size, self._risk(run), self._correlation(run), run.real(stated.MIN_KEPT))
+        return plan_of_standard(
+            size, stated.standard_aql(run), run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
+        )
+
+    @staticmethod
+    def _tell_plan(run: Run, counted: CountedPlan | None, drawn: int, size: int) -> None:
+        from ..measure.inspection_plan import risks_of
+
+        if counted is None:
+            run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
+            return
+        plan = counted.plan
+        producers, limiting = risks_of(plan)
+        if counted.correlation is not None and counted.design_effect is not None:
+            run.tell(messages.PLANNED_BY_RISK(
+                size=plan.sample_size, lot=size, acceptance=plan.acceptance_number, correlation=counted.correlation,
+                effect=counted.design_effect,
+            ))  # fmt: skip
+        else:
+            run.tell(messages.PLANNED_BY_STANDARD(
+                size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
+                aql=stated.standard_aql(run), letter=plan.code_letter, producers=producers, limiting=limiting,
+            ))  # fmt: skip
+        if drawn < plan.sample_size:
+            run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=drawn))
+
+    def _write(
+        self, run: Run, sample: Sequence[DeliveredPiece], lot_size: int, crs: QgsCoordinateReferenceSystem
+    ) -> str | None:
+        from ...toolkit import layers
+        from ...toolkit.table_fields import column_fields, column_values, feature
+        from ..sample_tables import PIECE_COLUMNS, WINDOW_COLUMNS, SampledItem
+        from ..sampled_windows import sampled_window
+
+        items = [SampledItem(order, piece, lot_size) for order, piece in enumerate(sample, 1)]
+        mosaic, columns, kind = self._mosaic, PIECE_COLUMNS, QgsWkbTypes.Type.LineString
+        if mosaic is not None:
+            wkt = layers.system_wkt(crs)
+            columns, kind, crs = WINDOW_COLUMNS, QgsWkbTypes.Type.Polygon, layers.mosaic_crs(mosaic)
+            items = [replace(one, window=sampled_window(mosaic, one.piece, wkt, run.real(SIDE))) for one in items]
+        fields = column_fields(columns)
+        sink, destination = run.sink(OUTPUT, fields, kind, crs)
+        run.write(sink, (feature(fields, column_values(columns, one), _outline(one, mosaic)) for one in items))
+        if mosaic is not None:
+            run.style(destination, "placed_windows")
+        return destination
+
+
+def _outline(item: SampledItem, mosaic: Raster | None) -> QgsGeometry:
+    from ...toolkit import layers
+
+    if item.window is not None and mosaic is not None:
+        return layers.rectangle(mosaic.grid.window_extent(item.window))
+    return QgsGeometry(QgsLineString(*item.piece.vertices.T.tolist()))

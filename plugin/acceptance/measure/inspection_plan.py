@@ -1,0 +1,87 @@
+"""Planning an inspection: how many pieces of a lot, and which."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery.errors import SettingsError
+from ...imagery.lines.paths import points_at, vertex_stations
+from ...imagery.lines.seamlines import Seam
+from . import messages
+from .delivery import DeliveredPiece
+from .sampling.characteristic import limiting_quality, producers_risk
+from .sampling.clustering import intraclass_correlation
+from .sampling.drawing import stratified_sample
+from .sampling.iso2859 import single_sampling_plan
+from .sampling.sample_size import StatedRisk, plan_by_risk
+from .sampling.sampling_plan import SamplingPlan
+
+STANDARD_CORRELATION = 0.3  # where no scan says it: what software does to a seam it does along much of it
+
+
+@dataclass(frozen=True)
+class CountedPlan:
+    """A plan, and how it came about."""
+
+    plan: SamplingPlan
+    correlation: float | None = None
+    """How much alike pieces of one seam were taken to be; None where that plays no part."""
+    design_effect: float | None = None
+    """By how much the sample grew for it."""
+
+
+def plan_of_standard(lot_size: int, aql: str, inspection_level: str, severity: str) -> CountedPlan:
+    """By the tables of ISO 2859-1."""
+    return CountedPlan(single_sampling_plan(lot_size, aql, inspection_level, severity))
+
+
+def plan_of_risk(
+    pieces: Sequence[DeliveredPiece], lot_size: int, risk: StatedRisk, correlation: float | None, least_kept: float
+) -> CountedPlan:
+    """By stated risks. ``correlation``: None to estimate it from what the pieces kept, where a scan measured them."""
+    seams = [(piece.sheet, piece.seam_id) for piece in pieces]
+    if correlation is None:
+        known = [(piece.kept_1 < least_kept, seam) for piece, seam in zip(pieces, seams) if piece.kept_1 is not None]
+        correlation = intraclass_correlation(*zip(*known)) if known else None
+        correlation = STANDARD_CORRELATION if correlation is None else correlation
+    found = plan_by_risk(lot_size, risk, correlation, len(set(seams)))
+    return CountedPlan(found.plan, correlation, found.design_effect)
+
+
+def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> list[DeliveredPiece]:
+    """In the order of drawing; in proportion from every sheet."""
+    return [pieces[place] for place in stratified_sample([piece.sheet for piece in pieces], count, seed)]
+
+
+def cut_pieces(seams: Sequence[Seam], sheet: str, piece_m: float, unit_m: float) -> list[DeliveredPiece]:
+    """Seams without a scan, cut evenly into pieces of about a length. ``unit_m``: metres in a unit of coordinates."""
+    found: list[DeliveredPiece] = []
+    for seam in seams:
+        along = vertex_stations(seam.vertices) * unit_m
+        count = max(1, round(along[-1] / piece_m))
+        cuts = np.linspace(0, along[-1], count + 1)
+        for start, stop in zip(cuts[:-1], cuts[1:]):
+            between = along[(along > start) & (along < stop)]
+            stations = np.concatenate([[start], between, [stop]])
+            found.append(
+                DeliveredPiece(
+                    len(found), sheet, str(seam.seam_id), float(start), float(stop - start), None, None, None, None, "",
+                    "", points_at(seam.vertices, along, stations),
+                )
+            )
+    return found
+
+
+def check_count(count: int, lot_size: int) -> None:
+    """Raise SettingsError for a number of pieces that no sample has."""
+    if count < 1:
+        raise SettingsError(messages.COUNT_NOT_POSITIVE(count=count))
+    if lot_size < 1:
+        raise SettingsError(messages.LOT_EMPTY())
+
+
+def risks_of(plan: SamplingPlan) -> tuple[float, float]:
+    """The producer's risk at the good quality, and the quality that is accepted with 10 %."""
+    return producers_risk(plan), limiting_quality(plan)

@@ -1,0 +1,325 @@
+"""``acceptmosaic`` as QGIS runs it: its contract, its arithmetic, its rules, and bad input."""
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+from osgeo import gdal
+from qgis.core import QgsGeometry, QgsProject, QgsVectorLayer
+
+from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
+from tests.qgis.runs import Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.scenes import layer
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+NUMBERS = ("ACCEPTED", "TOTAL_METRES", "MEASURED_METRES", "FAILED_METRES", "FAILED_SHARE", "LONGEST_FAILURE")
+F, P = 0.5, 0.95
+RUN = {"check": "longest_failure", "most": 60, "source": "x"}
+READY = Path(__file__).parents[3] / "resources" / "rules" / "acceptance"
+
+
+def decide(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
+    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, **parameters}
+    return run("acceptmosaic", SEAMS=list(layers), **wanted)
+
+
+def numbers(outcome: Run) -> dict[str, float]:
+    assert outcome.complaint is None
+    return {name: outcome.results.get(name) for name in NUMBERS}
+
+
+def decision(outcome: Run) -> str:
+    (said,) = (text for text in outcome.log.infos if text.startswith(("Accepted by", "Rejected by")))
+    return said
+
+
+def test_parameters_and_outputs_are_those_promised() -> None:
+    job = algorithm("acceptmosaic")
+    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
+    promised = {
+        "MIN_KEPT": 0.7, "MAX_SHARE": 2, "MAX_RUN": 50, "PLAN": "all", "LOT_SIZE": 0, "AQL": "1.0",
+        "INSPECTION_LEVEL": "II",
+    }  # fmt: skip
+    assert {name: defaults[name] for name in promised} == promised
+    assert {"REPORT", "QUALITY", "DEFECTS", "CHART", "RULES", "WINDOWS", "MOSAIC", "SEED"} <= defaults.keys()
+    required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
+    assert "SEAMS" in required
+    assert {*NUMBERS, "DEFECTS", "REPORT", "QUALITY"} <= {one.name() for one in job.outputDefinitions()}
+    assert job.group() == "Seam inspection"
+
+
+def test_metres_share_and_longest_failure() -> None:
+    outcome = decide(seams([P] * 97 + [F, F, P, F]))
+    assert numbers(outcome) == pytest.approx({
+        "ACCEPTED": 0, "TOTAL_METRES": 2525, "MEASURED_METRES": 2525, "FAILED_METRES": 75,
+        "FAILED_SHARE": 100 * 75 / 2525, "LONGEST_FAILURE": 50,
+    })  # fmt: skip
+    assert "2.97% of the measured metres failed and only 2.00% may" in decision(outcome)
+    assert "longest" not in decision(outcome)  # 50 m is what may be
+
+
+def test_a_run_alone_rejects() -> None:
+    outcome = decide(seams([F] * 3 + [P] * 200))
+    assert outcome.results["ACCEPTED"] == 0
+    assert "is 75.0 m and only 50.0 m may be" in decision(outcome)
+
+
+def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:
+    west, east = seams([P, P, F, F], name="west"), seams([F, P, P], start=100, name="east")
+    outcome = decide(west, east, MAX_SHARE=50)
+    assert outcome.results["LONGEST_FAILURE"] == 75
+    assert outcome.results["ACCEPTED"] == 0
+    assert any("75.0 m at" in said and "west, east" in said for said in outcome.log.infos)
+    apart = decide(west, seams([F, P, P], start=101, name="east"), MAX_SHARE=50)
+    assert apart.results["LONGEST_FAILURE"] == 50
+
+
+def test_the_limit_itself_passes() -> None:
+    assert decide(seams([0.7] * 10)).results["ACCEPTED"] == 1
+    assert decide(seams([0.7] * 10), MIN_KEPT=0.71).results["ACCEPTED"] == 0
+    assert decide(seams([F] + [P] * 49), MAX_SHARE=2).results["ACCEPTED"] == 1
+
+
+def test_what_could_not_be_measured_is_not_passed() -> None:
+    outcome = decide(seams([None] * 3 + [P] * 7))
+    assert numbers(outcome) == pytest.approx({
+        "ACCEPTED": 0, "TOTAL_METRES": 250, "MEASURED_METRES": 175, "FAILED_METRES": 0, "FAILED_SHARE": 0,
+        "LONGEST_FAILURE": 0,
+    })  # fmt: skip
+    assert "only 70.0% of the metres were measured" in decision(outcome)
+    assert "75.0 of 250.0 m of seam could not be measured" in outcome.log.warnings[0]
+    assert decide(seams([None] * 3 + [P] * 7), MIN_MEASURED=70).results["ACCEPTED"] == 1
+    nothing = decide(seams([None] * 3))
+    assert nothing.results["ACCEPTED"] == 0
+    assert "FAILED_SHARE" not in nothing.results
+
+
+@pytest.mark.parametrize(("failed", "accepted"), [(2, 1), (3, 0)])
+def test_a_plan_of_the_standard(failed: int, accepted: int) -> None:
+    made = seams([F] * failed + [P] * (80 - failed))
+    outcome = decide(made, PLAN="iso2859", LOT_SIZE=1000, AQL="1.0", INSPECTION_LEVEL="II")
+    assert outcome.results["ACCEPTED"] == accepted
+    assert f"{failed} of 80 inspected pieces failed" in decision(outcome)
+    assert "code letter J" in decision(outcome)
+
+
+@pytest.mark.parametrize("aql", [1, 1.0, "1", "1.0"])
+def test_an_aql_may_be_a_number(aql: object) -> None:
+    outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=1000, AQL=aql)
+    assert outcome.results["ACCEPTED"] == 1
+
+
+def test_a_sample_is_drawn_with_a_seed() -> None:
+    made = seams([F] * 100 + [P] * 900)
+    found = [decision(decide(made, PLAN="iso2859", SEED=seed)) for seed in (4, 4, 5, 6, 7)]
+    assert found[0] == found[1]
+    assert len(set(found)) > 1
+
+
+def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
+    made = seams([0.75] * 2 + [P] * 98)
+    assert decide(made).results["ACCEPTED"] == 1
+    strict = decide(made, READY_RULES="strict")
+    assert strict.results["ACCEPTED"] == 0
+    assert "Strict" in decision(strict)
+    own = tmp_path / "contract's <own>.json"
+    rules = [{"check": "kept", "least": 0.8, "source": "§ 4"}, RUN]
+    own.write_text(json.dumps({"name": "contract 7", "rules": rules}), encoding="utf-8")
+    outcome = decide(made, RULES=str(own))
+    assert outcome.results["ACCEPTED"] == 1
+    assert outcome.results["FAILED_METRES"] == 50
+    assert decision(outcome).startswith("Accepted by 'contract 7'")
+
+
+@pytest.mark.parametrize("path", sorted(READY.glob("*.json")), ids=lambda path: path.stem)
+def test_every_ready_file_decides(path: Path) -> None:
+    good, bad = seams([P] * 300), seams([F] * 300)
+    assert [decide(made, READY_RULES=path.stem).results["ACCEPTED"] for made in (good, bad)] == [1, 0]
+
+
+def test_a_parameter_that_contradicts_the_rules_is_refused(tmp_path: Path) -> None:
+    given = {"SEAMS": [seams([P] * 4)], "READY_RULES": "strict"}
+    assert_refused("acceptmosaic", "MAX_RUN is 30.* and the rules in strict say 25", MAX_RUN=30, **given)
+    assert_refused("acceptmosaic", "PLAN is iso2859 and the rules in strict say all", PLAN="iso2859", **given)
+    assert decide(seams([P] * 4), READY_RULES="strict", MAX_RUN=25).complaint is None
+    own = tmp_path / "own.json"
+    own.write_text("{}")
+    assert_refused("acceptmosaic", "strict.*own.json are given; leave one", RULES=str(own), **given)
+
+
+@pytest.mark.parametrize(
+    ("rules", "words"),
+    [
+        ([{"check": "failed_share", "most": 0.02, "source": "x"}], "what a piece must keep"),
+        ([{"check": "kept", "least": 0.7, "source": "x"}], "nothing to decide by"),
+        ([{"check": "kept", "least": 0.7, "source": "x"}, {"check": "failed_share", "most": 2, "source": "x"}], "0.02"),
+        ([{"check": "kept", "least": 0.7, "source": "x"}, {"check": "sampling", "aql": 3, "source": "x"}], "AQL '3'"),
+        ([{"check": "kept", "least": 0.7, "source": "x"}] * 2, "two rules for 'kept'"),
+        ([{"check": "kept", "source": "x"}, RUN], "needs 'least'"),
+        ([{"check": "kept", "least": 0.7, "source": "x", "most": 1}, RUN], "unknown key 'most'"),
+        ([{"check": "colour", "least": 0.7, "source": "x"}], "unknown check 'colour'"),
+        ([{"check": "kept", "least": 0.7}, RUN], "no 'source'"),
+    ],
+)
+def test_bad_rules_are_refused(rules: list[dict[str, object]], words: str, tmp_path: Path) -> None:
+    path = tmp_path / "bad.json"
+    path.write_text(json.dumps({"name": "bad", "rules": rules}))
+    assert_refused("acceptmosaic", words, SEAMS=[seams([P])], RULES=str(path))
+
+
+def test_windows_lend_their_words_and_tell_who_agrees() -> None:
+    boxes = [f"POLYGON(({X + a} {Y - 9}, {X + a + 25} {Y - 9}, {X + a + 25} {Y + 9}, {X + a} {Y + 9}, {X + a} {Y - 9}))"
+             for a in (0, 25, 50, 75)]
+    judged = layer(
+        "Polygon", [QgsGeometry.fromWkt(box) for box in boxes], UTM33, window_id=("integer", [4, 5, 6, 7]),
+        observer=("string", ["visible", "invisible", "visible", None]),
+        observer_2=("string", ["visible", "visible", "visible", ""]),
+        verdict=("string", ["significant", "preserved", "preserved", "preserved"]),
+        remark=("string", ["kerb <gone>", None, "", None]), causes=("string", ["feathering", None, None, None]),
+        cause=("string", ["feathering", None, None, None]),
+    )
+    outcome = decide(seams([F, P, P, P]), WINDOWS=judged, DEFECTS="TEMPORARY_OUTPUT")
+    assert outcome.rows("DEFECTS")[0]["remark"] == "kerb <gone>"
+    assert outcome.rows("DEFECTS")[0]["cause"] == "feathering"
+    said = "\n".join(outcome.log.infos)
+    assert "Both operators judged 3 windows and agreed on 2" in said
+    assert "The operator judged 3 windows and the tool agreed on 2: kappa 0.40" in said
+
+
+def test_everything_on_paper(tmp_path: Path) -> None:
+    paths = {name: str(tmp_path / f"{name} 'a' & b.{ending}") for name, ending in
+             (("DEFECTS", "gpkg"), ("REPORT", "html"), ("QUALITY", "xml"), ("CHART", "png"))}
+    for plan in ("all", "iso2859"):
+        outcome = decide(seams([F, F, F] + [P] * 97), PLAN=plan, **paths)
+        assert outcome.complaint is None
+        assert not outcome.log.errors
+        for path in paths.values():
+            assert Path(path).stat().st_size > 1000
+
+
+# --- layers of all kinds ---------------------------------------------------------------------------------------
+
+
+def test_lengths_come_from_the_lines_where_the_layer_has_none() -> None:
+    assert decide(seams([P, F], with_length=False)).results["TOTAL_METRES"] == pytest.approx(50, rel=1e-3)
+
+
+def test_degrees_and_mixed_systems() -> None:
+    degrees = seams([P, F, F], epsg=4326, with_length=False, name="degrees")
+    outcome = decide(degrees)
+    assert outcome.results["TOTAL_METRES"] == pytest.approx(75, rel=1e-3)
+    assert outcome.results["LONGEST_FAILURE"] == pytest.approx(50, rel=1e-3)
+    mixed = decide(degrees, seams([F, P], start=75, epsg=25833, name="other"))
+    assert mixed.results["LONGEST_FAILURE"] == pytest.approx(75, rel=1e-3)
+    feet = decide(seams([F, F, P], epsg=2264, with_length=False, name="feet"))
+    assert feet.results["LONGEST_FAILURE"] == pytest.approx(50, rel=0.05)
+
+
+def test_a_layer_given_twice_counts_once(tmp_path: Path) -> None:
+    made = seams([P] * 4)
+    outcome = decide(made, made)
+    assert outcome.results["TOTAL_METRES"] == 100
+    assert_sentence(outcome.log.warnings[0], "given twice and counts once")
+    path = file(made, tmp_path / "seams.gpkg")
+    assert decide(path, path).results["TOTAL_METRES"] == 100
+
+
+def test_sheets_of_one_name_are_told_apart(tmp_path: Path) -> None:
+    paths = [file(seams([F], y=100 * number), tmp_path / f"sheet_{number}" / "seams.gpkg") for number in (1, 2)]
+    report = tmp_path / "r.html"
+    assert decide(*paths, REPORT=str(report)).results["TOTAL_METRES"] == 50
+    page = report.read_text(encoding="utf-8")
+    assert "sheet_1/seams" in page
+    assert "sheet_2/seams" in page
+
+
+def test_a_file_of_several_tables_gives_its_seams(tmp_path: Path) -> None:
+    path = tmp_path / "scan.gpkg"
+    worst = layer("Polygon", [QgsGeometry.fromWkt("POLYGON((0 0, 1 0, 1 1, 0 0))")], kept_1=("double", [0.1]))
+    shutil.copy(file(worst, tmp_path / "worst_windows.gpkg"), path)
+    seam_file = file(seams([P] * 4), tmp_path / "seams.gpkg")
+    gdal.VectorTranslate(str(path), seam_file, layerName="seams", accessMode="append")
+    assert decide(str(path)).results["TOTAL_METRES"] == 100
+
+
+def test_a_layer_of_the_project_by_its_name() -> None:
+    made = seams([P] * 4, name="my seams")
+    QgsProject.instance().addMapLayer(made, False)
+    assert decide("my seams").results["TOTAL_METRES"] == 100
+    assert decide(made.id()).results["TOTAL_METRES"] == 100
+    QgsProject.instance().removeMapLayer(made.id())
+
+
+def test_features_without_a_line_are_told() -> None:
+    made = layer(
+        "LineString", [straight(0, 25), None, QgsGeometry.fromWkt(f"LINESTRING({X} {Y}, {X} {Y})")], UTM33,
+        kept_1=("double", [P, F, F]),
+    )
+    outcome = decide(made)
+    assert outcome.results["TOTAL_METRES"] == pytest.approx(25, rel=1e-3)
+    assert_sentence(outcome.log.warnings[0], "2 features of made have no line")
+
+
+@pytest.mark.parametrize("kept", ["nan", "inf", "-inf"])
+def test_what_is_no_number_was_not_measured(kept: str) -> None:
+    outcome = decide(seams([float(kept)] + [P] * 3))
+    assert outcome.results["MEASURED_METRES"] == 75
+
+
+def test_text_that_is_a_number_is_one(tmp_path: Path) -> None:
+    lines = [straight(25 * place, 25) for place in range(3)]
+    made = layer("LineString", lines, UTM33, kept_1=("string", ["0.5", "0.9", " "]))
+    outcome = decide(made)
+    assert (outcome.results["FAILED_METRES"], outcome.results["MEASURED_METRES"]) == pytest.approx((25, 50), rel=1e-3)
+
+
+def empty(kind: str = "LineString", **fields: tuple[str, list[Any]]) -> QgsVectorLayer:
+    return layer(kind, [], UTM33, **fields)
+
+
+def test_bad_layers_are_refused() -> None:
+    point = layer("Point", [QgsGeometry.fromWkt("POINT(0 0)")], kept_1=("double", [0.5]))
+    for given, words in (
+        ([], "No layer of seams is given"),
+        (["/nowhere/seams.gpkg"], "/nowhere/seams.gpkg can't be read as a layer of lines"),
+        ([point], "made holds no lines"),
+        ([layer("LineString", [straight(0, 5)])], "has no field 'kept_1'"),
+        ([seams([P]), layer("LineString", [straight(0, 5)], None, kept_1=("double", [P]))], "no coordinate reference"),
+    ):
+        assert_refused("acceptmosaic", words, SEAMS=given)
+    outcome = decide(empty(kept_1=("double", [])))
+    assert_sentence(outcome.complaint, "layers of seams are empty")
+    outcome = decide(seams([P] * 2), empty(kept_1=("double", [])))
+    assert_sentence(outcome.log.warnings[0], "made is empty")
+
+
+@pytest.mark.parametrize(
+    ("parameters", "words"),
+    [
+        ({"MIN_KEPT": -0.1}, "MIN_KEPT is -0.1; give 0 or more"),
+        ({"MAX_SHARE": -1}, "MAX_SHARE is -1; give 0 or more"),
+        ({"MAX_SHARE": 101}, "MAX_SHARE is 101 and has to lie between 0 and 100"),
+        ({"MAX_RUN": -5}, "MAX_RUN is -5"),
+        ({"AQL": "3"}, "AQL 3 is none of the standard's"),
+        ({"AQL": 15}, "AQL 15 is none of the standard's"),
+        ({"CHART": "/tmp/chart.doc"}, "no PNG, SVG or PDF"),
+    ],
+)
+def test_limits_that_can_not_be_are_refused(parameters: dict[str, Any], words: str) -> None:
+    assert_refused("acceptmosaic", words, SEAMS=[seams([P])], **parameters)
+
+
+def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
+    outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=10)
+    assert_sentence(outcome.complaint, "The lot size is 10 and the layers hold 80 pieces")
+    assert_sentence(decide(seams([P]), PLAN="iso2859").complaint, "at least 2")
+
+
+def test_nothing_is_written_over_the_seams(tmp_path: Path) -> None:
+    path = file(seams([P] * 4), tmp_path / "seams.gpkg")
+    for given in (path, f"{path}|layername=seams"):
+        assert_refused("acceptmosaic", "would be written over", SEAMS=[given], DEFECTS=path)
