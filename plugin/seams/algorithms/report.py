@@ -19,6 +19,7 @@ from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import messages
+from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from .block_parameters import given_block, given_sources
 
 if TYPE_CHECKING:
@@ -26,7 +27,8 @@ if TYPE_CHECKING:
 
 Row = TypeVar("Row")
 
-WINDOWS, CURVES, PAIRS, TITLE, OUTPUT = "WINDOWS", "CURVES", "PAIRS", "TITLE", "OUTPUT"
+WINDOWS, CURVES, PAIRS, PROFILES, TITLE, OUTPUT = "WINDOWS", "CURVES", "PAIRS", "PROFILES", "TITLE", "OUTPUT"
+MIN_KEPT = "MIN_KEPT"
 
 
 class Report(SeamInspectorAlgorithm):
@@ -39,7 +41,8 @@ class Report(SeamInspectorAlgorithm):
         "@default",
         "Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map "
         "sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged "
-        "window (a significant loss, or one that the observer saw) its curves, its clips at 2x, cause and observer."
+        "window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it "
+        "lost detail, its curves, its clips at 2x, cause and observer."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -57,6 +60,10 @@ class Report(SeamInspectorAlgorithm):
             tr("The table of pairs of the same windows: it tells absolute contrast, and which sources are shown."),
         )
         self.addDescribed(
+            QgsProcessingParameterFeatureSource(PROFILES, tr("Seam profiles"), [table], optional=True),
+            tr("The table of seam profiles of the same windows: how much detail is kept by distance from the seam."),
+        )
+        self.addDescribed(
             common.mosaic(optional=True)[0],
             tr("The inspected mosaic; with it the report shows the clips and an overview below the map sketch."),
         )
@@ -67,6 +74,11 @@ class Report(SeamInspectorAlgorithm):
         self.addDescribed(
             QgsProcessingParameterString(TITLE, tr("Title"), optional=True),
             tr("Heading of the page. Empty: the mosaics' names."),
+        )
+        self.addDescribed(
+            common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
+            tr("The limit drawn into the seam profiles: that which the windows were inspected with."),
+            advanced=True,
         )
         self.addDescribed(
             *common.max_ratio(tr("The limit drawn into the charts: that which the windows were inspected with.")),
@@ -117,11 +129,13 @@ class Report(SeamInspectorAlgorithm):
             tuple(record_tables.read_windows(layers.features(windows), names, transform)),
             curves=self._table(run, CURVES, record_tables.read_curves),
             pairs=self._table(run, PAIRS, record_tables.read_pairs),
+            profiles=self._table(run, PROFILES, record_tables.read_profiles),
             block=block,
             wkt=layers.system_wkt(crs),
             title=run.text(TITLE).strip(),
             name=windows.sourceName(),
             max_ratio=run.real(common.MAX_RATIO),
+            min_kept=run.real(MIN_KEPT),
         )
 
     def _table(self, run: Run, name: str, read: Callable[..., dict[int, list[Row]]]) -> dict[int, list[Row]]:

@@ -63,7 +63,8 @@ class ReportWriter(QObject):
         self._folder = path.parent
         try:
             request = report_request(
-                session.windows(), session.result, layer.crs(), session.block(), session.inputs.max_ratio, project
+                session.windows(), session.result, layer.crs(), session.block(), session.inputs.max_ratio,
+                session.inputs.min_kept, project,
             )
         except SeamInspectorError as error:
             self._failed(error.message)

@@ -128,6 +128,10 @@ WINDOWS_WITHOUT_FIELD = Message(
 PAIRS_WITHOUT_FIELD = Message(
     "The table of pairs has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
 )
+PROFILES_WITHOUT_FIELD = Message(
+    "The table of seam profiles has no field '{field}'; choose the table that 'Inspect windows' left with these "
+    "windows."
+)
 CURVES_WITHOUT_FIELD = Message(
     "The table of curves has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
 )

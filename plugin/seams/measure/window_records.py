@@ -139,6 +139,19 @@ class CurveRecord:
     background: float
 
 
+@dataclass(frozen=True)
+class ProfileRecord:
+    """What a window keeps of its detail at one level and distance from the seam."""
+
+    level: int
+    distance: float
+    """Middle of the bin, m."""
+    kept: float
+    low: float
+    high: float
+    """95 % interval of ``kept``; NaN where the table does not say it."""
+
+
 def contrast_of(pairs: Iterable[PairRecord]) -> float | None:
     """Absolute contrast at level 1 in the judged band: against the composite, else the largest over the sources."""
     rows = list(pairs)

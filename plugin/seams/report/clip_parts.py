@@ -17,6 +17,8 @@ from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss
 from ..measure.inspection import Block, Source
+from ..measure.profile.loss_picture import LossPicture
+from .loss_overview import PlacedLoss, loss_overview, measured_loss, most_lost
 
 REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4
 MIN_REPORT_CLIP_PX = 64  # smaller ones show too little
@@ -35,6 +37,8 @@ class ClipJob:
     """In the mosaic's reference system; None: no clips."""
     names: tuple[str, ...]
     """File names of the sources, those to be shown first in front; empty: as they come."""
+    loss: LossPicture | None = None
+    """Lost detail of the whole window where it was measured already."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,8 @@ class WindowParts:
     """How many more sources cover the window."""
     problem: Message | None = None
     """Why there are no pictures."""
+    loss: tuple[bytes, int] | None = None
+    """Lost detail over the mosaic as JPEG, and its columns; None where nothing is told."""
 
 
 def window_parts(block: Block, jobs: Iterable[ClipJob], bytes_each: float) -> Iterator[WindowParts]:
@@ -102,14 +108,20 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
         except RasterError:  # the inspection has said so
             continue
     side = min(REPORT_CLIP_PX, searched.width, searched.height)
-    row, column = greatest_loss(_grey(clips[0]), [_grey(clip) for clip in clips[1:]], side)
+    placed = measured_loss(block, searched) if job.loss is None else PlacedLoss(window, job.loss)
+    if placed is None:
+        loss, (row, column) = None, greatest_loss(_grey(clips[0]), [_grey(clip) for clip in clips[1:]], side)
+    else:
+        row, column = most_lost(searched, placed, side)
+        framed = PixelWindow(searched.column + column, searched.row + row, side, side)
+        loss = loss_overview(stretched(clips[:1])[0], searched, placed, framed)
     square = np.s_[:, row : row + side, column : column + side]
     parts = [Clip(clip.raster, clip.bands[square], clip.invalid_share) for clip in clips]
-    pictures, first = _encoded(stretched(parts), bytes_each)
+    pictures, first = _encoded(stretched(parts), bytes_each - (len(loss[0]) if loss else 0))
     part = PixelWindow(searched.column + column + first, searched.row + row + first, side - 2 * first, side - 2 * first)
     named = zip((clip.raster.ref.name for clip in clips), pictures)
     made = tuple(PartPicture(name, place == 0, jpeg, part.width) for place, (name, jpeg) in enumerate(named))
-    return WindowParts(made, block.mosaic.grid.window_extent(part), len(sources) - shown)
+    return WindowParts(made, block.mosaic.grid.window_extent(part), len(sources) - shown, loss=loss)
 
 
 def _middle(window: PixelWindow) -> PixelWindow:

@@ -12,7 +12,7 @@ from ...toolkit import layers
 from ...toolkit.background_task import Cancelled, Job
 from ..measure.inspection import Block
 from ..measure.window.window_result import WindowResult
-from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
+from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 from .inspection_report import ReportRequest, write_report
 
 
@@ -22,6 +22,7 @@ def report_request(
     crs: QgsCoordinateReferenceSystem,
     block: Block | None,
     max_ratio: float,
+    min_kept: float,
     project: QgsProject,
 ) -> ReportRequest:
     """Of the inspected windows among some; ``result`` gives what was measured in one, by its feature id.
@@ -35,9 +36,12 @@ def report_request(
         tuple(_on_mosaic(row, measured.get(row.window_id), crs, target, project) for row in inspected),
         curves={number: _curves(found) for number, found in measured.items() if found.clips},
         pairs={number: _pairs(found) for number, found in measured.items() if found.pairs},
+        profiles={number: _profile(found) for number, found in measured.items() if found.profile is not None},
+        losses={number: found.loss for number, found in measured.items() if found.loss is not None},
         block=block,
         wkt=layers.system_wkt(target),
         max_ratio=max_ratio,
+        min_kept=min_kept,
     )
 
 
@@ -75,6 +79,11 @@ def _curves(found: WindowResult) -> list[CurveRecord]:
     return [
         CurveRecord(clip.raster, clip.role, clip.curves[band].detail, clip.curves[band].background) for clip in clips
     ]
+
+
+def _profile(found: WindowResult) -> list[ProfileRecord]:
+    pixel_m, bins = found.ground_sample_distance, found.profile.bins if found.profile is not None else ()
+    return [ProfileRecord(one.level, pixel_m * one.middle_px, one.kept, one.low, one.high) for one in bins]
 
 
 def _pairs(found: WindowResult) -> list[PairRecord]:

@@ -12,14 +12,16 @@ from ...toolkit.translation import filled, percent, sentence, tr
 from ..cause_words import cause_sentence, cause_word
 from ..measure import messages
 from ..measure.inspection import Block
-from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, WindowRecord, contrast_of
+from ..measure.profile.loss_picture import LossPicture
+from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, ProfileRecord, WindowRecord, contrast_of
 from ..verdict_words import observer_word, verdict_word
 from ..window_summary import LOSSES, by_the_paper, window_sentence
 from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
 from .curve_pictures import CurveDrawer, curve_legend
+from .profile_picture import ProfilePicture, profile_picture
 from .variance_table import anchor, paper_words, two_digits
 
-REPORT_CLIPS_BYTES = 14_000_000  # of all JPEG clips together: with charts and base64 a report stays below 30 MB
+REPORT_CLIPS_BYTES = 16_000_000  # of all JPEG pictures together: with charts and base64 a report stays below 30 MB
 
 MAGNIFICATION = 2  # Pyka 2010: where loss is seen best
 CHART_MM = 84.6  # 320 px, as wide as a clip
@@ -37,6 +39,8 @@ class WindowSection:
     """Rows: what the mosaic is compared with, its ratio by level, that of the background."""
     problem: str
     """Why there are no clips."""
+    profile: ProfilePicture | None
+    """The chart of what is kept along the seam; None where that is not known."""
     chart: str
     """SVG; empty without curves."""
     legend: Sequence[tuple[str, str]]
@@ -44,6 +48,8 @@ class WindowSection:
     clips: Sequence[PartPicture]
     place: str
     """Where the clips lie."""
+    loss: tuple[bytes, int] | None
+    """Lost detail over the mosaic as JPEG, and its columns."""
 
 
 class WindowSections:
@@ -54,13 +60,17 @@ class WindowSections:
         block: Block | None,
         curves: Mapping[int, Sequence[CurveRecord]],
         pairs: Mapping[int, Sequence[PairRecord]],
+        profiles: Mapping[int, Sequence[ProfileRecord]],
+        losses: Mapping[int, LossPicture],
         max_ratio: float,
+        min_kept: float,
         count: int,
     ) -> None:
         """``count``: how many sections there will be, which share the bytes that a report may have."""
         self.notices: list[Message] = []
         """What could not be shown."""
         self._block, self._curves, self._pairs = block, curves, pairs
+        self._profiles, self._losses, self._min_kept = profiles, losses, min_kept
         self._drawer = CurveDrawer(max_ratio)
         self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
@@ -76,14 +86,14 @@ class WindowSections:
 
     def _job(self, record: WindowRecord) -> ClipJob:
         """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""
-        pairs = self._pairs.get(record.window_id, ())
+        pairs, loss = self._pairs.get(record.window_id, ()), self._losses.get(record.window_id)
         if pairs:
             band = judged_band(pair.band for pair in pairs)
             own = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
             own.sort(key=lambda pair: -(pair.ratio or 0))
-            return ClipJob(record.extent, tuple(pair.source for pair in own))
+            return ClipJob(record.extent, tuple(pair.source for pair in own), loss)
         curves = self._curves.get(record.window_id, ())
-        return ClipJob(record.extent, tuple(curve.raster for curve in curves if curve.role == "source"))
+        return ClipJob(record.extent, tuple(curve.raster for curve in curves if curve.role == "source"), loss)
 
     def _section(self, record: WindowRecord, clips: WindowParts) -> WindowSection:
         problem = ""
@@ -100,11 +110,17 @@ class WindowSections:
             list(self._facts(record)),
             *_ratios(record),
             problem,
+            self._profile(record),
             self._drawer.draw(same) if same else "",
             curve_legend(same) if same else (),
             clips.pictures,
             "" if clips.extent is None else _place_words(clips),
+            clips.loss,
         )
+
+    def _profile(self, record: WindowRecord) -> ProfilePicture | None:
+        pixel_m = None if self._block is None else self._block.mosaic.ground_sample_distance
+        return profile_picture(record, self._profiles.get(record.window_id, ()), pixel_m, self._min_kept)
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
@@ -156,7 +172,7 @@ def _place_words(clips: WindowParts) -> str:
     xmin, ymin, xmax, ymax = clips.extent
     side = clips.pictures[0].columns
     digits = max(0, 1 - math.floor(math.log10((xmax - xmin) / side)))  # to a tenth of a pixel
-    words = tr("Clips at 2x, {side} px a side around x {x}, y {y}.").format(
+    words = tr("Clips of {side} px a side around x {x}, y {y}, at 2x on the screen.").format(
         side=side, x=f"{(xmin + xmax) / 2:.{digits}f}", y=f"{(ymin + ymax) / 2:.{digits}f}"
     )
     if clips.left_out:

@@ -27,12 +27,15 @@ from ...toolkit.translation import shown_number, tr
 from ..cause_words import cause_word
 from ..clip_pictures import bytes_picture
 from ..judged_value import judged_value, judged_words
-from ..measure import messages
+from ..loss_colours import loss_legend
+from ..measure import limits, messages
 from ..measure.inspection import Block
-from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
+from ..measure.profile.loss_picture import LossPicture
+from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 from ..verdict_words import VERDICTS, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
+from .profile_picture import HEIGHT, WIDTH
 from .variance_table import anchor, window_rows
 
 MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
@@ -60,7 +63,13 @@ class ReportRequest:
     name: str = ""
     """What the mosaic is called where neither the block nor the curves say it."""
     max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
-    """The limit drawn into the charts."""
+    """The limit drawn into the charts of curves."""
+    min_kept: float = limits.MAX_SIGNIFICANT_KEPT
+    """The limit drawn into the charts of what is kept."""
+    profiles: Mapping[int, Sequence[ProfileRecord]] = field(default_factory=dict)
+    """By window."""
+    losses: Mapping[int, LossPicture] = field(default_factory=dict)
+    """Lost detail of whole windows as far as it is known; of others it is measured again where there is a block."""
     made_on: date = field(default_factory=date.today)
 
 
@@ -77,7 +86,10 @@ def write_report(
     linked = {record.window_id for record in detailed}
     if len(detailed) < len(flagged):
         notices.append(messages.DETAILS_LIMITED(count=len(flagged), most=len(detailed)))
-    sections = WindowSections(request.block, request.curves, request.pairs, request.max_ratio, len(detailed))
+    sections = WindowSections(
+        request.block, request.curves, request.pairs, request.profiles, request.losses, request.max_ratio,
+        request.min_kept, len(detailed),
+    )
 
     def shown() -> Iterator[WindowSection]:
         for done, section in enumerate(sections.sections(detailed), 1):
@@ -106,6 +118,8 @@ def write_report(
             sections=shown(),
             magnification=MAGNIFICATION,
             chart_mm=CHART_MM,
+            profile_size=(WIDTH, HEIGHT),
+            loss_legend=[(f"rgb{colour[:3]}", words) for words, colour in loss_legend()],
         )
     except _CancelledError:
         return None
@@ -132,7 +146,10 @@ def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
 
 
 def _how_measured(request: ReportRequest) -> HowMeasured:
-    settings = [(tr("limit of the paper's rule, ratio 1"), shown_number(request.max_ratio))]
+    settings = [
+        (tr("least share kept along the seam"), shown_number(request.min_kept)),
+        (tr("limit of the paper's rule, ratio 1"), shown_number(request.max_ratio)),
+    ]
     if request.block is None:
         return HowMeasured(settings, made_on=request.made_on)
     sources = each_raster(tr("orthoimage"), (source.ref for source in request.block.sources))

@@ -14,7 +14,7 @@ from ...imagery.statistics.observers import JUDGING_FIELDS, OPERATORS
 from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
 from ..measure import messages
-from ..measure.window_records import CurveRecord, PairRecord, WindowRecord
+from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 from .result_tables import WINDOW_COLUMNS
 
 _BACKGROUND = 0
@@ -71,6 +71,21 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
         if window_id is not None:
             pair = PairRecord(text(row["source"]), text(row["band"]), number(row["ratio_1"]), number(row["contrast_1"]))
             found.setdefault(window_id, []).append(pair)
+    return found
+
+
+def read_profiles(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[ProfileRecord]]:
+    """The rows of PROFILES by window. Raises SettingsError for a table that is none of profiles."""
+    for name in ("window_id", "level", "distance", "kept"):
+        if name not in names:
+            raise SettingsError(messages.PROFILES_WITHOUT_FIELD(field=name))
+    found: dict[int, list[ProfileRecord]] = {}
+    for row in attributes(rows, names):
+        window_id, level = whole_number(row["window_id"]), whole_number(row["level"])
+        distance, kept = number(row["distance"]), number(row["kept"])
+        if window_id is not None and level is not None and distance is not None and kept is not None:
+            low, high = (math.nan if end is None else end for end in (number(row["low"]), number(row["high"])))
+            found.setdefault(window_id, []).append(ProfileRecord(level, distance, kept, low, high))
     return found
 
 

@@ -7,7 +7,7 @@ from osgeo import gdal
 from ...imagery.gdal_calls import drop_from_memory, gdal_silenced
 
 
-def encoded(pixels: np.ndarray, driver: str) -> bytes:
+def encoded(pixels: np.ndarray, driver: str, quality: int = 88) -> bytes:
     """The bytes of a picture file, PNG or JPEG, of (rows, columns) or (rows, columns, 3) uint8."""
     bands = np.moveaxis(np.atleast_3d(pixels), 2, 0)
     path = f"/vsimem/report-{id(pixels)}"
@@ -15,7 +15,7 @@ def encoded(pixels: np.ndarray, driver: str) -> bytes:
         memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), gdal.GDT_Byte)
         for i, band in enumerate(bands, 1):
             memory.GetRasterBand(i).WriteArray(np.ascontiguousarray(band))
-        options = ["QUALITY=88"] if driver == "JPEG" else []
+        options = [f"QUALITY={quality}"] if driver == "JPEG" else []
         copy = gdal.GetDriverByName(driver).CreateCopy(path, memory, options=options)
         copy = None  # noqa: F841 - closing the dataset writes the file
         file = gdal.VSIFOpenL(path, "rb")

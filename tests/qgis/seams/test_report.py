@@ -24,7 +24,7 @@ from tests.qgis.runs import Log, Run, assert_refused, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, windows
 
 EVIL = "<b>Łódź & \"co\" 'x'</b>"
-PART = re.compile(r"Clips at 2x, (\d+) px a side around x ([\d.]+), y ([\d.]+)\.")
+PART = re.compile(r"Clips of (\d+) px a side around x ([\d.]+), y ([\d.]+), at 2x")
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +59,7 @@ def test_all_that_was_found_stands_in_the_page(inspected: Run, scene: Scene, tmp
     verdicts = inspected.column("verdict")
     counts = [verdicts.count(word) for word in ("significant", "reduced", "preserved", "not_comparable")]
     assert ["mosaic.tif", "4", *map(str, counts), "2", "0"] in [row[:8] for row in page.rows]
-    assert "4 windows, 2 of them flagged" in page.words
+    assert "Windows: 4, flagged: 2" in page.words
     assert page.anchors == ["window-2", "window-3"]  # significant, and reduced but seen
     assert set(page.links) == {"#window-2", "#window-3"}
     assert "needs at least 64 px" in page.words  # why the fourth is not comparable

@@ -9,7 +9,8 @@ from qgis.PyQt.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ....toolkit.desk.chart_look import chart_style
-from .profile_painter import ProfilePainter, ShownProfile
+from ...charts.profile_scale import ShownProfile
+from .profile_painter import ProfilePainter
 
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import ProfileBin, SeamProfile

@@ -15,8 +15,9 @@ from qgis.PyQt.QtWidgets import QApplication, QWidget
 from ....imagery.atomic_files import replacing
 from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.translation import tr
+from ...charts.profile_scale import ShownProfile
 from ..export_button import ExportButton
-from .profile_painter import ProfilePainter, ShownProfile
+from .profile_painter import ProfilePainter
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult

@@ -1,0 +1,167 @@
+"""What the report shows of a seam: its profile as a chart, and lost detail beside the clips."""
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from scipy.ndimage import gaussian_filter
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.inspection import Block, Source
+from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
+from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
+from seam_inspector.plugin.seams.report.inspection_report import ReportRequest, write_report
+from seam_inspector.plugin.seams.report.loss_overview import PlacedLoss, loss_overview, most_lost
+from seam_inspector.plugin.seams.report.profile_picture import HEIGHT, profile_picture
+
+from tests.numbers.synthetic import texture, write_raster
+from tests.pages import Outline, outline
+from tests.qgis.runs import assert_refused, run
+from tests.qgis.scenes import layer, windows
+
+PIXEL = 0.1
+MIDDLES = (1, 3, 5, 7, 10, 14, 20, 28, 40, 256)  # of the bins, px; the last one has no end
+FEATHERED = WindowRecord(1, (0, 0, 50, 50), "significant", kept=(0.5, 0.7), kept_low=0.4, kept_high=0.6, band_width=2.0)
+
+
+def rows(level: int = 1, pixel: float = PIXEL) -> list[ProfileRecord]:
+    """A strip in which half is kept, then all."""
+    return [
+        ProfileRecord(level, pixel * middle, 0.5 if middle < 8 else 1.0, 0.4, 1.1) for middle in MIDDLES
+    ]
+
+
+# --- the chart -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("known", [PIXEL, None])
+def test_the_chart_shows_what_the_table_says(qgis_app: object, known: float | None) -> None:
+    chart = profile_picture(FEATHERED, [*rows(), *rows(2)], known, 0.7)
+    assert chart is not None
+    assert [words for _, words in chart.legend] == ["level 1", "level 2"]
+    shares = {words: y for y, words, _ in chart.shares}
+    (points, colour, _) = chart.lines[-1]
+    assert colour == chart.legend[0][0]
+    places = [tuple(map(float, point.split(","))) for point in points.split()]
+    assert len(places) == 2 * len(MIDDLES)
+    left, _, right, bottom = chart.axes
+    assert places[0][0] == pytest.approx(left)
+    assert places[-1][0] == pytest.approx(right, abs=0.1)
+    assert sorted({y for _, y in places}) == pytest.approx([shares["100 %"], shares["50 %"]], abs=0.1)
+    edge = next(x for x, y in places if y == places[-1][1])  # where all is kept again: 8 px from the seam
+    ticks = {words: x for x, words in chart.distances}
+    assert next(x for words, x in ticks.items() if float(words) >= 1) > edge > ticks["0"]
+    assert edge == pytest.approx(left + (right - left) * math.sqrt(8 / 400), abs=0.2)
+    assert chart.limit == (pytest.approx(bottom - (bottom - shares["100 %"]) * 0.7), "limit 70 %")
+    assert bottom < HEIGHT
+    assert len(chart.intervals) == len(MIDDLES)
+
+
+def test_words_below_the_axis_never_run_into_each_other(qgis_app: object) -> None:
+    for pixel in (0.003, 0.03, 0.1, 0.25, 5.0, 0.3048):
+        chart = profile_picture(FEATHERED, rows(pixel=pixel), pixel, 0.7)
+        assert chart is not None
+        assert len(chart.distances) > 3
+        for (x, words), (after, later) in zip(chart.distances, chart.distances[1:]):
+            assert after - x > 3.2 * (len(words) + len(later))
+
+
+@pytest.mark.parametrize(
+    "table", [[], [ProfileRecord(1, math.nan, 0.5, 0, 1)], [ProfileRecord(1, 0.1, math.nan, 0, 1)],
+              [ProfileRecord(1, -3.0, 0.5, 0, 1)], [ProfileRecord(1, 0.0, 0.5, 0, 1)]]
+)  # fmt: skip
+def test_a_table_that_says_nothing_gives_no_chart(qgis_app: object, table: list[ProfileRecord]) -> None:
+    assert profile_picture(FEATHERED, table, PIXEL, 0.7) is None
+
+
+def test_an_interval_that_is_not_known_is_not_drawn(qgis_app: object) -> None:
+    table = [ProfileRecord(1, PIXEL * middle, 0.5, math.nan, math.nan) for middle in MIDDLES]
+    chart = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
+    assert chart is not None
+    assert chart.intervals == []
+    assert "nan" not in str(chart.lines)
+
+
+# --- lost detail -----------------------------------------------------------------------------------------------
+
+
+def decoded(jpeg: bytes) -> np.ndarray:
+    gdal.FileFromMemBuffer("/vsimem/loss.jpg", jpeg)
+    pixels = np.moveaxis(gdal.Open("/vsimem/loss.jpg").ReadAsArray(), 0, 2).astype(int)
+    gdal.Unlink("/vsimem/loss.jpg")
+    return pixels
+
+
+def test_lost_detail_lies_where_it_was_measured(qgis_app: object) -> None:
+    kept = np.ones((64, 64), np.float32)
+    kept[10:20, 30:40] = 0.3
+    kept[40:, :] = np.nan
+    placed = PlacedLoss(PixelWindow(100, 200, 512, 512), LossPicture(kept))
+    shown = PixelWindow(164, 232, 400, 400)
+    row, column = most_lost(shown, placed, 80)
+    assert (row, column) == (200 + 80 - 232, 100 + 240 - 164)
+    jpeg, columns = loss_overview(np.full((400, 400, 3), 120, np.uint8), shown, placed, PixelWindow(164, 532, 40, 40))
+    picture = decoded(jpeg)
+    assert columns == picture.shape[1] == 200
+    red = np.argwhere(picture[..., 0] - picture[..., 2] > 40)
+    assert np.abs(red.min(axis=0) * 2 - (row, column)).max() <= 6
+    assert np.abs(red.max(axis=0) * 2 - (row + 80, column + 80)).max() <= 6
+    assert abs(picture[180, 180] - 120).max() < 12  # nothing is told: plain
+
+
+def blended_block(folder: Path) -> Block:
+    """A mosaic whose left and right half meet in a feather of some 30 px in its middle."""
+    left = np.clip(120 + 40 * texture((512, 512), 1.0), 0, 255)
+    right = left[::-1, ::-1]  # two textures that have nothing in common
+    share = gaussian_filter(np.repeat(np.arange(512)[np.newaxis] < 256, 512, axis=0).astype(float), 8)
+    bands = {"mosaic": left * share + right * (1 - share), "left": left, "right": right}
+    paths = {name: write_raster(folder / f"{name}.tif", np.rint(one[np.newaxis]).astype(np.uint8), gsd=PIXEL)
+             for name, one in bands.items()}  # fmt: skip
+    refs = [RasterRef(paths[name]) for name in ("left", "right")]
+    return Block(describe_mosaic(RasterRef(paths["mosaic"])), tuple(Source(ref, describe(ref).extent) for ref in refs))
+
+
+def page_of(path: Path, request: ReportRequest) -> Outline:
+    assert write_report(path, request) == []
+    return outline(path.read_text(encoding="utf-8"))
+
+
+def test_the_clips_show_where_most_was_lost(qgis_app: object, tmp_path: Path) -> None:
+    block = blended_block(tmp_path)
+    record = WindowRecord(1, block.mosaic.extent, "significant", reference="seam")
+    page = page_of(tmp_path / "report.html", ReportRequest((record,), block=block, wkt=block.mosaic.wkt))
+    assert "lost detail over the mosaic; in the frame the clips" in page.captions
+    found = re.search(r"Clips of \d+ px a side around x ([\d.]+),", page.words)
+    assert found is not None
+    middle = (block.mosaic.extent[0] + block.mosaic.extent[2]) / 2
+    assert float(found[1]) == pytest.approx(middle, abs=80 * PIXEL)
+    known = LossPicture(np.full((64, 64), 0.4, np.float32))
+    given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, losses={1: known})
+    assert "lost detail over the mosaic; in the frame the clips" in page_of(tmp_path / "given.html", given).captions
+
+
+# --- the algorithm ---------------------------------------------------------------------------------------------
+
+
+def test_the_table_of_profiles_is_drawn(provider: Any, tmp_path: Path) -> None:
+    block, path = blended_block(tmp_path), tmp_path / "report.html"
+    inspected = run(
+        "inspectwindows", WINDOWS=windows((0, 0, 512, 512)), MOSAIC=block.mosaic.ref.path,
+        SOURCES=[source.ref.path for source in block.sources],
+    )
+    assert inspected.column("verdict") == ["significant"]
+    given = {"WINDOWS": inspected.layer(), "PROFILES": inspected.layer("PROFILES"), "OUTPUT": str(path)}
+    for parameters in ({}, {"MOSAIC": block.mosaic.ref.path, "MIN_KEPT": 0.65}):
+        assert run("report", **given, **parameters).complaint is None
+        page = path.read_text(encoding="utf-8")
+        outline(page)
+        assert page.count("<polyline") == 3
+        assert f"limit {65 if parameters else 70} %" in page
+    other = layer("None", [None], window_id=("integer", [1]))
+    assert_refused("report", "no field 'level'", **{**given, "PROFILES": other})
