@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -148,7 +149,7 @@ class CheckRadiometry(RasterListAlgorithm):
             run.write(grey_sink, tables.maybe_grey_features(result, images, run.context.transformContext()))
             run.tell_once(result.notices)
             for found in words.found_words(result):
-                run.inform(found)
+                run.inform(f"{words.title(result)}: {found}")
             results.append(result)
 
         seamlines, greys = (run.source(name) if run.parameters.get(name) else None for name in (SEAMLINES, GREY_AREAS))
@@ -184,11 +185,9 @@ class CheckRadiometry(RasterListAlgorithm):
 
     def _value_range(self, run: Run) -> ValueRange | None:
         value = run.parameters.get(VALUE_RANGE)
-        if value is None or value == "":
-            return None
+        if value is None or set(re.findall(r"[^\s,()[\]]+", str(value).lower())) <= {"nan", "none"}:
+            return None  # the form says "None,None" with nothing in it
         low, high = run.number_range(VALUE_RANGE)
-        if math.isnan(low) and math.isnan(high):
-            return None  # the form with nothing in it
         if not (math.isfinite(low) and math.isfinite(high) and low < high):
             raise SettingsError(messages.VALUE_RANGE_BAD())
         return low, high

@@ -68,7 +68,10 @@ def with_features(
     """Each seam with the numbers of the features that run along it where its tone steps."""
     back = QgsCoordinateTransform(_crs(image), seamlines.sourceCrs(), run.context.transformContext())
     reach = _REACH_PX * max(image.grid.pixel_width, image.grid.pixel_height)
-    return tuple(replace(step, features=_features_at(seamlines, step.places[0], reach, back)) for step in steps)
+    name = seamlines.sourceName()
+    return tuple(
+        replace(step, features=_features_at(seamlines, step.places[0], reach, back), layer=name) for step in steps
+    )
 
 
 def _features_at(

@@ -104,8 +104,8 @@ def worst_seam_words(result: Assessment) -> str | None:
     assert worst.spot is not None
     x, y = worst.spot.place
     return filled(
-        tr("{title}: the largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}."),
-        title=title(result), step=figure_words(worst.rule, worst.value), band=band_words(worst.band),
+        tr("The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}."),
+        step=figure_words(worst.rule, worst.value), band=band_words(worst.band),
         seam=spot_words(worst), x=x, y=y,
     )  # fmt: skip
 
@@ -119,11 +119,10 @@ def balance_words(result: Assessment) -> str | None:
     red, green, blue = balance.means
     return filled(
         tr(
-            "{title}: colour balance by {count} grey areas, {pixels} px, {share:.2%} of the pixels; their red, green "
-            "and blue are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}, {worst:.1%}, near {x:.2f}, "
-            "{y:.2f}."
+            "Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are "
+            "{red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}."
         ),
-        title=title(result), count=len(balance.tones), pixels=sum(tone.pixels for tone in balance.tones),
+        count=len(balance.tones), pixels=sum(tone.pixels for tone in balance.tones),
         share=sum(tone.pixels for tone in balance.tones) / max(result.pixels, 1), red=red, green=green, blue=blue,
         area=balance.worst.number, worst=balance.worst_value, x=x, y=y,
     )  # fmt: skip
@@ -137,7 +136,7 @@ def found_words(result: Assessment) -> list[str]:
 def outcome_reasons(image: ImageDecision) -> list[str]:
     """Why an image is accepted, rejected or undecided, sentence by sentence."""
     said = [
-        tr("{check} is {value}, the limit {limit}.").format(
+        tr("{check} is {value}; the limit is {limit}.").format(
             check=check_words(one), value=figure_words(one.rule, one.value or 0.0), limit=limit_words(one.rule)
         )
         for one in image.failed

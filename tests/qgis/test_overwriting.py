@@ -31,7 +31,7 @@ from tests.qgis.test_provider import NAMES
 pytestmark = pytest.mark.usefixtures("provider")
 
 INPUTS = {"raster", "multilayer", "source", "vector", "file"}
-WITHOUT_FILES = {"number", "enum", "string", "boolean", "crs", "extent", "field"}
+WITHOUT_FILES = {"number", "range", "enum", "string", "boolean", "crs", "extent", "field"}
 REFUSED = "which belongs to an input; choose another file"
 
 

@@ -229,7 +229,8 @@ class _Judged:
         worst = worst_step(steps, index)
         what = messages.SEAM(number=worst.seam_id)
         if worst.features:
-            what = messages.SEAM_OF_FEATURES(number=worst.seam_id, features=", ".join(worst.features))
+            features = ", ".join(worst.features)
+            what = messages.SEAM_OF_FEATURES(number=worst.seam_id, features=features, layer=worst.layer)
         return _Found(abs(worst.steps[index]) / largest, Spot(worst.places[index], what))
 
     def _seam_contrast(self, band: str, available: ValueRange) -> _Found | Message:

@@ -41,7 +41,7 @@ class MeasuredImage:
     seams: tuple[SeamStep, ...] | None
     """With the bands of ``areas``; None without seamlines."""
     grey: tuple[GreyTone, ...] | None
-    """None without grey areas, or where they can't be laid on the image."""
+    """Empty where no grey area lies on the image; None where none were given."""
 
     @property
     def bands(self) -> tuple[str, ...]:
@@ -104,8 +104,8 @@ def measure(
         return None
     steps = None if drawn.seams is None else tuple(seam_steps(source, window, drawn.seams, wanted.areas))
     grey = None
-    if drawn.grey_areas is not None and image.has_luminance and image.is_north_up:
-        grey = grey_tones(source, window, drawn.grey_areas)
+    if drawn.grey_areas is not None and image.has_luminance:
+        grey = grey_tones(source, window, drawn.grey_areas) if image.is_north_up else ()
     return MeasuredImage(image, window_id, statistics, steps, grey)
 
 

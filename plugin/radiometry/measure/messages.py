@@ -20,9 +20,9 @@ NO_VALUE_RANGE = Message(
     "file.", INFO
 )
 RANGE_UNKNOWN = Message(
-    "the files do not say how many bits their values have; the largest value of all {count} images is {largest}, so "
-    "{possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or 'value_range' in the rules "
-    "file.", INFO
+    "the files do not say how many bits their values have. The largest value of all such images ({count}) is "
+    "{largest}, so {possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or 'value_range' "
+    "in the rules file.", INFO
 )
 RANGE_CONTRADICTED = Message(
     "the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or "
@@ -61,5 +61,5 @@ BEYOND_RANGE = Message(
 )
 # where a figure comes from
 SEAM = Message("seam {number}", INFO)
-SEAM_OF_FEATURES = Message("seam {number}, of feature {features}", INFO)
+SEAM_OF_FEATURES = Message("seam {number} (feature {features} of {layer})", INFO)
 GREYEST_NOT = Message("grey area {area} with {share:.1%}, the most of all", INFO)

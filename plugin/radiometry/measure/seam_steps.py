@@ -32,6 +32,8 @@ class SeamStep:
     """Of each band: the middle of the station whose difference is nearest to the seam's step, on the map."""
     features: tuple[str, ...] = ()
     """The features of the seamline layer that the seam comes from, as its user knows them; empty where nobody asked."""
+    layer: str = ""
+    """The name of that layer."""
 
 
 def seam_steps(
