@@ -193,9 +193,20 @@ def _pictures(
             text = _defect_text(one)
             parts = [f"{one.number}", text.sheets, text.length, tr("{kept} kept").format(kept=text.kept)]
             caption = ", ".join(part for part in parts if part)
-            width = tr("width of the picture: {width}").format(width=metres(picture.side_m))
-            place = "" if picture.is_whole else tr("where least is kept") + "; "
-            yield picture, f"{caption}; {place}{width}"
+            yield picture, f"{caption}. {_shown(picture)}"
+
+
+def _shown(picture: DefectPicture) -> str:
+    """What its panels show."""
+    across = metres(picture.side_m)
+    if picture.detail_m is None:
+        return tr("{across} across.").format(across=across)
+    first = tr("Left: {across} across").format(across=across) if picture.is_whole else (
+        tr("Left: a part of it, {across} across").format(across=across)
+    )
+    return tr("{first}; right: where least is kept, {detail} across in full size.").format(
+        first=first, detail=metres(picture.detail_m)
+    )
 
 
 def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:

@@ -20,28 +20,33 @@ from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_
 from ..measure.defects import Defect
 
 MOST_PICTURES = 100
-"""Of a delivery, of the longest failures: some 6 MB of report."""
+"""Of a delivery, of the longest failures: some 12 MB of report."""
 PICTURE_PX = 400
-MOST_REDUCED = 3.0
-"""Pixels of the mosaic, along a side, on one of a picture: in a smaller one nobody sees that fine detail is lost."""
+"""Side of a panel."""
+MOST_REDUCED = 8.0
+"""Pixels of the mosaic, along a side, on one of the panel that shows where a failure lies."""
 
 _AROUND = 1.25  # of a failure's extent
 _DASH_PX, _GAP_PX = 7.0, 9.0  # of the picture: what is lost has to be seen between the dashes
 _LINE, _EDGE = (255, 214, 0), (0, 0, 0)
+_GUTTER_PX = 8
 _HELD = 8  # open sheets
 
 
 @dataclass(frozen=True)
 class DefectPicture:
-    """The mosaic around a failure."""
+    """The mosaic around a failure; where that is too large to be seen pixel by pixel, beside it a panel that shows the
+    place where least is kept in full size."""
 
     jpeg: bytes
     columns: int
     """Its width, px."""
     side_m: float
-    """Its width on the ground."""
+    """What the first panel shows across."""
+    detail_m: float | None
+    """What the second panel shows across; None where there is one panel."""
     is_whole: bool
-    """Whether all of the failure is on it; else the place where least was kept."""
+    """Whether all of the failure is on it."""
 
 
 class DefectPictures:
@@ -65,9 +70,20 @@ class DefectPictures:
 
     def _picture(self, mosaic: Raster, defect: Defect, middle: np.ndarray) -> DefectPicture:
         lines = [mosaic.grid.to_pixels(transform_points(line, self._wkt, mosaic.wkt)) for line in defect.lines]
-        window, is_whole = _window(np.concatenate(lines), mosaic.grid.to_pixels(middle[np.newaxis])[0])
-        inside = window.cut_to(mosaic.columns, mosaic.rows)
-        scale = window.width / PICTURE_PX
+        worst = mosaic.grid.to_pixels(middle[np.newaxis])[0]
+        window, is_whole = _window(np.concatenate(lines), worst)
+        windows = [window] if window.width <= PICTURE_PX else [window, _square(worst, PICTURE_PX)]
+        shown = [_inside(one, mosaic) for one in windows]
+        pixels = _beside([self._panel(mosaic, one, lines) for one in shown])
+        pixel_m = mosaic.grid.pixel_width * mosaic.grid.metres_x
+        side_m, *detail_m = (one.width * pixel_m for one in shown)
+        return DefectPicture(
+            encoded(pixels, "JPEG"), pixels.shape[1], side_m, detail_m[0] if detail_m else None, is_whole
+        )
+
+    def _panel(self, mosaic: Raster, inside: PixelWindow, lines: Sequence[np.ndarray]) -> np.ndarray:
+        """(rows, columns, 3) uint8 of a window of the mosaic, the lines drawn into it."""
+        scale = max(inside.width / PICTURE_PX, inside.height / PICTURE_PX, 1.0)
         size = max(1, round(inside.width / scale)), max(1, round(inside.height / scale))
         raster = self._open(mosaic.ref)
         block = raster.read(inside, size, averaged=scale > 1)
@@ -80,9 +96,26 @@ class DefectPictures:
         shares = size[0] / inside.width, size[1] / inside.height
         for line in lines:
             _draw_dashes(pixels, (line - (inside.column, inside.row)) * shares)
-        grid = mosaic.grid
-        width_m = inside.width * grid.pixel_width * grid.metres_x
-        return DefectPicture(encoded(pixels, "JPEG"), pixels.shape[1], width_m, is_whole)
+        return pixels
+
+
+def _beside(panels: Sequence[np.ndarray]) -> np.ndarray:
+    """Panels in a row, white between and below them."""
+    rows = max(len(one) for one in panels)
+    padded = [np.pad(one, ((0, rows - len(one)), (0, _GUTTER_PX), (0, 0)), constant_values=255) for one in panels]
+    return np.ascontiguousarray(np.concatenate(padded, axis=1)[:, :-_GUTTER_PX])
+
+
+def _inside(window: PixelWindow, mosaic: Raster) -> PixelWindow:
+    """Moved as far as it takes to lie on the mosaic, and cut where that is smaller."""
+    column = min(max(window.column, 0), max(mosaic.columns - window.width, 0))
+    row = min(max(window.row, 0), max(mosaic.rows - window.height, 0))
+    return PixelWindow(column, row, window.width, window.height).cut_to(mosaic.columns, mosaic.rows)
+
+
+def _square(middle: np.ndarray, side: int) -> PixelWindow:
+    column, row = np.floor(middle - side / 2).astype(int).tolist()
+    return PixelWindow(column, row, side, side)
 
 
 def _window(places: np.ndarray, worst: np.ndarray) -> tuple[PixelWindow, bool]:
@@ -94,8 +127,7 @@ def _window(places: np.ndarray, worst: np.ndarray) -> tuple[PixelWindow, bool]:
     wanted = _AROUND * float((high - low).max())
     is_whole = wanted <= MOST_REDUCED * PICTURE_PX
     side = math.ceil(min(max(wanted, PICTURE_PX), MOST_REDUCED * PICTURE_PX))
-    column, row = np.floor(((low + high) / 2 if is_whole else worst) - side / 2).astype(int).tolist()
-    return PixelWindow(column, row, side, side), is_whole
+    return _square((low + high) / 2 if is_whole else worst, side), is_whole
 
 
 def _draw_dashes(pixels: np.ndarray, path: np.ndarray) -> None:

@@ -60,7 +60,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decision, mosaics=(ground(tmp_path / "mosaic.tif"),)))
     assert len(page.pictures("jpeg")) == 2
     captions = [one.replace("\u00a0", " ") for one in page.captions if "kept" in one]
-    assert captions[0] == "1, sheet_1, 50.0 m, 45 % (40 - 51) kept; width of the picture: 150.5 m"
+    assert captions[0] == "1, sheet_1, 50.0 m, 45 % (40 - 51) kept. 200.0 m across."
     assert "mosaic.tif" in page.words
 
 

@@ -65,17 +65,27 @@ def test_the_seam_is_drawn_where_it_runs_and_can_be_seen_between_dashes(tmp_path
     assert 0.15 < len(rows) / (rows.max() - rows.min()) < 0.75
 
 
-def test_a_long_failure_is_reduced_and_a_longer_one_shown_where_least_is_kept(tmp_path: Path) -> None:
+def test_a_long_failure_is_shown_whole_and_where_least_is_kept_in_full_size(tmp_path: Path) -> None:
     mosaic = ground(tmp_path / "mosaic.tif")
-    whole = picture_of(decided(failed=[(0, one) for one in range(4, 18)]), mosaic)
-    assert whole.is_whole
-    decision = decided(failed=[(0, one) for one in range(40)])
+    decision = decided(failed=[(0, one) for one in range(4, 24)])
     pieces = list(decision.pieces)
     pieces[12] = replace(pieces[12], piece=replace(pieces[12].piece, kept_1=0.1))
-    part = picture_of(replace(decision, pieces=tuple(pieces)), mosaic)
-    assert not part.is_whole
-    assert part.side_m <= 600
-    assert len(part.jpeg) < 150_000
+    found = picture_of(replace(decision, pieces=tuple(pieces)), mosaic)
+    assert found.is_whole
+    assert found.side_m == pytest.approx(200)  # as wide as the mosaic
+    assert found.detail_m == pytest.approx(200)
+    pixels, raw = decoded(found), gdal.Open(mosaic.ref.path).ReadAsArray()
+    assert pixels.shape[:2] == (PICTURE_PX, found.columns)
+    row, right = round((BOTTOM + 1000 - decision.delivery.pieces[12].middle[1]) / 0.5), pixels[:, -400:]
+    truth = np.moveaxis(raw[:, row - 200 : row + 200], 0, 2).astype(float)
+    assert np.corrcoef(right[::3, ::3, 1].ravel(), truth[::3, ::3, 1].ravel())[0, 1] > 0.9
+    assert len(found.jpeg) < 300_000
+
+
+def test_one_that_is_too_long_for_that_is_shown_around_its_worst_place(tmp_path: Path) -> None:
+    found = picture_of(decided(pieces=120, failed=[(0, one) for one in range(110)]),
+                       ground(tmp_path / "mosaic.tif", up=3000.0))  # fmt: skip
+    assert not found.is_whole
 
 
 @pytest.mark.parametrize(("kind", "value"), [("uint16", 900), ("float32", 0.25)])
