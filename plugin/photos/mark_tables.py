@@ -2,9 +2,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsWkbTypes
+from qgis.core import (
+    QgsDataProvider,
+    QgsFeature,
+    QgsFields,
+    QgsGeometry,
+    QgsPointXY,
+    QgsVectorLayer,
+    QgsWkbTypes,
+)
 
 from ..imagery.errors import PhotoError
 from ..imagery.rasters import GeoTransform
@@ -13,10 +22,14 @@ from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.mark_comparison import ComparedMark, DifferenceStatistics
+from .measure.micmac_measures import read_measures
 from .measure.orientation import GivenPosition, MarkResult
 from .measure.photo import Photo
 
 MARK, PHOTO, MEASURE = "mark", "photo", "measure"
+MEASURES = "MeasuresIm-"  # how MicMac names its files
+VECTOR_ENDINGS = (".gpkg", ".shp", ".geojson", ".csv", ".fgb", ".sqlite", ".gml", ".kml", ".tab", ".mif")
+WITHIN, BEYOND = "within", "beyond"  # verdicts on a mean distance
 
 
 def mark_fields() -> QgsFields:
@@ -24,6 +37,7 @@ def mark_fields() -> QgsFields:
     return table_fields(
         (MARK, "text"), ("column", "real"), ("row", "real"), ("x_mm", "real"), ("y_mm", "real"),
         ("residual_x", "real"), ("residual_y", "real"), ("correlation", "real"), ("status", "text"), ("reason", "text"),
+        (PHOTO, "text"),
     )
 
 
@@ -34,7 +48,7 @@ def mark_feature(mark: MarkResult, photo: Photo) -> QgsFeature:
     geometry = None if mark.place is None else QgsGeometry.fromPointXY(map_point(photo.raster.placement, *mark.place))
     reason = sentence(mark.reason) if mark.reason is not None else None
     values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status.value]
-    return feature(mark_fields(), [*values, reason], geometry)
+    return feature(mark_fields(), [*values, reason, photo.ref.name], geometry)
 
 
 def map_point(transform: GeoTransform, column: float, row: float) -> QgsPointXY:
@@ -75,7 +89,9 @@ def given_positions(
     return made
 
 
-def compared_marks(rows: Iterable[QgsFeature], names: Sequence[str], layer: str) -> list[ComparedMark]:
+def compared_marks(
+    rows: Iterable[QgsFeature], names: Sequence[str], layer: str, default_photo: str = ""
+) -> list[ComparedMark]:
     """The marks of a layer to be compared: by ``column`` and ``row`` where it has them, else by the points themselves.
 
     Raises PhotoError for a layer without the field ``mark``.
@@ -93,7 +109,39 @@ def compared_marks(rows: Iterable[QgsFeature], names: Sequence[str], layer: str)
             continue
         x_mm, y_mm = number(row["x_mm"]), number(row["y_mm"])
         calibrated = None if x_mm is None or y_mm is None else (x_mm, y_mm)
-        made.append(ComparedMark(text(row[photo]), name, (column, line), calibrated))
+        made.append(ComparedMark(text(row[photo]) or default_photo, name, (column, line), calibrated))
+    return made
+
+
+def folder_marks(folder: Path) -> list[ComparedMark]:
+    """The marks of all files of a folder: layers with a field ``mark``, and MicMac's MeasuresIm-*.xml.
+
+    A layer that does not say the photo is of the photo that its file is called like. Raises PhotoError for a folder
+    that is not there or holds no marks.
+    """
+    if not folder.is_dir():
+        raise PhotoError(messages.COMPARED_NO_FOLDER(path=folder))
+    made: list[ComparedMark] = []
+    for path in sorted(folder.iterdir()):
+        if path.suffix.lower() == ".xml" and path.name.startswith(MEASURES):
+            made += [ComparedMark(photo, mark, place) for photo, mark, place in read_measures(path)]
+        elif path.suffix.lower() in VECTOR_ENDINGS:
+            made += _file_marks(path)
+    if not made:
+        raise PhotoError(messages.COMPARED_EMPTY_FOLDER(path=folder))
+    return made
+
+
+def _file_marks(path: Path) -> list[ComparedMark]:
+    """Of all layers of a file that have a field ``mark``."""
+    made = []
+    opened = QgsVectorLayer(str(path), path.stem, "ogr")
+    parts = [part.split(QgsDataProvider.sublayerSeparator()) for part in opened.dataProvider().subLayers()]
+    for name in [part[1] for part in parts] if opened.isValid() else []:
+        layer = QgsVectorLayer(f"{path}|layername={name}", name, "ogr")
+        if layer.isValid() and MARK in layer.fields().names():
+            default = path.stem if len(parts) == 1 else name
+            made += compared_marks(layer.getFeatures(), layer.fields().names(), name, default)
     return made
 
 
@@ -101,14 +149,26 @@ def statistics_fields() -> QgsFields:
     """OUTPUT of ``comparemarks``: one row for each unit."""
     return table_fields(
         ("unit", "text"), ("count", "integer"), ("mean", "real"), ("standard_deviation", "real"), ("maximum", "real"),
-        ("minimum", "real"),
+        ("minimum", "real"), ("limit", "real"), ("verdict", "text"),
     )
 
 
-def statistics_feature(unit: str, made: DifferenceStatistics) -> QgsFeature:
-    """The row of a unit."""
+def statistics_feature(unit: str, made: DifferenceStatistics, limit: float) -> QgsFeature:
+    """The row of a unit; the limit is in it too."""
     values: list[Any] = [unit, made.count, made.mean, made.standard_deviation, made.maximum, made.minimum]
-    return feature(statistics_fields(), values)
+    return feature(statistics_fields(), [*values, limit, verdict(made, limit)])
+
+
+def verdict(made: DifferenceStatistics, limit: float) -> str:
+    """Of the mean distance against a limit in the same unit."""
+    return WITHIN if made.mean <= limit else BEYOND
+
+
+def photo_fields() -> QgsFields:
+    """PHOTOS of ``comparemarks``: one row for each photo, px."""
+    return table_fields(
+        (PHOTO, "text"), ("count", "integer"), ("mean", "real"), ("maximum", "real"), ("verdict", "text")
+    )
 
 
 def difference_fields() -> QgsFields:

@@ -2,23 +2,32 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessing,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
     QgsProcessingParameterNumber,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ...imagery.errors import PhotoError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
-from ..measure import messages
+from ..measure import limits, messages
 
-FIRST, SECOND, PIXEL_SIZE, OUTPUT, DIFFERENCES = "FIRST", "SECOND", "PIXEL_SIZE", "OUTPUT", "DIFFERENCES"
+if TYPE_CHECKING:
+    from ..measure.mark_comparison import ComparedMark
+
+NAMED = 5  # of the marks that are not compared
+FIRST, SECOND, PIXEL_SIZE, LIMIT = "FIRST", "SECOND", "PIXEL_SIZE", "LIMIT"
+FOLDERS = {FIRST: "FIRST_FOLDER", SECOND: "SECOND_FOLDER"}
+OUTPUT, PHOTOS, DIFFERENCES, WITHIN_LIMIT = "OUTPUT", "PHOTOS", "DIFFERENCES", "WITHIN_LIMIT"
 STATISTICS = ("COUNT", "MEAN", "STANDARD_DEVIATION", "MAXIMUM", "MINIMUM")
 
 
@@ -31,8 +40,9 @@ class CompareMarks(SeamInspectorAlgorithm):
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the "
-        "distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do. Two operators differed "
-        "there by 0.25 px."
+        "distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean "
+        "is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos "
+        "are compared in one run: give folders, or merged layers with a field 'photo'."
     )
     RASTER_LISTS = ()
 
@@ -42,8 +52,28 @@ class CompareMarks(SeamInspectorAlgorithm):
             "Marks with the field 'mark', and 'photo' (or 'layer', as merged layers have) where there are several "
             "photos. Places are the fields column and row, or the points themselves."
         )
-        for name, title in ((FIRST, tr("First measurement")), (SECOND, tr("Second measurement"))):
-            self.addDescribed(QgsProcessingParameterFeatureSource(name, title, kinds), described)
+        of_folder = tr(
+            "Instead of the layer: all files of this folder, layers with the field 'mark' (of the photo in their field "
+            "'photo', else of the one that the file is called like) and MicMac's MeasuresIm-*.xml."
+        )
+        for name, title, of_files in (
+            (FIRST, tr("First measurement"), tr("First measurement, a folder")),
+            (SECOND, tr("Second measurement"), tr("Second measurement, a folder")),
+        ):
+            self.addDescribed(QgsProcessingParameterFeatureSource(name, title, kinds, optional=True), described)
+            self.addDescribed(
+                QgsProcessingParameterFile(
+                    FOLDERS[name], of_files, QgsProcessingParameterFile.Behavior.Folder, optional=True
+                ),
+                of_folder,
+            )
+        self.addDescribed(
+            QgsProcessingParameterNumber(
+                LIMIT, tr("Largest mean distance (px)"), QgsProcessingParameterNumber.Type.Double,
+                limits.DEFAULT_MEAN_DISTANCE_PX, minValue=0,
+            ),
+            tr("The verdict is 'within' where the mean distance is at most that; in the paper 0.25 px."),
+        )
         self.addDescribed(
             QgsProcessingParameterNumber(
                 PIXEL_SIZE, tr("Pixel size (um)"), QgsProcessingParameterNumber.Type.Double, optional=True,
@@ -53,7 +83,16 @@ class CompareMarks(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Statistics"), table),
-            tr("Count, mean, standard deviation, maximum and minimum of the distances, a row for each unit."),
+            tr(
+                "Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a "
+                "row for each unit."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                PHOTOS, tr("Photos"), table, optional=True, createByDefault=False
+            ),
+            tr("Count, mean, maximum (px) and verdict of each photo."),
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSink(
@@ -63,19 +102,25 @@ class CompareMarks(SeamInspectorAlgorithm):
         )
         for unit in ("PX", "UM"):
             self.addNumbers({f"{name}_{unit}": f"{name} {unit}".lower().replace("_", " ") for name in STATISTICS[1:]})
-        self.addNumbers({STATISTICS[0]: tr("Marks in both layers")})
+        self.addNumbers({
+            STATISTICS[0]: tr("Marks in both measurements"),
+            WITHIN_LIMIT: tr("1 where the mean distance is within the limit, else 0"),
+        })
+
+    def check(self, run: Run) -> None:
+        for name in (FIRST, SECOND):
+            if bool(run.parameters.get(name)) == bool(run.text(FOLDERS[name])):
+                raise PhotoError(messages.COMPARED_EITHER())
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers, table_fields
+        from ...toolkit import table_fields
         from .. import mark_tables
         from ..measure import mark_comparison
 
-        measured = []
-        for name in (FIRST, SECOND):
-            source = run.source(name)
-            names = source.fields().names()
-            measured.append(mark_tables.compared_marks(layers.features(source), names, source.sourceName()))
+        self.check(run)
+        measured = [self._marks(run, name) for name in (FIRST, SECOND)]
         found = mark_comparison.mark_differences(*measured)
+        limit = run.real(LIMIT)
         size = run.real(PIXEL_SIZE) if run.parameters.get(PIXEL_SIZE) else None
         size = size or mark_comparison.pixel_size(measured[0]) or mark_comparison.pixel_size(measured[1])
         made = {"px": mark_comparison.distance_statistics(found)}
@@ -83,15 +128,37 @@ class CompareMarks(SeamInspectorAlgorithm):
             run.tell(messages.PIXEL_SIZE_UNKNOWN())
         else:
             made["um"] = made["px"].scaled(size)
+        alone = mark_comparison.marks_alone(*measured)
+        if alone:
+            names = ", ".join(alone[:NAMED]) + (", ..." if len(alone) > NAMED else "")
+            run.tell(messages.COMPARED_ALONE(count=len(alone), names=names))
         sink, destination = run.sink(OUTPUT, mark_tables.statistics_fields())
-        run.write(sink, [mark_tables.statistics_feature(unit, one) for unit, one in made.items()])
+        scales = {"px": 1.0, "um": size or 1.0}
+        run.write(sink, [
+            mark_tables.statistics_feature(unit, one, limit * scales[unit]) for unit, one in made.items()
+        ])
+        photos, photos_id = run.optional_sink(PHOTOS, mark_tables.photo_fields())
+        of_photos = {
+            photo: mark_comparison.distance_statistics(some)
+            for photo, some in mark_comparison.by_photo(found).items()
+        }
+        run.write(photos, (
+            table_fields.feature(
+                mark_tables.photo_fields(),
+                [photo or None, one.count, one.mean, one.maximum, mark_tables.verdict(one, limit)],
+            )
+            for photo, one in of_photos.items()
+        ))
         fields = mark_tables.difference_fields()
         rows, rows_id = run.optional_sink(DIFFERENCES, fields)
         run.write(rows, (
             table_fields.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance])
             for one in found
         ))
-        results: dict[str, Any] = {OUTPUT: destination, DIFFERENCES: rows_id, "COUNT": len(found)}
+        within = mark_tables.verdict(made["px"], limit) == mark_tables.WITHIN
+        results: dict[str, Any] = {
+            OUTPUT: destination, PHOTOS: photos_id, DIFFERENCES: rows_id, "COUNT": len(found), WITHIN_LIMIT: int(within)
+        }
         for unit, one in made.items():
             known = zip(STATISTICS[1:], (one.mean, one.standard_deviation, one.maximum, one.minimum))
             results.update({f"{name}_{unit.upper()}": value for name, value in known if not math.isnan(value)})
@@ -100,4 +167,19 @@ class CompareMarks(SeamInspectorAlgorithm):
                     count=one.count, mean=one.mean, maximum=one.maximum, minimum=one.minimum, unit=unit
                 )
             )
+        words = tr("The mean distance is within the limit of {limit:g} px.") if within else tr(
+            "The mean distance is beyond the limit of {limit:g} px."
+        )
+        run.inform(words.format(limit=limit))
         return results
+
+    @staticmethod
+    def _marks(run: Run, name: str) -> list[ComparedMark]:
+        from ...toolkit import layers
+        from .. import mark_tables
+
+        folder = run.text(FOLDERS[name])
+        if folder:
+            return mark_tables.folder_marks(Path(folder))
+        source = run.source(name)
+        return mark_tables.compared_marks(layers.features(source), source.fields().names(), source.sourceName())

@@ -92,12 +92,15 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         return results
 
     def _files(self, run: Run, photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, Any]:
-        """Write the files asked for; without a transformation the report alone, and say so."""
+        """Write the files asked for; without a transformation those of the marks alone, and say so."""
         from ...imagery.atomic_files import save_text
         from ..measure import orientation_files
+        from ..measure.micmac_measures import measures_text
         from ..report import save_orientation_report
 
         results = run.save(common.REPORT, lambda path: save_orientation_report(path, photo, made))
+        measures = measures_text(photo.ref.name, made.marks)
+        results.update(run.save(photo_parameters.MEASURES, partial(save_text, measures)))
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))

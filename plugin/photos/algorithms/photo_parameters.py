@@ -22,7 +22,7 @@ TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE = (
     "TEMPLATE_KIND", "TEMPLATE_DIRECTION", "TEMPLATE_CENTRE", "TEMPLATE_TONE"
 )
 SEARCH, MIN_CORRELATION, SURFACE, MODEL = "SEARCH", "MIN_CORRELATION", "SURFACE", "MODEL"
-OUTPUT, PARAMETERS, WORLD_FILE = "OUTPUT", "PARAMETERS", "WORLD_FILE"
+OUTPUT, PARAMETERS, WORLD_FILE, MEASURES = "OUTPUT", "PARAMETERS", "WORLD_FILE", "MEASURES"
 
 AUTOMATIC = "automatic"
 KINDS = (AUTOMATIC, "cross", "dot", "ring with dot", "ring with cross", "wedge")
@@ -120,7 +120,7 @@ def output_parameters() -> list[Described]:
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Marks"), point),
             tr(
                 "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, "
-                "residuals in um, correlation, status and reason."
+                "residuals in um, correlation, status, reason and the photo's name."
             ),
         ),
         (
@@ -135,6 +135,15 @@ def output_parameters() -> list[Described]:
                 createByDefault=False,
             ),
             tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
+        ),
+        (
+            QgsProcessingParameterFileDestination(
+                MEASURES, tr("MicMac measurement"), tr("XML files (*.xml)"), optional=True, createByDefault=False
+            ),
+            tr(
+                "The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, "
+                "with the photo's whole file name, as in MeasuresIm-114.jpg.xml."
+            ),
         ),
         common.report(
             tr("A page with a picture of each mark and the place that was found."),

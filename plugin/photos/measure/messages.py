@@ -121,11 +121,23 @@ PHOTO_WITHOUT_TRANSFORMATION = Message(
     "written."
 )
 # two measurements compared
+MEASURES_NOT_READ = Message("The measurement {name} can't be read ({error}); remove it from the folder or mend it.")
+MEASURES_ROW = Message("The mark '{mark}' in {name} has no column and row; complete or remove it.")
+COMPARED_EITHER = Message("Give each of the two measurements either as a layer or as a folder.")
+COMPARED_NO_FOLDER = Message("The folder {path} does not exist; choose the folder with the measured marks.")
+COMPARED_EMPTY_FOLDER = Message(
+    "The folder {path} holds no measured marks: neither layers with a field 'mark' nor MicMac's MeasuresIm-*.xml."
+)
+COMPARED_ALONE = Message(
+    "Marks that only one of the measurements has, so that they are not compared: {count} ({names}).", WARNING
+)
 COMPARED_WITHOUT_MARK = Message("The layer {layer} has no field 'mark'; choose layers of measured marks.")
 COMPARED_TWICE = Message(
-    "A layer has the mark '{mark}' twice; give both layers a field 'photo' that tells photos apart."
+    "A measurement has the mark '{mark}' twice{where}; give both layers a field 'photo' that tells photos apart."
 )
-NOTHING_IN_COMMON = Message("The two layers have no mark in common; check their fields 'mark' and 'photo'.")
+NOTHING_IN_COMMON = Message(
+    "The two measurements have no mark in common ({first}; {second}); check their fields 'mark' and 'photo'."
+)
 PIXEL_SIZE_UNKNOWN = Message(
     "The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the "
     "fields x_mm and y_mm.", WARNING

@@ -6,11 +6,14 @@ import math
 import re
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsRasterLayer
+from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
+from seam_inspector.plugin.photos.measure.micmac_measures import read_measures
 
 from tests.numbers.photos.photos import Look, Place
 from tests.numbers.synthetic import write_plain
@@ -19,7 +22,7 @@ from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 
 pytestmark = pytest.mark.usefixtures("provider")
 
-FIELDS = "mark column row x_mm y_mm residual_x residual_y correlation status reason".split()
+FIELDS = "mark column row x_mm y_mm residual_x residual_y correlation status reason photo".split()
 CROSS = {"TEMPLATE_KIND": "ring with cross"}
 
 
@@ -74,6 +77,26 @@ def test_marks_of_a_photo_that_nobody_looked_at(scene: PhotoScene, tmp_path: Pat
     page = Path(files["REPORT"]).read_text(encoding="utf-8")
     assert page.count("<img") == 4
     assert "http" not in re.sub(r'"data:[^"]*"', "", page)
+
+
+def test_micmac_reads_the_marks(scene: PhotoScene, tmp_path: Path, data_folder: Path) -> None:
+    """The same elements, one within the other, as MicMac's own file for the UNBC photo has."""
+    path = tmp_path / "MeasuresIm-photo.bmp.xml"
+    outcome = run("interiororientation", **scene.inputs, **CROSS, MEASURES=str(path))
+    assert outcome.results["MEASURES"] == str(path)
+    again = read_measures(path)
+    assert [(photo, mark) for photo, mark, _ in again] == [("photo.bmp", mark) for mark in outcome.column("mark")]
+    for (_, _, place), row in zip(again, outcome.rows()):
+        assert place == pytest.approx((row["column"], row["row"]), abs=1e-5)
+    theirs = data_folder / "fiducials" / "unbc" / "MeasuresIm-15BCC02013_114.jpg.xml"
+    assert elements(path) == elements(theirs)
+    assert read_calibration(path).marks == {mark: place for _, mark, place in again}
+    assert outcome.column("photo") == ["photo.bmp"] * 4
+
+
+def elements(path: Path) -> list[tuple[str, int]]:
+    """The names of a document's elements in their order, and how many lie in each."""
+    return [(one.tag, len(one)) for one in ElementTree.parse(path).iter()]
 
 
 def test_the_world_file_puts_the_photo_in_millimetres(scene: PhotoScene, tmp_path: Path) -> None:
