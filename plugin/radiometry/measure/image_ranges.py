@@ -55,6 +55,8 @@ def largest_value(histograms: Iterable[Histogram]) -> LargestValue:
     largest = int(max(histogram.largest for histogram in found))
     piled = False
     for histogram in found:
+        if histogram.largest < largest:
+            continue  # this band may end below, and its histogram with it
         place = int(np.searchsorted(histogram.values, largest))
         here = int(histogram.counts[place])
         below = histogram.counts[max(place - PILE_BELOW, 0) : place]
