@@ -57,12 +57,19 @@ def draw_rule(axes: Axes, detail: Sequence[float], style: ChartStyle = PAPER) ->
 
 
 def draw_noise_clip(
-    axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER, logarithmic: bool = True
+    axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER, logarithmic: bool = True,
+    group: tuple[str, Sequence[Sequence[float]]] = ("", ()),
 ) -> None:
-    """A whole chart of one clip: frame, rule and curves. For the desk and reports."""
+    """A whole chart of one clip: frame, rule and curves. For the desk and reports.
+
+    ``group``: what windows like this one are called, and their curves, whose range lies behind.
+    """
+    label, alike = group
     levels = max((len(noise.curve.detail) for noise in measured.values()), default=0)
     known = [noise.curve.detail for noise in measured.values() if noise.curve.variance > 0]
-    noise_frame(axes, levels, known, style, logarithmic)
+    noise_frame(axes, levels, [*known, *alike], style, logarithmic)
+    if alike:
+        draw_group(axes, alike, 1, shown_title(label), style)
     bold = measured[noisiest_band(measured)] if measured else None
     if bold is not None and bold.curve.variance > 0:
         draw_rule(axes, bold.curve.detail, style)

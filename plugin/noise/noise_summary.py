@@ -23,6 +23,11 @@ VERDICT_WORDS = {
 }
 
 
+CurveGroup = tuple[str, tuple[tuple[float, ...], ...]]
+"""What windows that belong together are called, and their judged curves."""
+NO_GROUP: CurveGroup = "", ()
+
+
 def verdict_counts(results: Iterable[ClipNoise]) -> Counter[NoiseVerdict]:
     """How many windows have each verdict. A window that several images of a group show counts once in the group, with
     their strongest verdict: it is the same ground."""

@@ -13,6 +13,7 @@ from ...toolkit.charts.figure_painter import ROOMY_LINES, Room, draw_figure, fit
 from ...toolkit.desk.painted_chart import PaintedChart
 from ..charts import draw_noise_clip
 from ..measure.band_noise import BandNoise
+from ..noise_summary import NO_GROUP, CurveGroup
 
 from matplotlib.axes import Axes  # isort: skip
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # isort: skip
@@ -29,6 +30,7 @@ class NoiseDrawing(NamedTuple):
     bands: Mapping[str, BandNoise]
     style: ChartStyle
     room: Room
+    group: CurveGroup = NO_GROUP
 
 
 class NoiseChart(PaintedChart):
@@ -38,32 +40,33 @@ class NoiseChart(PaintedChart):
         super().__init__(partial(draw_figure, figure), parent)
         self._bands: Mapping[str, BandNoise] = {}
         self._style: ChartStyle | None = None
+        self._group = NO_GROUP
 
     @property
     def bands(self) -> Mapping[str, BandNoise]:
         """What is asked for."""
         return self._bands
 
-    def show_bands(self, bands: Mapping[str, BandNoise], style: ChartStyle) -> None:
-        """Draw a window; nothing happens when it is there already."""
-        self._bands, self._style = bands, style
+    def show_bands(self, bands: Mapping[str, BandNoise], style: ChartStyle, group: CurveGroup = NO_GROUP) -> None:
+        """Draw a window before the range of those like it; nothing happens when it is there already."""
+        self._bands, self._style, self._group = bands, style, group
         self._ask()
 
     def _request(self) -> NoiseDrawing | None:
         if self._style is None:
             return None
-        return NoiseDrawing(self._bands, self._style, self._room(""))
+        return NoiseDrawing(self._bands, self._style, self._room(""), self._group)
 
 
 def figure(request: NoiseDrawing) -> Figure:
     """The chart; a low one does without what it has no room for."""
-    bands, style, room = request
+    bands, style, room, group = request
     made = Figure()
     FigureCanvasAgg(made)  # which measures words
     fit_figure(made, room)
     made.set_facecolor(style.background)
     axes = made.add_subplot()
-    draw_noise_clip(axes, bands, style)
+    draw_noise_clip(axes, bands, style, group=group)
     is_roomy, is_flat = room.height > ROOMY_LINES * room.line, room.width > _FLAT * room.height
     axes.xaxis.label.set_visible(is_roomy)
     axes.yaxis.label.set_visible(is_roomy)
@@ -71,7 +74,7 @@ def figure(request: NoiseDrawing) -> Figure:
     if is_flat:
         across, up = 1 - _add_legend(axes, request, font, "center right", (1,), (_LARGEST, 1.0))[0], 1.0
     else:
-        columns = range(len(bands) + 1, 0, -1)
+        columns = range(len(bands) + 2, 0, -1)
         across, up = 1.0, 1 - _add_legend(axes, request, font, "upper center", columns, (1.0, _LARGEST))[1]
     made.tight_layout(pad=0.4, rect=(0.0, 0.0, across, up))
     return made

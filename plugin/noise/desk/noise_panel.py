@@ -1,6 +1,7 @@
 """The tab with the random noise of the selected window, on the mosaic or on one of the sources over it."""
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ from qgis.PyQt.QtGui import QCloseEvent, QHideEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
 from ...imagery.drawn_windows import DrawnWindow
+from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
 from ...imagery.rasters import RasterRef
 from ...toolkit.charts.chart_loader import chart_missing
@@ -21,7 +23,9 @@ from ...toolkit.translation import sentence, tr
 from ..jobs import noise_job
 from ..measure.band_noise import noisiest_band
 from ..measure.group_noise import ClipNoise
-from ..noise_summary import band_lines, noise_sentence
+from ..measure.window_choice import NOISE_WINDOWS
+from ..noise_summary import NO_GROUP, CurveGroup, band_lines, judged_curve, noise_sentence
+from .window_classes import FieldBox, windows_alike
 
 if TYPE_CHECKING:
     from ...toolkit.background_task import Outcome
@@ -30,6 +34,23 @@ if TYPE_CHECKING:
 _Key = tuple[RasterRef, DrawnWindow]
 _LOADING_MS = 100  # between looks whether matplotlib is there
 _MOST_KEPT = 500  # results, for going back and forth
+
+
+@dataclass(frozen=True)
+class _Alike:
+    """The windows of the selected one's group."""
+
+    value: str
+    """In the field that they are grouped by."""
+    ref: RasterRef
+    fids: frozenset[int]
+    keys: tuple[_Key, ...]
+    """Of as many as a noise check chooses on an image."""
+
+
+def _drawn(request: WindowOnRasters, window: PixelWindow) -> DrawnWindow:
+    mosaic = request.mosaic
+    return DrawnWindow(request.window_id, mosaic.grid.window_extent(window), mosaic.wkt)
 
 
 class NoisePanel(MatplotlibPanel):
@@ -45,9 +66,10 @@ class NoisePanel(MatplotlibPanel):
         self._refs: list[RasterRef] = []  # of the box's entries, the mosaic's first
         self._source: RasterRef | None = None  # the user's choice, kept while it does not cover a window
         self._chart: NoiseChart | None = None
+        self._alike: _Alike | None = None
         self._build()
         session.selectionChanged.connect(self._refresh_now)
-        session.windowsChanged.connect(self._refresh_now)
+        session.windowsChanged.connect(self._forget_groups)
         session.inputsChanged.connect(self._forget)
 
     # Parts
@@ -59,10 +81,14 @@ class NoisePanel(MatplotlibPanel):
         self._rasters.setMinimumContentsLength(12)
         self._rasters.setEnabled(False)
         self._rasters.activated.connect(self._on_raster_chosen)
+        self._field = FieldBox()
+        self._field.fieldChanged.connect(self._forget_groups)
         self._window = QLabel()
         self._words = ClippedLabel(2)
         top = QHBoxLayout()
         top.addWidget(self._rasters, 1)
+        top.addWidget(QLabel(tr("Group by")))
+        top.addWidget(self._field)
         top.addWidget(self._window)
         self._lay_out(top, self._words)
 
@@ -100,10 +126,16 @@ class NoisePanel(MatplotlibPanel):
         self._results.clear()
         self._refresh_now()
 
+    def _forget_groups(self, *_: object) -> None:
+        """Windows came, went or changed their values, or are grouped by another field."""
+        self._alike = None
+        self._refresh_now()
+
     def _refresh(self) -> None:
         """Show what was measured, or have it measured."""
         if not self.isVisible():
             return
+        self._field.follow(self._session.window_layer())
         selected = self._session.selected()
         request = self._session.request(selected[0]) if selected else None
         self._wanted = None
@@ -119,16 +151,48 @@ class NoisePanel(MatplotlibPanel):
             self._background.cancel_others(set())
             self._say(sentence(request.reason) if request.reason else "")
             return
-        mosaic = request.mosaic
-        drawn = DrawnWindow(request.window_id, mosaic.grid.window_extent(request.window), mosaic.wkt)
-        self._wanted = key = self._refs[self._rasters.currentIndex()], drawn
-        self._background.cancel_others({key})
-        if key in self._results:
-            self._show(self._results[key])
+        ref = self._refs[self._rasters.currentIndex()]
+        self._wanted = key = ref, _drawn(request, request.window)
+        self._find_alike(selected[0], ref)
+        alike = self._alike.keys if self._alike is not None else ()
+        self._background.cancel_others({key, *alike})
+        if key not in self._results:
+            self._measure(key)
+            self._say_measuring()
             return
+        self._show(self._results[key])
+        missing = next((one for one in alike if one not in self._results), None)
+        if missing is not None:  # one after the other, so that what is selected next comes first
+            self._measure(missing)
+
+    def _measure(self, key: _Key) -> None:
         if not self._background.is_under_way(key):
             self._background.start(tr("Measure the noise"), noise_job(*key), partial(self._take, key), key)
-        self._say_measuring()
+
+    def _find_alike(self, fid: int, ref: RasterRef) -> None:
+        """The windows of the selected one's group, as they are measured on the raster."""
+        field = self._field.currentField()
+        known = self._alike
+        if known is not None and known.ref == ref and fid in known.fids:
+            return
+        self._alike = None
+        found = windows_alike(self._session.window_layer(), field, fid) if field else None
+        if found is None:
+            return
+        value, fids = found
+        some = sorted(fids, key=lambda one: one != fid)[:NOISE_WINDOWS]
+        requests = [one for one in map(self._session.request, some) if one is not None]
+        keys = tuple((ref, _drawn(one, one.window)) for one in requests if one.window is not None)
+        self._alike = _Alike(value, ref, frozenset(fids), keys)
+
+    def _group(self) -> CurveGroup:
+        """The range of the windows like the selected one, as far as they are measured."""
+        if self._alike is None:
+            return NO_GROUP
+        found = [self._results[key] for key in self._alike.keys if key in self._results]
+        curves = [curve for one in found if isinstance(one, ClipNoise) and (curve := judged_curve(one)) is not None]
+        words = tr("{value}: range of {count} of {all} windows")
+        return words.format(value=self._alike.value, count=len(curves), all=len(self._alike.keys)), tuple(curves)
 
     def _why_nothing(self, is_selected: bool) -> str:
         if not is_selected:
@@ -140,7 +204,7 @@ class NoisePanel(MatplotlibPanel):
         while len(self._results) >= _MOST_KEPT:
             del self._results[next(iter(self._results))]
         self._results[key] = result
-        if key == self._wanted:
+        if key == self._wanted or (self._alike is not None and key in self._alike.keys):
             self._refresh_now()
 
     def _ended(self, key: object, outcome: Outcome) -> None:
@@ -194,6 +258,6 @@ class NoisePanel(MatplotlibPanel):
             )))  # fmt: skip
             self._pages.addWidget(self._chart)
         self._chart.setEnabled(True)
-        self._chart.show_bands(result.bands, chart_style(self._chart))
+        self._chart.show_bands(result.bands, chart_style(self._chart), self._group())
         self._words.setText(words, rich_tip(words, *band_lines(result.bands)))
         self._pages.setCurrentWidget(self._chart)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Callable, Protocol
 
+from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...imagery.grids import PixelWindow
@@ -48,6 +49,9 @@ class InspectedWindows(Protocol):
 
     def request(self, fid: int) -> WindowOnRasters | None:
         """What is measured in a window; None while the inputs make no job."""
+
+    def window_layer(self) -> QgsVectorLayer | None:
+        """The layer that holds the windows."""
 
     def problem(self) -> Message | None:
         """What keeps the inputs from making a job."""
