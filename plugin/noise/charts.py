@@ -9,14 +9,15 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..imagery.band_names import LUMINANCE
+from ..imagery.band_names import LUMINANCE, judged_band
+from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.charts.variance_axes import draw_frame
 from ..toolkit.translation import tr
 from .measure.band_noise import BandNoise, noisiest_band
 from .measure.group_noise import ClipNoise
-from .noise_summary import NoiseGroup, class_title, judged_curve, noise_groups
+from .noise_summary import NoiseGroup, class_title, compared_curve, noise_groups
 
 _LINES = {1: "-", 2: "--"}
 _HEADROOM = 1.25
@@ -133,7 +134,7 @@ def noise_figure(results: Sequence[ClipNoise], field: str = "") -> Figure | None
         for group in groups:
             draw_group(axes, group.curves, group.group, _range_words(group))
         title = tr("{field}: {value}").format(field=field, value=class_title(window_class)) if field else (
-            tr("All windows, noisiest band")
+            tr("All windows, {band}").format(band=band_title(judged_band(example(results)[0].bands)))
         )
         axes.set_title(shown_title(title), fontsize="medium", wrap=True)
         _legend(axes, 1)
@@ -154,6 +155,8 @@ def _panels(results: Sequence[ClipNoise]) -> dict[str | None, list[NoiseGroup]]:
 
 
 def _range_words(group: NoiseGroup) -> str:
+    if group.windows == 1:
+        return shown_title(group.name) or tr("1 window")
     words = tr("{name}: mean and range of {count} windows") if group.name else tr("mean and range of {count} windows")
     return words.format(name=shown_title(group.name), count=group.windows)
 
@@ -192,7 +195,7 @@ def _legend(axes: Axes, columns: int) -> None:
 def example(results: Sequence[ClipNoise]) -> list[ClipNoise]:
     """The window whose bands are shown: of group 1 (paired where any is) the one with the median noise, with its
     partner of group 2."""
-    measured = [result for result in results if judged_curve(result) is not None]
+    measured = [result for result in results if compared_curve(result) is not None]
     first = min(result.part.member.group for result in measured)
     candidates = [result for result in measured if result.part.member.group == first]
     candidates = [result for result in candidates if result.paired] or candidates

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
+from ..imagery.band_names import judged_band
 from ..toolkit.attribute_values import number
 from ..toolkit.band_titles import band_title
 from ..toolkit.translation import sentence, tr
@@ -24,7 +25,7 @@ VERDICT_WORDS = {
 
 
 CurveGroup = tuple[str, tuple[tuple[float, ...], ...]]
-"""What windows that belong together are called, and their judged curves."""
+"""What windows that belong together are called, and their curves."""
 NO_GROUP: CurveGroup = "", ()
 
 
@@ -49,10 +50,18 @@ def judged_noise(result: ClipNoise) -> BandNoise | None:
     return result.bands[noisiest_band(result.bands)] if result.bands else None
 
 
-def judged_curve(result: ClipNoise) -> tuple[float, ...] | None:
-    """The curve that a window is judged by; None where there is none."""
-    judged = judged_noise(result)
-    return judged.curve.detail if judged is not None and judged.curve.variance > 0 else None
+def band_curve(result: ClipNoise, band: str) -> tuple[float, ...] | None:
+    """The curve of one band; None where there is none."""
+    noise = result.bands.get(band)
+    return noise.curve.detail if noise is not None and noise.curve.variance > 0 else None
+
+
+def compared_curve(result: ClipNoise) -> tuple[float, ...] | None:
+    """The curve by which windows are compared: of the luminance, or the first band (Pyka 2009, figure 3).
+
+    The noisiest band is another one from window to window.
+    """
+    return band_curve(result, judged_band(result.bands)) if result.bands else None
 
 
 @dataclass(frozen=True)
@@ -67,13 +76,13 @@ class NoiseGroup:
 
     @property
     def windows(self) -> int:
-        """How many there are; ground that several images show counts once."""
-        return len({result.window_id for result in self.results})
+        """How many have a curve; ground that several images show counts once."""
+        return len({result.window_id for result in self.results if compared_curve(result) is not None})
 
     @property
     def curves(self) -> list[tuple[float, ...]]:
-        """Those that are judged."""
-        return [curve for result in self.results if (curve := judged_curve(result)) is not None]
+        """By which they are compared."""
+        return [curve for result in self.results if (curve := compared_curve(result)) is not None]
 
 
 def noise_groups(results: Sequence[ClipNoise]) -> list[NoiseGroup]:
@@ -111,7 +120,8 @@ def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
         finding=_curve_clause(judged), band=band_title(name), sigma=_number(judged.sigma, 2),
         kurtosis=_number(judged.kurtosis[0], 1),
     )
-    return f"{words} {note}".strip()
+    grain = _grain_words(judged)
+    return " ".join(part for part in (words, note, grain) if part)
 
 
 def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
@@ -127,6 +137,17 @@ def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
             line = f"{line}, {numbers}"
         lines.append(line)
     return lines
+
+
+def _grain_words(noise: BandNoise) -> str:
+    """How strong correlated noise is, or can be, where the verdict rests on that."""
+    if noise.note is None or (noise.verdict is NoiseVerdict.MODERATE and noise.grain is None):
+        return ""
+    if noise.verdict is not NoiseVerdict.UNCERTAIN and noise.grain is not None:
+        return tr("Grain: {sigma} DN, {size} px.").format(
+            sigma=_number(noise.grain.sigma, 1), size=_number(noise.grain.size, 1)
+        )
+    return tr("At most {sigma} DN.").format(sigma=_number(noise.largest_sigma, 1)) if noise.largest_sigma else ""
 
 
 def _curve_clause(noise: BandNoise) -> str:

@@ -31,7 +31,7 @@ def save_noise_report(
     """Write the report. ``field``: what the windows are grouped by. Raises SettingsError where no file can be."""
     counts, figure = verdict_counts(results), noise_figure(results, field)
     groups = noise_groups(results)
-    headings, windows = _windows(results, levels, field)
+    headings, windows, notes = _windows(results, levels, field)
     grouped_headings, grouped = _groups(groups, levels, field)
     save_page(
         path,
@@ -49,6 +49,7 @@ def save_noise_report(
         rasters=_rasters(results),
         headings=headings,
         windows=windows,
+        notes=notes,
         wavelet=wavelet,
         levels=levels,
     )
@@ -98,33 +99,40 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
     return rows
 
 
-def _windows(results: Sequence[ClipNoise], levels: int, field: str) -> tuple[list[str], list[list[object]]]:
-    """The noisiest band of every window, headings and rows; what could not be measured, and notes, in words."""
-    rows = []
+def _windows(
+    results: Sequence[ClipNoise], levels: int, field: str
+) -> tuple[list[str], list[list[object]], list[str]]:
+    """The noisiest band of every window, headings and rows, and the notes that rows have by number.
+
+    They say why nothing could be measured, and what to take care of.
+    """
+    rows: list[list[object]] = []
+    notes: dict[str, int] = {}
     for result in results:
         judged, window = judged_noise(result), result.part.window
         band = band_title(noisiest_band(result.bands)) if len(result.bands) > 1 else ""
         member = result.part.member
         head = [result.window_id, class_title(result.window_class), member.image.ref.name, member.group_name]
         if judged is None or judged.sigma is None:
-            figures = [""] * (levels + 3)
+            figures = [""] * (levels + 4)
             reason = result.reason or (judged.note if judged else None)
         else:
             known = ("-" if kurtosis is None else f"{kurtosis:.1f}" for kurtosis in judged.kurtosis)
             largest = "" if judged.largest_sigma is None else f"{judged.largest_sigma:.1f}"
-            figures = [f"{judged.sigma:.2f}", largest, *(f"{share:.4f}" for share in judged.curve.detail)]
+            grain = "" if judged.grain is None else f"{judged.grain.sigma:.1f}, {judged.grain.size:.1f}\u00a0px"
+            figures = [f"{judged.sigma:.2f}", largest, grain, *(f"{share:.4f}" for share in judged.curve.detail)]
             figures.append("\u00a0\u00a0".join(known))
             reason = judged.note
         place = f"{window.column},\u00a0{window.row}"
-        words = sentence(reason) if reason else ""
-        rows.append([*head, tr(VERDICT_WORDS[verdict_of(result)]), band, *figures, place, words])
+        note_number = str(notes.setdefault(sentence(reason), len(notes) + 1)) if reason else ""
+        rows.append([*head, tr(VERDICT_WORDS[verdict_of(result)]), band, *figures, place, note_number])
     headings = [tr("window"), field, tr("raster"), tr("group"), tr("noise"), tr("band"), tr("sigma (DN)")]
-    headings.append(tr("largest possible"))
+    headings += [tr("largest possible"), tr("grain (DN)")]
     headings += [tr("detail {level}").format(level=level) for level in range(1, levels + 1)]
     headings += [tr("kurtosis by level"), tr("column, row"), tr("note")]
-    of_class, group, band_column, note = 1, 3, 5, len(headings) - 1
+    of_class, group, band_column, grain_column, note = 1, 3, 5, 8, len(headings) - 1
     left_out = set() if field else {of_class}
     left_out |= {group} if len({row[group] for row in rows}) < 2 else set()
-    left_out |= {column for column in (band_column, note) if not any(row[column] for row in rows)}
+    left_out |= {column for column in (band_column, grain_column, note) if not any(row[column] for row in rows)}
     shown = [i for i in range(len(headings)) if i not in left_out]
-    return [headings[i] for i in shown], [[row[i] for i in shown] for row in rows]
+    return [headings[i] for i in shown], [[row[i] for i in shown] for row in rows], list(notes)

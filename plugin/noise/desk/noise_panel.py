@@ -13,6 +13,7 @@ from ...imagery.drawn_windows import DrawnWindow
 from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
 from ...imagery.rasters import RasterRef
+from ...toolkit.band_titles import band_title
 from ...toolkit.charts.chart_loader import chart_missing
 from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.desk.chart_panel import MatplotlibPanel
@@ -24,7 +25,7 @@ from ..jobs import noise_job
 from ..measure.band_noise import noisiest_band
 from ..measure.group_noise import ClipNoise
 from ..measure.window_choice import NOISE_WINDOWS
-from ..noise_summary import NO_GROUP, CurveGroup, band_lines, judged_curve, noise_sentence
+from ..noise_summary import NO_GROUP, CurveGroup, band_curve, band_lines, noise_sentence
 from .window_classes import FieldBox, windows_alike
 
 if TYPE_CHECKING:
@@ -185,14 +186,15 @@ class NoisePanel(MatplotlibPanel):
         keys = tuple((ref, _drawn(one, one.window)) for one in requests if one.window is not None)
         self._alike = _Alike(value, ref, frozenset(fids), keys)
 
-    def _group(self) -> CurveGroup:
-        """The range of the windows like the selected one, as far as they are measured."""
+    def _group(self, band: str) -> CurveGroup:
+        """A band's curves in the windows like the selected one, as far as they are measured."""
         if self._alike is None:
             return NO_GROUP
         found = [self._results[key] for key in self._alike.keys if key in self._results]
-        curves = [curve for one in found if isinstance(one, ClipNoise) and (curve := judged_curve(one)) is not None]
-        words = tr("{value}: range of {count} of {all} windows")
-        return words.format(value=self._alike.value, count=len(curves), all=len(self._alike.keys)), tuple(curves)
+        curves = [curve for one in found if isinstance(one, ClipNoise) and (curve := band_curve(one, band)) is not None]
+        words = tr("{value}: {band} of {count} of {all} windows")
+        count, most = len(curves), len(self._alike.keys)
+        return words.format(value=self._alike.value, band=band_title(band), count=count, all=most), tuple(curves)
 
     def _why_nothing(self, is_selected: bool) -> str:
         if not is_selected:
@@ -258,6 +260,6 @@ class NoisePanel(MatplotlibPanel):
             )))  # fmt: skip
             self._pages.addWidget(self._chart)
         self._chart.setEnabled(True)
-        self._chart.show_bands(result.bands, chart_style(self._chart), self._group())
+        self._chart.show_bands(result.bands, chart_style(self._chart), self._group(noisiest_band(result.bands)))
         self._words.setText(words, rich_tip(words, *band_lines(result.bands)))
         self._pages.setCurrentWidget(self._chart)

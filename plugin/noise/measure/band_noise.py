@@ -171,13 +171,11 @@ def _judged(
     largest = None if possible is None else max(grain.sigma for grain in possible)
     grain = recognised_grain(ground, wavelet)
     if grain is not None and SEVERITY.index(if_white(grain)) > SEVERITY.index(verdict):
-        verdict, note = if_white(grain), messages.GRAIN_FOUND(size=grain.size, sigma=grain.sigma)
+        verdict, note = if_white(grain), messages.GRAIN_FOUND()
     elif verdict is NoiseVerdict.LOW and possible is None:
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_UNKNOWN()
-    elif verdict is NoiseVerdict.LOW:
-        hidden = [one.sigma for one in possible or () if if_white(one) is not NoiseVerdict.LOW]
-        if hidden:
-            verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_MAY_HIDE(sigma=max(hidden))
+    elif verdict is NoiseVerdict.LOW and any(if_white(one) is not NoiseVerdict.LOW for one in possible or ()):
+        verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_MAY_HIDE()
     return BandNoise(curve, kurtosis, sigma, verdict, note, largest, grain)
 
 

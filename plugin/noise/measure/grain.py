@@ -22,6 +22,7 @@ SIZES_PX = (0.0, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.35, 1.5)
 MIN_GRAIN_PX = 0.4  # below it, noise is as good as white
 MAX_MISFIT = 1.2  # standard deviations of the levels over those of grain, largest over smallest: made grain has 1.1
 MAX_UNEVENNESS = 1.15  # of quiet ground that is grain: made grain has 1.1, images without it 1.2 and more
+MAX_SPREAD = 1.3  # of the quiet quarter over the quietest ground: made grain has 1.2, images without it 1.4 and more
 _FREQUENCIES = 4096
 
 
@@ -52,7 +53,7 @@ def possible_grains(ground: Sequence[QuietGround | None], wavelet: str) -> list[
 def recognised_grain(ground: Sequence[QuietGround | None], wavelet: str) -> Grain | None:
     """The grain whose spectrum the quiet ground has, where that is as even as noise is; None elsewhere."""
     found = [one for one in ground[:FITTED_LEVELS] if one is not None]
-    if len(found) < FITTED_LEVELS or any(one.unevenness > MAX_UNEVENNESS or one.quiet == 0 for one in found):
+    if len(found) < FITTED_LEVELS or not all(map(_is_even, found)):
         return None
     quiet = np.array([one.quiet for one in found])
     ratios = {size: quiet / np.sqrt(grain_spectrum(wavelet, FITTED_LEVELS, size)) for size in SIZES_PX}
@@ -60,6 +61,15 @@ def recognised_grain(ground: Sequence[QuietGround | None], wavelet: str) -> Grai
     if size < MIN_GRAIN_PX or ratios[size].max() / ratios[size].min() > MAX_MISFIT:
         return None
     return Grain(size, float(ratios[size].min()))
+
+
+def _is_even(ground: QuietGround) -> bool:
+    """Whether quiet ground differs from place to place by no more than noise does."""
+    return (
+        ground.least > 0
+        and ground.unevenness <= MAX_UNEVENNESS
+        and ground.unevenness * ground.quiet <= MAX_SPREAD * ground.least
+    )
 
 
 def curve_if_white(variances: Sequence[float], grain: Grain, wavelet: str) -> list[float]:

@@ -32,12 +32,10 @@ NOISE_HUMP = Message(
     "or a texture of that size; look at the window.", INFO
 )
 GRAIN_FOUND = Message(
-    "The quiet ground has the spectrum of grain of {size:.1f} px and {sigma:.1f} DN; the curve alone does not show it.",
-    INFO,
+    "The quiet ground has the spectrum of grain, noise coarser than a pixel; the curve alone does not show it.", INFO
 )
 GRAIN_MAY_HIDE = Message(
-    "The curve rises, but noise coarser than a pixel (grain) of up to {sigma:.1f} DN can hide in this texture; measure "
-    "smoother ground.", INFO
+    "The curve rises, but noise coarser than a pixel (grain) can hide in this texture; measure smoother ground.", INFO
 )
 GRAIN_UNKNOWN = Message(
     "The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a "
