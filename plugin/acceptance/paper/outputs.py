@@ -182,7 +182,7 @@ def _write_defects(
 def _file_of(destination: str) -> Path | None:
     """The file of a layer; None for one in memory or in a database."""
     path = Path(str(QgsProviderRegistry.instance().decodeUri("ogr", destination).get("path") or ""))
-    return path.absolute() if path.is_file() else None
+    return path.absolute() if path.suffix and path.absolute().parent.is_dir() else None
 
 
 def _make_pictures(

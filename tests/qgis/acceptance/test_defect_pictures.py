@@ -78,7 +78,7 @@ def test_a_long_failure_is_shown_whole_and_where_least_is_kept_in_full_size(tmp_
     assert pixels.shape[:2] == (PICTURE_PX, found.columns)
     row, right = round((BOTTOM + 1000 - decision.delivery.pieces[12].middle[1]) / 0.5), pixels[:, -400:]
     truth = np.moveaxis(raw[:, row - 200 : row + 200], 0, 2).astype(float)
-    assert np.corrcoef(right[::3, ::3, 1].ravel(), truth[::3, ::3, 1].ravel())[0, 1] > 0.9
+    assert np.corrcoef(right[::3, ::3, 1].ravel(), truth[::3, ::3, 1].ravel())[0, 1] > 0.8
     assert len(found.jpeg) < 300_000
 
 

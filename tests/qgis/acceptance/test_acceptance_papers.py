@@ -1,0 +1,214 @@
+"""What ``acceptmosaic`` leaves: the layer of failures with its pictures, the page, the XML; what is in the way of it."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsExpression, QgsExpressionContext, QgsFeature, QgsGeometry, QgsRectangle, QgsVectorLayer
+from seam_inspector.plugin.toolkit.layer_styles import load_style
+
+from tests.numbers.acceptance.metadata_structure import faults
+from tests.numbers.synthetic import write_raster
+from tests.qgis.acceptance.papers import EVIL
+from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
+from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.scenes import layer
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+F, P = 0.5, 0.95
+KEPT = [P, F, F, F, P, P, F, P]
+FIELDS = [
+    "defect", "sheet", "length", "kept_1", "kept_low", "kept_high", "band_width", "cause", "left_source",
+    "right_source", "left_date", "right_date", "x", "y", "remark", "picture",
+]
+
+
+@pytest.fixture(scope="module")
+def mosaic(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """Noise of 0.25 m under the seam."""
+    pixels = np.random.default_rng(1).integers(60, 190, (3, 600, 1000)).astype(np.uint8)
+    path = tmp_path_factory.mktemp("mosaic") / "mosaic.tif"
+    return write_raster(path, pixels, 0.25, (X - 25, Y + 75), system=UTM33)
+
+
+def accept(*layers: QgsVectorLayer, **parameters: Any) -> Run:
+    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, **parameters}
+    outcome = run("acceptmosaic", SEAMS=list(layers) or [seams(KEPT)], **wanted)
+    assert outcome.complaint is None
+    assert outcome.results["ACCEPTED"] == 0
+    return outcome
+
+
+def opened(path: Path) -> QgsVectorLayer:
+    found = QgsVectorLayer(str(path), "failures", "ogr")
+    assert found.isValid()
+    return found
+
+
+def rows(path: Path) -> list[dict[str, Any]]:
+    return [dict(zip(row.fields().names(), row.attributes())) for row in opened(path).getFeatures()]
+
+
+def test_one_feature_per_failure_with_its_place_and_picture(tmp_path: Path, mosaic: str) -> None:
+    path = tmp_path / "failures.gpkg"
+    accept(DEFECTS=str(path), MOSAIC=[mosaic])
+    assert opened(path).fields().names()[1:] == FIELDS
+    first, second = rows(path)
+    assert (first["defect"], first["length"], second["length"]) == (1, 75, 25)
+    assert (first["x"], first["y"]) == (X + 62.5, Y)
+    assert first["kept_1"] == 0.5
+    assert (first["kept_low"], first["kept_high"]) == pytest.approx((0.45, 0.55))
+    geometry = next(opened(path).getFeatures()).geometry()
+    assert geometry.length() == pytest.approx(75)
+    assert geometry.constGet().numGeometries() == 1, "pieces that touch are one line"
+    for row in (first, second):
+        picture = gdal.Open(str(tmp_path / row["picture"]))
+        assert picture.RasterXSize == 400
+    assert first["picture"] == "failures_pictures/defect_001.jpg"
+
+
+def test_dates_causes_and_remarks_come_along(tmp_path: Path) -> None:
+    made = seams(KEPT)
+    provider = made.dataProvider()
+    names = ("left_source", "right_source", "left_date", "right_date")
+    extra = layer("LineString", [], **{name: ("string", []) for name in names})
+    provider.addAttributes(list(extra.fields()))
+    made.updateFields()
+    for row in made.getFeatures():
+        values = {made.fields().indexOf(name): f"{name} {EVIL}" for name in names}
+        provider.changeAttributeValues({row.id(): values})
+    windows = layer(
+        "Polygon", [QgsGeometry.fromRect(QgsRectangle(X + 30, Y - 20, X + 70, Y + 20))], UTM33, window_id=("integer", [7]),
+        cause=("string", ["feathering"]), remark=("string", [EVIL]), observer=("string", ["visible"]),
+    )  # fmt: skip
+    path = tmp_path / "failures.gpkg"
+    accept(made, DEFECTS=str(path), WINDOWS=windows)
+    first, second = rows(path)
+    assert first["cause"] == "feathering"
+    assert EVIL.strip()[:20] in first["remark"]
+    assert second["cause"] in (None, "NULL") or not second["cause"]
+    assert first["left_date"].startswith("left_date")
+    assert first["right_source"].startswith("right_source")
+
+
+def test_as_csv_it_has_places_and_pictures(tmp_path: Path, mosaic: str) -> None:
+    path = tmp_path / "failures.csv"
+    accept(DEFECTS=str(path), MOSAIC=[mosaic])
+    lines = path.read_text(encoding="utf-8").splitlines()
+    assert lines[0] == ",".join(FIELDS)
+    assert len(lines) == 3
+    assert "failures_pictures/defect_002.jpg" in lines[2]
+    assert (tmp_path / "failures_pictures" / "defect_002.jpg").is_file()
+
+
+def test_in_memory_the_pictures_have_whole_paths(mosaic: str) -> None:
+    outcome = accept(DEFECTS="TEMPORARY_OUTPUT", MOSAIC=[mosaic])
+    assert all(Path(path).is_absolute() and Path(path).is_file() for path in outcome.column("picture", "DEFECTS"))
+
+
+def test_a_second_run_leaves_no_picture_of_the_first(tmp_path: Path, mosaic: str) -> None:
+    path = tmp_path / "failures.gpkg"
+    accept(DEFECTS=str(path), MOSAIC=[mosaic])
+    (tmp_path / "failures_pictures" / "mine.jpg").write_bytes(b"mine")
+    accept(seams([P, F, P]), DEFECTS=str(path), MOSAIC=[mosaic])
+    assert sorted(one.name for one in (tmp_path / "failures_pictures").iterdir()) == ["defect_001.jpg", "mine.jpg"]
+
+
+def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str) -> None:
+    outcome = accept(
+        DEFECTS=str(tmp_path / "failures.gpkg"), REPORT=str(tmp_path / "decision.html"),
+        QUALITY=str(tmp_path / "quality.xml"), MOSAIC=[mosaic], LOSS=mosaic,
+    )  # fmt: skip
+    page = (tmp_path / "decision.html").read_text(encoding="utf-8")
+    document = (tmp_path / "quality.xml").read_text(encoding="utf-8")
+    assert faults(document) == []
+    assert f"{outcome.results['FAILED_SHARE']:.10g}" in document
+    assert f"{outcome.results['FAILED_SHARE']:.2f}" in page
+    assert page.count("data:image/jpeg") == 2
+    assert "decision.html" in document
+    assert mosaic in page
+    assert outcome.log.warnings == []
+
+
+def test_names_of_layers_are_text_everywhere(tmp_path: Path) -> None:
+    accept(
+        seams(KEPT, name=EVIL), DEFECTS=str(tmp_path / "failures.gpkg"), REPORT=str(tmp_path / "decision.html"),
+        QUALITY=str(tmp_path / "quality.xml"),
+    )  # fmt: skip
+    assert "<script>" not in (tmp_path / "decision.html").read_text(encoding="utf-8")
+    assert faults((tmp_path / "quality.xml").read_text(encoding="utf-8")) == []
+    style = opened(tmp_path / "failures.gpkg")
+    load_style(style, "defects")
+    feature = QgsFeature(next(style.getFeatures()))
+    feature["remark"] = EVIL
+    context = QgsExpressionContext(style.createExpressionContext())
+    context.setFeature(feature)
+    tip = QgsExpression.replaceExpressionText(style.mapTipTemplate(), context)
+    assert "<script" not in tip
+    assert "75.0 m" in tip
+    assert "50 % (45" in tip
+
+
+def test_the_style_shows_the_picture_and_the_number(tmp_path: Path, mosaic: str) -> None:
+    path = tmp_path / "failures.gpkg"
+    accept(DEFECTS=str(path), MOSAIC=[mosaic])
+    found = opened(path)
+    load_style(found, "defects")
+    assert found.labelsEnabled()
+    assert found.labeling().settings().fieldName == "defect"
+    assert found.editorWidgetSetup(found.fields().indexOf("picture")).type() == "ExternalResource"
+    context = QgsExpressionContext(found.createExpressionContext())
+    context.setFeature(next(found.getFeatures()))
+    tip = QgsExpression.replaceExpressionText(found.mapTipTemplate(), context)
+    assert f'src="file:///{tmp_path}/failures_pictures/defect_001.jpg"' in tip
+
+
+@pytest.mark.parametrize("broken", ["missing", "broken", "elsewhere"])
+def test_a_mosaic_that_shows_nothing_costs_the_pictures_only(tmp_path: Path, broken: str) -> None:
+    path = tmp_path / "mosaic.tif"
+    if broken == "broken":
+        path.write_bytes(b"no raster")
+    elif broken == "elsewhere":
+        write_raster(path, np.full((64, 64), 9, np.uint8), 0.25, (X + 9000, Y), system=UTM33)
+    outcome = accept(
+        DEFECTS=str(tmp_path / "failures.gpkg"), REPORT=str(tmp_path / "decision.html"), MOSAIC=[str(path)]
+    )
+    (said,) = outcome.log.warnings
+    assert_sentence(said, "mosaic|picture")
+    assert len(rows(tmp_path / "failures.gpkg")) == 2
+    assert "data:image/jpeg" not in (tmp_path / "decision.html").read_text(encoding="utf-8")
+
+
+def test_a_picture_of_losses_that_can_not_be_read_is_told(tmp_path: Path) -> None:
+    (tmp_path / "loss.tif").write_bytes(b"no raster")
+    outcome = run("acceptmosaic", SEAMS=[seams(KEPT)], LOSS=str(tmp_path / "loss.tif"), QUALITY=str(tmp_path / "q.xml"))
+    said = outcome.complaint or outcome.log.warnings[0]
+    assert_sentence(said, r"loss\.tif|LOSS|losses")
+
+
+def test_papers_that_can_not_be_written_do_not_cost_the_decision(tmp_path: Path) -> None:
+    (tmp_path / "decision.html").mkdir()
+    outcome = accept(REPORT=str(tmp_path / "decision.html"), QUALITY=str(tmp_path / "quality.xml"))
+    assert "REPORT" not in outcome.results
+    assert outcome.results["QUALITY"]
+    assert_sentence(outcome.log.errors[0], r"decision\.html")
+
+
+def test_papers_do_not_overwrite_what_they_are_made_of(tmp_path: Path, mosaic: str) -> None:
+    made = seams(KEPT)
+    assert_refused("acceptmosaic", "written over", SEAMS=[made], MOSAIC=[mosaic], REPORT=mosaic)
+
+
+def test_a_delivery_without_a_failure_has_an_empty_layer(tmp_path: Path, mosaic: str) -> None:
+    outcome = run(
+        "acceptmosaic", SEAMS=[seams([P] * 8)], MOSAIC=[mosaic], DEFECTS=str(tmp_path / "failures.gpkg"),
+        REPORT=str(tmp_path / "decision.html"), QUALITY=str(tmp_path / "quality.xml"),
+    )  # fmt: skip
+    assert outcome.results["ACCEPTED"] == 1
+    assert rows(tmp_path / "failures.gpkg") == []
+    assert not (tmp_path / "failures_pictures").exists()
+    assert "None: no piece of seam" in (tmp_path / "decision.html").read_text(encoding="utf-8")
