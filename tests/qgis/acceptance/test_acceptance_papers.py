@@ -1,4 +1,4 @@
-"""What ``acceptmosaic`` leaves: the layer of failures with its pictures, the page, the XML; what is in the way of it."""
+"""What ``acceptmosaic`` leaves: the layer of failures with its pictures, page and XML; what stands in its way."""
 from __future__ import annotations
 
 from pathlib import Path
@@ -81,8 +81,9 @@ def test_dates_causes_and_remarks_come_along(tmp_path: Path) -> None:
     for row in made.getFeatures():
         values = {made.fields().indexOf(name): f"{name} {EVIL}" for name in names}
         provider.changeAttributeValues({row.id(): values})
+    square = QgsGeometry.fromRect(QgsRectangle(X + 30, Y - 20, X + 70, Y + 20))
     windows = layer(
-        "Polygon", [QgsGeometry.fromRect(QgsRectangle(X + 30, Y - 20, X + 70, Y + 20))], UTM33, window_id=("integer", [7]),
+        "Polygon", [square], UTM33, window_id=("integer", [7]),
         cause=("string", ["feathering"]), remark=("string", [EVIL]), observer=("string", ["visible"]),
     )  # fmt: skip
     path = tmp_path / "failures.gpkg"
