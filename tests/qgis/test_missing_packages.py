@@ -21,6 +21,8 @@ from tests.qgis.scenes import Scene
 Told = list[tuple[str, Any]]
 NAMES = {"pywt": "PyWavelets", "matplotlib": "matplotlib", "jinja2": "Jinja2"}
 DRAWN = (
+    ("acceptmosaic", "CHART"),
+    ("acceptmosaic", "REPORT"),
     ("calibratethreshold", "CHART"),
     ("checknoise", "CHART"),
     ("checknoise", "REPORT"),
@@ -32,12 +34,14 @@ DRAWN = (
     ("report", "OUTPUT"),
 )
 """Algorithms and their files with charts."""
-PAGES = (*(one for one in DRAWN if one[1] != "CHART"), ("interiororientation", "REPORT"))
+PAGES = (*(one for one in DRAWN if one[1] != "CHART"), ("interiororientation", "REPORT"), ("acceptmosaic", "QUALITY"))
 """Algorithms and their pages."""
-DRAWING = """resolution.charts resolution.report seams.charts.calibration_chart seams.charts.curve_chart noise.charts
+DRAWING = """acceptance.kept_chart acceptance.paper.charts
+resolution.charts resolution.report seams.charts.calibration_chart seams.charts.curve_chart noise.charts
 noise.report radiometry.report toolkit.charts.variance_axes toolkit.charts.figure_files""".split()
 """Modules that can't be imported without matplotlib."""
-WRITING = """noise.report photos.report radiometry.report resolution.report seams.report.inspection_report
+WRITING = """acceptance.paper.acceptance_report acceptance.paper.quality_document
+noise.report photos.report radiometry.report resolution.report seams.report.inspection_report
 sensors.report toolkit.pages.templates""".split()
 """Modules that can't be imported without jinja2."""
 

@@ -33,6 +33,8 @@ GROUPS = {
         "placewindows",
         "inspectwindows",
         "scanmosaic",
+        "planinspection",
+        "acceptmosaic",
         "predictloss",
         "calibratethreshold",
         "report",

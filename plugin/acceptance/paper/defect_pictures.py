@@ -19,8 +19,6 @@ from ...toolkit.pages.picture_files import encoded
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
 from ..measure.defects import Defect
 
-MOST_PICTURES = 100
-"""Of a delivery, of the longest failures: some 12 MB of report."""
 PICTURE_PX = 400
 """Side of a panel."""
 MOST_REDUCED = 8.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -20,18 +20,18 @@ from qgis.core import (
 )
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
-from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
-from ...toolkit.pages.how_measured import whole_path
 from ...toolkit.translation import tr
-from ..measure.decision import Decision
-from ..measure.defects import Defect
 from . import messages
-from .defect_pictures import MOST_PICTURES, DefectPicture, DefectPictures
-from .inspection_record import InspectionRecord, scan_settings
-from .picture_folder import PictureFolder
+from .limits import MOST_PICTURES
+
+if TYPE_CHECKING:
+    from ...imagery.rasters import Raster, RasterRef
+    from ..measure.decision import Decision
+    from ..measure.defects import Defect
+    from .defect_pictures import DefectPicture, DefectPictures
 
 MOSAIC, LOSS = common.MOSAIC, "LOSS"
 DEFECTS, REPORT, QUALITY = "DEFECTS", common.REPORT, "QUALITY"
@@ -109,7 +109,9 @@ def prepare(run: Run) -> PaperInputs:
 
 def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom) -> dict[str, Any]:
     """Write what is wanted; what can't be written is told, and does not cost the decision."""
+    from ...toolkit.pages.how_measured import whole_path
     from .acceptance_report import save_acceptance_report
+    from .inspection_record import InspectionRecord
     from .quality_document import save_quality_document
 
     loss, settings = _loss(run, inputs.loss)
@@ -128,6 +130,7 @@ def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom
 
 def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, str]]:
     from ...imagery.open_raster import describe_placed
+    from .inspection_record import scan_settings
 
     if ref is None:
         return None, {}
@@ -141,6 +144,7 @@ def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, 
 def _maker(run: Run, inputs: PaperInputs, decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:
     """What cuts the pictures, and the mosaics that it can cut them from."""
     from ...imagery.open_raster import describe_mosaic
+    from .defect_pictures import DefectPictures
 
     mosaics = []
     for ref in inputs.mosaics:
@@ -189,6 +193,8 @@ def _make_pictures(
     run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: _Pictures, place: Path | None
 ) -> None:
     """Cut them, and save them where there is a place. Raises CancelledError when they are not wanted any more."""
+    from .picture_folder import PictureFolder
+
     shown = defects[:MOST_PICTURES]
     if maker is None or not shown:
         return

@@ -1,0 +1,172 @@
+"""``planinspection`` as QGIS runs it: how many, which, and that the sample goes on into the decision and the desk."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis.core import QgsGeometry, QgsVectorLayer
+
+from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
+from tests.qgis.runs import Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.scenes import PIXEL, Scene, layer, line, pixel_box
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+P = 0.95
+
+
+def plan(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
+    return run("planinspection", SEAMS=list(layers), **parameters)
+
+
+def numbers(outcome: Run) -> tuple[object, ...]:
+    assert outcome.complaint is None
+    names = ("SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "LOT_SIZE", "CODE_LETTER")
+    return tuple(outcome.results.get(name) for name in names)
+
+
+def test_parameters_and_outputs_are_those_promised() -> None:
+    job = algorithm("planinspection")
+    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
+    assert {"LOT_SIZE", "AQL", "INSPECTION_LEVEL", "COUNT", "SEED", "MOSAIC", "SIDE"} <= defaults.keys()
+    assert (defaults["PLAN"], defaults["UNIT"]) == ("iso2859", "pieces")
+    outputs = {one.name() for one in job.outputDefinitions()}
+    assert {"OUTPUT", "SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "LOT_SIZE", "CODE_LETTER"} <= outputs
+
+
+def test_a_sample_by_the_standard_in_proportion_from_every_sheet() -> None:
+    west, east = seams([P] * 900, name="west"), seams([P] * 300, y=50, name="east")
+    outcome = plan(west, east)
+    assert numbers(outcome) == (80, 2, 1200, "J")
+    rows = outcome.rows()
+    assert [row["sample"] for row in rows] == list(range(1, 81))
+    assert {row["lot_size"] for row in rows} == {1200}
+    assert [sum(row["sheet"] == sheet for row in rows) for sheet in ("west", "east")] == [60, 20]
+    assert len({(row["sheet"], row["station"]) for row in rows}) == 80
+    assert plan(west, east).rows() == rows
+    assert plan(west, east, SEED=7).rows() != rows
+
+
+def test_the_sample_is_decided_on() -> None:
+    made = seams([0.5] * 200 + [P] * 800)
+    planned = plan(made, PLAN="iso2859", AQL="1.0")  # its layer lives as long
+    sample = planned.layer()
+    parameters = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None}
+    outcome = run("acceptmosaic", SEAMS=[sample], PLAN="iso2859", AQL="1.0", **parameters)
+    failed = sum(feature["kept_1"] < 0.7 for feature in sample.getFeatures())
+    assert outcome.results["ACCEPTED"] == 0
+    (said,) = (text for text in outcome.log.infos if text.startswith("Rejected"))
+    assert f"{failed} of 80 inspected pieces failed" in said
+    assert "lot of 1000" in said
+    other = run("acceptmosaic", SEAMS=[sample], PLAN="iso2859", AQL="1.0", INSPECTION_LEVEL="III", **parameters)
+    assert any("needs a sample of 125 pieces and 80 were" in text for text in other.log.infos) or failed > 3
+    judged = run("acceptmosaic", SEAMS=[sample], **parameters)
+    assert any("they speak of the sample alone" in text for text in judged.log.warnings)
+
+
+@pytest.mark.parametrize("count", [1, 12, 5000])
+def test_as_many_as_are_asked_for(count: int) -> None:
+    outcome = plan(seams([P] * 40), PLAN="count", COUNT=count)
+    assert numbers(outcome) == (min(count, 40), None, 40, None)
+
+
+def test_a_sample_for_stated_risks() -> None:
+    made = [seams([P] * 200, y=10 * number, name=str(number)) for number in range(20)]
+    risks = {"GOOD_SHARE": 1, "PRODUCERS_RISK": 5, "BAD_SHARE": 8, "CONSUMERS_RISK": 10}
+    plain, alike = (plan(*made, PLAN="risk", CORRELATION=alike, **risks) for alike in (0, 0.3))
+    assert plain.results["SAMPLE_SIZE"] < alike.results["SAMPLE_SIZE"]
+    assert any("alike by 0.30" in text for text in alike.log.infos)
+    assumed = plan(*made, PLAN="risk", **risks)  # nothing failed, so no likeness can be told
+    assert assumed.results["SAMPLE_SIZE"] == alike.results["SAMPLE_SIZE"]
+    whole = [seams([0.5 if number < 4 else P] * 200, y=10 * number, name=str(number)) for number in range(20)]
+    told = plan(*whole, PLAN="risk", **risks)
+    assert any("alike by 1.00" in text for text in told.log.infos)
+
+
+def test_plain_seamlines_are_cut() -> None:
+    made = layer("LineString", [straight(0, 1000), straight(0, 250, 30)])
+    outcome = plan(made, PLAN="count", COUNT=1000, PIECE=25)
+    assert numbers(outcome)[2] == 50
+    rows = outcome.rows()
+    assert sum(row["length"] for row in rows) == pytest.approx(1250)
+    assert {round(row["length"], 6) for row in rows} == {25}
+    assert {row["kept_1"] for row in rows} == {None}
+    assert sorted(row["station"] for row in rows if row["seam_id"] == "1") == pytest.approx([25 * n for n in range(40)])
+    for row, feature in zip(rows, outcome.features()):
+        assert feature.geometry().length() == pytest.approx(row["length"])
+
+
+def test_windows_open_in_the_desk(scene: Scene) -> None:
+    seam = layer("LineString", [line((200, 0), (300, 256))])
+    outcome = plan(
+        seam, PLAN="count", COUNT=4, UNIT="windows", MOSAIC=str(scene.mosaic), SIDE=64 * PIXEL, PIECE=5,
+    )
+    rows = outcome.rows()
+    assert list(rows[0]) == ["window_id", "seam_id", "station", "sheet", "sample", "lot_size"]
+    assert [row["window_id"] for row in rows] == [1, 2, 3, 4]
+    for feature in outcome.features():
+        column, row, width, height = pixel_box(feature.geometry())
+        assert (width, height) == (64, 64)
+        assert column == round(column)
+        assert 0 <= column <= 512 - 64
+        assert 0 <= row <= 256 - 64
+    inspected = run("inspectwindows", WINDOWS=outcome.layer(), MOSAIC=str(scene.mosaic), SOURCES=scene.sources)
+    assert inspected.results["WINDOW_COUNT"] == 4
+
+
+def test_pieces_off_the_mosaic_are_told(scene: Scene) -> None:
+    here, far = layer("LineString", [line((200, 0), (200, 256))]), layer("LineString", [line((900, 0), (900, 256))])
+    given = {"PLAN": "count", "UNIT": "windows", "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "PIECE": 5}
+    outcome = plan(here, far, **given)
+    assert_sentence(outcome.log.warnings[0], "5 pieces do not lie on the mosaic")
+    assert outcome.results["LOT_SIZE"] == 5
+    assert_sentence(plan(far, **given).complaint, "None of the seams lies on the mosaic")
+
+
+def test_a_field_of_sheets() -> None:
+    lines = [straight(25 * number, 25) for number in range(100)]
+    fields = {"kept_1": ("double", [P] * 100), "tile": ("string", ["a"] * 80 + ["b"] * 20)}
+    made = layer("LineString", lines, UTM33, **fields)
+    rows = plan(made, PLAN="count", COUNT=10, SHEET_FIELD="tile").rows()
+    assert sorted(row["sheet"] for row in rows) == ["a"] * 8 + ["b"] * 2
+
+
+def test_bad_input_is_refused(scene: Scene) -> None:
+    made = seams([P] * 10)
+    for parameters, words in (
+        ({"SEAMS": []}, "No layer of seams is given"),
+        ({"SEAMS": ["/nowhere.gpkg"]}, "can't be read as a layer of lines"),
+        ({"UNIT": "windows"}, "give MOSAIC, or take pieces"),
+        ({"AQL": "7"}, "none of the standard's"),
+        ({"PLAN": "risk", "GOOD_SHARE": 9}, "the first has to be smaller"),
+        ({"PLAN": "risk", "CONSUMERS_RISK": 0}, "both have to lie between 0 and 100"),
+        ({"PLAN": "risk", "CORRELATION": 2}, "CORRELATION is 2 and has to lie between 0 and 1"),
+        ({"PLAN": "count", "COUNT": 0}, "A sample of 0 pieces"),
+        ({"PIECE": -1}, "PIECE is -1"),
+    ):
+        assert_refused("planinspection", words, **{"SEAMS": [made], **parameters})
+    assert_sentence(plan(made, LOT_SIZE=5).complaint, "The lot size is 5 and the layers hold 10")
+    assert_sentence(plan(seams([P])).complaint, "at least 2")
+    assert_sentence(plan(layer("LineString", [])).complaint, "layers of seams are empty")
+    wide = plan(layer("LineString", [line((200, 0), (300, 256))]), UNIT="windows", MOSAIC=str(scene.mosaic), PIECE=5)
+    assert_sentence(wide.complaint, "smaller than a window of 102.4 m")
+
+
+def test_a_sample_larger_than_what_is_given_is_told() -> None:
+    outcome = plan(seams([P] * 40), LOT_SIZE=1000)
+    assert outcome.results["SAMPLE_SIZE"] == 40
+    assert_sentence(outcome.log.warnings[0], "The plan needs 80 pieces and the layers hold 40")
+
+
+def test_degenerate_lines_are_left_out() -> None:
+    point = QgsGeometry.fromWkt(f"LINESTRING({X} {Y}, {X} {Y})")
+    outcome = plan(layer("LineString", [point, straight(0, 50), None]), PLAN="count")
+    assert outcome.results["LOT_SIZE"] == 2
+
+
+def test_files_as_a_script_gives_them(tmp_path: Path) -> None:
+    path = file(seams([P] * 30), tmp_path / "a 'sheet' & more.gpkg")
+    outcome = plan(path, OUTPUT=str(tmp_path / "sample.gpkg"), PLAN="count", COUNT=3)
+    assert (tmp_path / "sample.gpkg").exists()
+    assert outcome.rows()[0]["sheet"] == "a 'sheet' & more"
