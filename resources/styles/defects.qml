@@ -261,7 +261,7 @@
             <Option type="QString" name="DefaultRoot" value=""/>
             <Option type="int" name="DocumentViewer" value="1"/>
             <Option type="int" name="DocumentViewerHeight" value="320"/>
-            <Option type="int" name="DocumentViewerWidth" value="320"/>
+            <Option type="int" name="DocumentViewerWidth" value="640"/>
             <Option type="bool" name="FileWidget" value="true"/>
             <Option type="bool" name="FileWidgetButton" value="false"/>
             <Option type="Map" name="PropertyCollection">
@@ -282,6 +282,6 @@
       </editWidget>
     </field>
   </fieldConfiguration>
-  <mapTip>&lt;b>[% "defect" %] [% coalesce(replace("sheet", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %]&lt;/b>, [% format_number("length", 1) %] m&lt;br>[% coalesce(/*tr*/'kept along the seam' || ': ' || format_number(100 * "kept_1", 0) || ' % (' || format_number(100 * "kept_low", 0) || '–' || format_number(100 * "kept_high", 0) || ' %)' || if("band_width" > 0, ', ' || /*tr*/'width of the band' || ': ' || format_number("band_width", 2) || ' m', ''), '') %]&lt;br>[% coalesce(replace("left_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || "left_date" || ')', '') %] | [% coalesce(replace("right_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || "right_date" || ')', '') %][% coalesce('&lt;br>' || replace("cause", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% coalesce('&lt;br>' || replace("remark", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% if("picture" is null, '', '&lt;br>&lt;img width="320" src="file:///' || if(left("picture", 1) = '/' or substr("picture", 2, 1) = ':', "picture", file_path(decode_uri(@layer, 'path')) || '/' || "picture") || '">') %]</mapTip>
+  <mapTip>&lt;b>[% "defect" %] [% coalesce(replace("sheet", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %]&lt;/b>, [% format_number("length", 1) %] m&lt;br>[% coalesce(/*tr*/'kept along the seam' || ': ' || format_number(100 * "kept_1", 0) || ' % (' || format_number(100 * "kept_low", 0) || '–' || format_number(100 * "kept_high", 0) || ' %)' || if("band_width" > 0, ', ' || /*tr*/'width of the band' || ': ' || format_number("band_width", 2) || ' m', ''), '') %]&lt;br>[% coalesce(replace("left_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || "left_date" || ')', '') %] | [% coalesce(replace("right_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') || coalesce(' (' || "right_date" || ')', '') %][% coalesce('&lt;br>' || replace("cause", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% coalesce('&lt;br>' || replace("remark", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% if("picture" is null, '', '&lt;br>&lt;img width="480" src="file:///' || if(left("picture", 1) = '/' or substr("picture", 2, 1) = ':', "picture", file_path(decode_uri(@layer, 'path')) || '/' || "picture") || '">') %]</mapTip>
   <layerGeometryType>1</layerGeometryType>
 </qgis>

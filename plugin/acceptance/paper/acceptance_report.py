@@ -22,6 +22,7 @@ from .words import (
     outcome_limit,
     outcome_value,
     outcome_word,
+    severity_word,
     share,
     whole_share,
 )
@@ -213,7 +214,7 @@ def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
     plan, risk = found.plan, found.characteristic
     facts = [
         (tr("plan"), tr("ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}").format(
-            level=plan.inspection_level, severity=plan.severity, aql=plan.aql)),
+            level=plan.inspection_level, severity=severity_word(plan.severity), aql=plan.aql)),
         (tr("code letter"), plan.code_letter),
         (tr("lot"), tr("{count} pieces of seam").format(count=plan.lot_size)),
         (tr("sample"), tr("{count} pieces of seam, of which {measured} were measured").format(

@@ -19,21 +19,31 @@ class DefectRow:
     """Its path from the layer's folder; empty for none."""
 
 
+def _rounded(value: float | None) -> float | None:
+    """People read this layer: no digits that mean nothing."""
+    return None if value is None else round(value, 3)
+
+
+def _coordinate(value: float) -> float:
+    """To a millimetre or so, in metres as in degrees."""
+    return float(f"{value:.10g}")
+
+
 DEFECT_COLUMNS: tuple[Column[DefectRow], ...] = (
     Column("defect", "integer", lambda one: one.defect.number),
     Column("sheet", "text", lambda one: ", ".join(one.defect.sheets)),
-    Column("length", "real", lambda one: one.defect.length_m),
-    Column("kept_1", "real", lambda one: one.defect.worst.piece.kept_1),
-    Column("kept_low", "real", lambda one: one.defect.worst.piece.kept_low),
-    Column("kept_high", "real", lambda one: one.defect.worst.piece.kept_high),
-    Column("band_width", "real", lambda one: one.defect.band_width_m),
+    Column("length", "real", lambda one: _rounded(one.defect.length_m)),
+    Column("kept_1", "real", lambda one: _rounded(one.defect.worst.piece.kept_1)),
+    Column("kept_low", "real", lambda one: _rounded(one.defect.worst.piece.kept_low)),
+    Column("kept_high", "real", lambda one: _rounded(one.defect.worst.piece.kept_high)),
+    Column("band_width", "real", lambda one: _rounded(one.defect.band_width_m)),
     Column("cause", "text", lambda one: one.defect.cause or None),
     Column("left_source", "text", lambda one: one.defect.worst.piece.left_source or None),
     Column("right_source", "text", lambda one: one.defect.worst.piece.right_source or None),
     Column("left_date", "text", lambda one: one.defect.worst.piece.left_date or None),
     Column("right_date", "text", lambda one: one.defect.worst.piece.right_date or None),
-    Column("x", "real", lambda one: one.defect.place[0]),
-    Column("y", "real", lambda one: one.defect.place[1]),
+    Column("x", "real", lambda one: _coordinate(one.defect.place[0])),
+    Column("y", "real", lambda one: _coordinate(one.defect.place[1])),
     Column("remark", "text", lambda one: "; ".join(one.defect.remarks) or None),
     Column("picture", "text", lambda one: one.picture or None),
 )

@@ -95,7 +95,9 @@ def add_outputs(algorithm: SeamInspectorAlgorithm) -> None:
         "the plan's risk. Opens in a browser and prints on A4."
     ).format(most=MOST_PICTURES), by_default=True))
     algorithm.addDescribed(
-        QgsProcessingParameterFileDestination(QUALITY, tr("Quality record (ISO 19157)"), "XML (*.xml)", optional=True),
+        QgsProcessingParameterFileDestination(
+            QUALITY, tr("Quality record (ISO 19157)"), "XML (*.xml)", optional=True, createByDefault=False
+        ),
         tr("The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016."),
     )
 

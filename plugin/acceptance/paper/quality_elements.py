@@ -8,7 +8,7 @@ from ...toolkit.translation import sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, PlanOutcome, RuleOutcome
 from .inspection_record import InspectionRecord
-from .words import check_word
+from .words import check_word, severity_word
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
@@ -142,7 +142,7 @@ def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | Non
         "ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; "
         "accepted up to {most} failed pieces."
     ).format(
-        level=plan.inspection_level, severity=plan.severity, aql=plan.aql, letter=plan.code_letter,
+        level=plan.inspection_level, severity=severity_word(plan.severity), aql=plan.aql, letter=plan.code_letter,
         most=plan.acceptance_number,
     )
     if found.seed is not None:

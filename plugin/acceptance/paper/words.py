@@ -14,6 +14,11 @@ _CHECKS = {
     rules.MEASURED_SHARE: QT_TRANSLATE_NOOP("@default", "share of the seams that was measured"),
     rules.SAMPLING: QT_TRANSLATE_NOOP("@default", "failed pieces in the sample"),
 }
+_SEVERITIES = {
+    "normal": QT_TRANSLATE_NOOP("@default", "normal inspection"),
+    "tightened": QT_TRANSLATE_NOOP("@default", "tightened inspection"),
+    "reduced": QT_TRANSLATE_NOOP("@default", "reduced inspection"),
+}
 _SHARES = (rules.KEPT, rules.FAILED_SHARE, rules.MEASURED_SHARE)
 NOTHING = "\u2013"
 """Where there is no value."""
@@ -22,6 +27,11 @@ NOTHING = "\u2013"
 def check_word(check: str) -> str:
     """What a rule looks at."""
     return tr(_CHECKS[check])
+
+
+def severity_word(severity: str) -> str:
+    """How severely a plan inspects."""
+    return tr(_SEVERITIES[severity])
 
 
 def metres(value: float | None) -> str:

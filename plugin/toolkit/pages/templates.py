@@ -21,6 +21,8 @@ from .how_measured import HowMeasured, MeasuredRaster
 
 _LONGEST_WORD = 24  # letters that a column of a table makes room for
 _LONGEST_UNBROKEN = 18  # letters of a cell that stays in one line
+_NUMBER = re.compile(r"[-+]?\d[\d.,]*%?(\s|$)")
+"""In whatever language its decimals are, and what may follow it."""
 _LONGEST_FOOT = 110  # letters of a title at the foot of a printed page
 
 
@@ -100,8 +102,4 @@ def _is_number(value: object) -> bool:
     """Whether it is a number, words that begin with one, or nothing."""
     if value is None or value == "" or isinstance(value, (int, float, np.number)):
         return True
-    try:
-        float(str(value).split()[0].rstrip("%"))
-    except (ValueError, IndexError):
-        return False
-    return True
+    return _NUMBER.match(str(value)) is not None

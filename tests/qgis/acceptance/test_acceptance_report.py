@@ -1,9 +1,12 @@
 """The decision on paper: what stands on the page, for any delivery and any name."""
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_pictures import DefectPictures
@@ -104,6 +107,35 @@ def test_any_name_is_text(name: str, tmp_path: Path) -> None:
     assert not page.links
     assert page.words.count(name.replace("\x07", "\x07")) >= 3
     assert all(address.startswith("data:") for address in page.addresses)
+
+
+class Shouting(QTranslator):
+    """A language that is told from English everywhere."""
+
+    def translate(self, context: str, text: str, disambiguation: str | None = None, count: int = -1) -> str:
+        return re.sub(r"(?<!{)\b[^{}]+?\b(?!})", lambda words: words[0].upper(), text)
+
+    def isEmpty(self) -> bool:
+        return False
+
+
+def test_all_words_can_be_translated(tmp_path: Path) -> None:
+    plain = decided(["SHEET_1", "SHEET_2"], failed=FAILED, sampling=PLAN, images=("A.TIF", "B.TIF"))
+    words = ("visible", "invisible")
+    seen = with_windows(plain, *(
+        window_on(plain, one, str(one), observer=words[one % 2], observer_2=words[one % 2], cause="feathering")
+        for one in range(20)
+    ))
+    seen = replace(seen, rules=replace(seen.rules, name="RULES"), sentences=())
+    shouting = Shouting()
+    QCoreApplication.installTranslator(shouting)
+    try:
+        page = page_of(tmp_path, InspectionRecord(seen, (("SHEET_1", "/X"),), "/W", "/R", scan={"wavelet": "HAAR"}))
+    finally:
+        QCoreApplication.removeTranslator(shouting)
+    shown = page.words[page.words.index("REJECTED") :].replace("Seam Inspector", "").replace("QGIS", "")
+    left = set(re.findall(r"[a-z]{2,}", shown)) - {"contract", "iałowieża", "ia", "owie", "zone"}
+    assert not left
 
 
 def test_nothing_measured_is_no_number(tmp_path: Path) -> None:

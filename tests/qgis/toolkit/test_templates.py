@@ -34,6 +34,12 @@ def page(body: str, how: HowMeasured = HowMeasured(), **view: object) -> str:  #
     return environment().from_string(PARTS.strip().replace("BODY", body)).render(title="Report", how=how, **view)
 
 
+def test_numbers_stand_to_the_right_in_every_language() -> None:
+    rows = [("a", "5.00 %", "5,00 %", "1,063\u00a0m", "2 / 40", "2019-07-04", "-0,5"), ("b", "", "", "", "", "", None)]
+    numbers = environment().filters["number_columns"]([""] * 7, rows)
+    assert numbers == [False, True, True, True, True, False, True]
+
+
 def test_words_of_users_never_become_markup() -> None:
     shape = SketchShape((0, 0, 9, 9), EVIL, EVIL, EVIL, EVIL)
     text = page(
