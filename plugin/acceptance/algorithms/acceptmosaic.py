@@ -21,6 +21,7 @@ from ...toolkit.translation import tr
 from .. import stated_rules as stated
 from ..measure.rules_file import ready_files
 from ..paper import outputs as paper
+from ..sheet_index import add_sheets, with_sheets
 from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
 
 if TYPE_CHECKING:
@@ -55,6 +56,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             ),
         )
         self._add_limits()
+        add_sheets(self)
         self.addDescribed(
             common.choice(stated.PLAN, tr("Plan"), (stated.ALL, stated.ISO2859)),
             tr(
@@ -137,6 +139,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         run.tell(*self._told)
         delivery, told = read_delivery(self._seams, run.context.transformContext())
         run.tell(*told)
+        delivery = with_sheets(delivery, run)
         if run.parameters.get(WINDOWS):
             crs = QgsCoordinateReferenceSystem.fromWkt(delivery.wkt)
             delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))

@@ -28,6 +28,7 @@ from ...toolkit.translation import tr
 from .. import stated_rules as stated
 from ..measure import limits, messages
 from ..measure.sampling.iso2859 import INSPECTION_LEVELS, SEVERITIES
+from ..sheet_index import add_sheets, with_sheets
 from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
 
 if TYPE_CHECKING:
@@ -63,6 +64,7 @@ class PlanInspection(SeamInspectorAlgorithm):
             QgsProcessingParameterMultipleLayers(SEAMS, tr("Seams"), QgsProcessing.SourceType.TypeVectorLine),
             tr("Layers 'Seams' of scans, a sheet each, or plain seamlines: these are cut into pieces first."),
         )
+        add_sheets(self)
         self.addDescribed(
             common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, RISK, BY_COUNT)),
             tr(
@@ -212,7 +214,7 @@ class PlanInspection(SeamInspectorAlgorithm):
             self._seams, run.context.transformContext(), run.text(SHEET_FIELD), run.real(PIECE), step
         )
         run.tell(*told)
-        return delivery
+        return with_sheets(delivery, run)
 
     def _on_mosaic(self, run: Run, delivery: Delivery) -> Sequence[DeliveredPiece]:
         """The pieces that windows can be placed on; all where none are."""

@@ -3,6 +3,14 @@ from __future__ import annotations
 
 from ...imagery.message import INFO, WARNING, Message
 
+# an index of sheets
+SHEETS_WITHOUT_NAMES = Message(
+    "The layer of sheets says nowhere what they are called; it needs one of the fields {fields}."
+)
+SHEETS_ELSEWHERE = Message(
+    "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system."
+)
+PIECES_OFF_SHEETS = Message("{count} pieces of seam lie in none of the sheets and keep their layer's name.", WARNING)
 # a file with rules
 RULES_CHECK_TWICE = Message("{name} has two rules for '{check}' ({place} is the second); leave one.")
 RULES_WITHOUT_KEPT = Message("{name} says nowhere what a piece must keep; add a rule with the check 'kept'.")

@@ -1,0 +1,77 @@
+"""An index of sheets, polygons such as gdaltindex writes: which sheet of one large mosaic a piece of seam lies in."""
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCsException,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessing,
+    QgsProcessingParameterFeatureSource,
+)
+
+from ..imagery.errors import SettingsError
+from ..toolkit import layers
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.attribute_values import attributes, text
+from ..toolkit.translation import tr
+from .measure import messages
+from .measure.delivery import Delivery
+
+SHEETS = "SHEETS"
+_NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
+"""The first that a layer has says what its sheets are called; of a file's path its name."""
+
+
+def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
+    """The parameter SHEETS."""
+    algorithm.addDescribed(
+        QgsProcessingParameterFeatureSource(
+            SHEETS, tr("Sheets"), [QgsProcessing.SourceType.TypeVectorPolygon], optional=True
+        ),
+        tr(
+            "Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or "
+            "polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says."
+        ),
+    )
+
+
+def with_sheets(delivery: Delivery, run: Run) -> Delivery:
+    """The pieces with the sheets that their middles lie in, where SHEETS is given; others keep theirs, which is told.
+
+    Raises SettingsError where the polygons have no names, or none holds a piece.
+    """
+    if not run.parameters.get(SHEETS):
+        return delivery
+    source = run.source(SHEETS)
+    names = source.fields().names()
+    field = next((name for wanted in _NAME_FIELDS for name in names if name.lower() == wanted), None)
+    if field is None:
+        raise SettingsError(messages.SHEETS_WITHOUT_NAMES(fields=", ".join(_NAME_FIELDS)))
+    transform = run.transform(source, QgsCoordinateReferenceSystem.fromWkt(delivery.wkt))
+    outlines: list[tuple[str, QgsGeometry]] = []
+    for row in attributes(layers.features(source), names):
+        outline = QgsGeometry(row.feature.geometry())
+        try:
+            outline.transform(transform)
+        except QgsCsException:
+            raise SettingsError(messages.NOT_TRANSFORMED(name=source.sourceName())) from None
+        outlines.append((Path(text(row[field])).stem, outline))
+    found = [_sheet_at(outlines, piece.middle) for piece in delivery.pieces]
+    outside = sum(sheet is None for sheet in found)
+    if outside == len(found):
+        raise SettingsError(messages.SHEETS_ELSEWHERE())
+    if outside:
+        run.tell(messages.PIECES_OFF_SHEETS(count=outside))
+    pieces = tuple(replace(piece, sheet=sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found))
+    return replace(delivery, pieces=pieces)
+
+
+def _sheet_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float]) -> str | None:
+    point = QgsPointXY(*place)
+    inside = (name for name, outline in outlines if outline.boundingBox().contains(point) and outline.contains(point))
+    return next(inside, None)

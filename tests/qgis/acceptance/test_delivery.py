@@ -1,0 +1,100 @@
+"""A delivery of twelve sheets, four of them spoilt in known ways, from rasters to a decision on paper: three calls."""
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from qgis.core import QgsVectorLayer
+
+from demo.delivery import SPOILT, Delivery, make_delivery
+from tests.pages import outline
+from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
+
+pytestmark = NEEDED
+
+CLOSE = 0.05
+"""Of what is known of the delivery."""
+
+
+@pytest.fixture(scope="module")
+def delivery(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
+    return make_delivery(tmp_path_factory.mktemp("delivery"))
+
+
+@pytest.fixture(scope="module")
+def decided(delivery: Delivery, repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder with the results of a scan, a plan and a decision."""
+    folder = tmp_path_factory.mktemp("decided")
+    own = environment(repository, tmp_path_factory.mktemp("settings"))
+
+    def call(*arguments: str) -> None:
+        done = subprocess.run(
+            [str(PROGRAM), *arguments], env=own, capture_output=True, text=True, timeout=300, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        (folder / f"{arguments[1].partition(':')[2] or 'enable'}.log").write_text(done.stdout, encoding="utf-8")
+
+    call("plugins", "enable", "seam_inspector")
+    call(
+        "run", "seaminspector:scanmosaic", f"--MOSAIC={delivery.mosaic}", f"--SEAMLINES={delivery.seamlines}",
+        *(f"--SOURCES={source}" for source in delivery.sources), "--PIECE=10", f"--LOSS={folder / 'loss.tif'}",
+        f"--SEAMS={folder / 'seams.gpkg'}", f"--CELLS={folder / 'cells.gpkg'}", f"--WORST={folder / 'worst.gpkg'}",
+    )
+    call(
+        "run", "seaminspector:planinspection", f"--SEAMS={folder / 'seams.gpkg'}", f"--SHEETS={delivery.index}",
+        f"--MOSAIC={delivery.mosaic}", "--UNIT=windows", "--SIDE=20", f"--OUTPUT={folder / 'sample.gpkg'}",
+    )
+    call(
+        "run", "seaminspector:acceptmosaic", f"--SEAMS={folder / 'seams.gpkg'}", f"--SHEETS={delivery.index}",
+        f"--MOSAIC={delivery.mosaic}", f"--REPORT={folder / 'decision.html'}", f"--QUALITY={folder / 'quality.xml'}",
+        f"--DEFECTS={folder / 'defects.gpkg'}",
+    )
+    return folder
+
+
+def number(decided: Path, algorithm: str, name: str) -> float:
+    lines = (decided / f"{algorithm}.log").read_text(encoding="utf-8").splitlines()
+    return float(next(line.partition(":")[2] for line in lines if line.startswith(f"{name}:")))
+
+
+def test_the_decision_is_the_truth(decided: Path, delivery: Delivery) -> None:
+    assert number(decided, "acceptmosaic", "ACCEPTED") == 0
+    known = {
+        "TOTAL_METRES": delivery.seam_metres, "FAILED_METRES": sum(delivery.spoilt_metres),
+        "LONGEST_FAILURE": max(delivery.spoilt_metres),
+        "FAILED_SHARE": 100 * sum(delivery.spoilt_metres) / delivery.seam_metres,
+    }  # fmt: skip
+    for name, value in known.items():
+        assert number(decided, "acceptmosaic", name) == pytest.approx(value, rel=CLOSE), name
+
+
+def test_what_goes_back_is_what_was_spoilt(decided: Path, delivery: Delivery) -> None:
+    """Each failure in its sheet, as long as it is, with its picture."""
+    rows = list(QgsVectorLayer(str(decided / "defects.gpkg"), "defects", "ogr").getFeatures())
+    found = {row["sheet"]: row["length"] for row in rows}
+    lengths = dict(zip(("sheet_1_2", "sheet_2_1", "sheet_2_4", "sheet_3_3"), delivery.spoilt_metres))
+    assert len(SPOILT) == len(rows) == 4
+    assert sorted(found) == sorted(lengths)
+    for sheet, length in lengths.items():
+        assert found[sheet] == pytest.approx(length, abs=11), sheet  # a piece has 10 m
+    assert all((decided / row["picture"]).is_file() for row in rows)
+
+
+def test_the_sample_is_of_all_sheets_with_seams(decided: Path) -> None:
+    sample = QgsVectorLayer(str(decided / "sample.gpkg"), "sample", "ogr")
+    assert sample.featureCount() == number(decided, "planinspection", "SAMPLE_SIZE") == 13
+    assert number(decided, "planinspection", "ACCEPTANCE_NUMBER") == 0
+    assert len({row["sheet"] for row in sample.getFeatures()}) == 8
+
+
+def test_the_papers_say_so(decided: Path) -> None:
+    page = outline((decided / "decision.html").read_text(encoding="utf-8"))
+    assert "rejected" in page.words
+    assert len(page.pictures("jpeg")) >= 4
+    for sheet in ("sheet_1_2", "sheet_2_1", "sheet_2_4", "sheet_3_3"):
+        assert sheet in page.words
+    root = ElementTree.parse(decided / "quality.xml").getroot()
+    verdicts = [one.text or "" for one in root.iter() if one.tag.endswith("}Boolean")]
+    assert "false" in verdicts
