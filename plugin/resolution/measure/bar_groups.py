@@ -12,12 +12,15 @@ from ...imagery.rasters import Raster
 from . import limits, messages
 from .bar_lines import MeasuredLine
 from .bars import BarReading
-from .target import DIRECTIONS, Target
+from .full_amplitudes import MIN_ALIAS_FREE_PX, distance_error, with_full_amplitudes
+from .target import DIRECTIONS, GROUP, Target
+from .target_levels import PlainPlace
 
 MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Shannon
-MIN_ALIAS_FREE_PX = 2.5  # three bars that are finer than two pixels can't seem so far apart in the 5 px they cover
+MIN_TARGET_CONTRAST = 5.0  # bars to gaps: Walczykowski et al. 2009, section 4
 MAX_BAR_SPACING_DIFFERENCE = 0.25  # relative, two steps of 2^(1/6): bars further off are not the group's
 MAX_TARGET_SCALE_DIFFERENCE = 0.2  # relative: more is no error of drawing or of the pixel size
+
 
 
 @dataclass(frozen=True)
@@ -34,6 +37,8 @@ class GroupResult:
     """Whether bars are seen there that are aliasing."""
     reason: Message | None = None
     """Why it is not resolved, or what to know about it."""
+    grd_error_cm: float | None = None
+    """Standard deviation of the distance, from those of the amplitudes; None where there are none."""
 
     @property
     def reading(self) -> BarReading | None:
@@ -55,6 +60,10 @@ class TargetResolution:
     """By line and band, in the order of the lines."""
     grd_cm: dict[tuple[str, str], float | None]
     """Ground resolved distance by direction and band; None where no group is resolved."""
+    grd_error_cm: dict[tuple[str, str], float | None]
+    """Standard deviation of each, from those of the amplitudes of its group."""
+    contrasts: dict[str, float]
+    """Bars to gaps of the coarsest group, DN over DN, by band; those without one are missing."""
     notices: tuple[Message, ...]
     """What the user should know of the target as a whole."""
     scale_notice: Message | None = None
@@ -65,6 +74,27 @@ class TargetResolution:
         found = [value for (where, _), value in self.grd_cm.items() if where == direction]
         return None if not found or None in found else max(value for value in found if value is not None)
 
+    def worst_error(self, direction: str) -> float | None:
+        """Standard deviation of that distance; None without one."""
+        worst = self.worst(direction)
+        errors = [
+            self.grd_error_cm.get(key) for key, value in self.grd_cm.items() if key[0] == direction and value == worst
+        ]
+        known = [error for error in errors if error is not None]
+        return max(known) if worst is not None and known else None
+
+    @property
+    def mean_error(self) -> float | None:
+        """Standard deviation of the geometric mean."""
+        parts = [(self.worst(direction), self.worst_error(direction)) for direction in DIRECTIONS]
+        relative = [error / grd for grd, error in parts if grd and error is not None]
+        return self.mean * math.hypot(*relative) / 2 if self.mean is not None and len(relative) == 2 else None
+
+    @property
+    def is_any_measured(self) -> bool:
+        """Whether any line shows anything to judge."""
+        return any(result.is_judged for result in self.results)
+
     @property
     def mean(self) -> float | None:
         """Geometric mean of both directions."""
@@ -74,15 +104,38 @@ class TargetResolution:
 
 def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target) -> TargetResolution:
     """The verdicts on all lines of a target, and its ground resolved distance by direction and band."""
-    measured = _without_repeated_groups(measured)
+    measured = with_full_amplitudes(_without_repeated_groups(measured), target)
     scale, off_scale = _pixels_per_cm(raster, measured, target)
     notices = [] if off_scale is None else [off_scale]
     results = [result for line in measured for result in _line_results(line, target, scale)]
-    results, distances = _without_spurious(results)
-    for (direction, band), distance in distances.items():
-        if distance is None:
+    results, finest = _without_spurious(results)
+    for (direction, band), result in finest.items():
+        if result is None:
             notices.append(messages.NO_GRD(direction=direction, band=band))
-    return TargetResolution(tuple(results), distances, tuple(notices), off_scale)
+    contrasts = _contrasts(results)
+    if contrasts and min(contrasts.values()) < MIN_TARGET_CONTRAST:
+        notices.append(messages.TARGET_CONTRAST_LOW(contrast=min(contrasts.values()), least=MIN_TARGET_CONTRAST))
+    if target.full_amplitude == GROUP and any(_is_from_nowhere(result) for result in finest.values()):
+        notices.append(messages.NO_PLAIN_PLACE())
+    distances = {key: None if result is None else result.grd_cm for key, result in finest.items()}
+    errors = {key: None if result is None else result.grd_error_cm for key, result in finest.items()}
+    return TargetResolution(tuple(results), distances, errors, contrasts, tuple(notices), off_scale)
+
+
+def _is_from_nowhere(result: GroupResult | None) -> bool:
+    return result is not None and result.reading is not None and result.reading.plain is PlainPlace.NOWHERE
+
+
+def _contrasts(results: Sequence[GroupResult]) -> dict[str, float]:
+    """Bars to gaps of the coarsest group by band, DN over DN."""
+    contrasts: dict[str, float] = {}
+    for result in sorted(results, key=lambda one: -(one.grd_cm or 0)):
+        reading = result.reading
+        if reading is not None and reading.gaps and result.band not in contrasts:
+            levels = sorted(float(np.mean([one.value for one in part])) for part in (reading.inner_bars, reading.gaps))
+            if levels[0] > 0:
+                contrasts[result.band] = levels[1] / levels[0]
+    return contrasts
 
 
 def _without_repeated_groups(measured: Sequence[MeasuredLine]) -> list[MeasuredLine]:
@@ -102,19 +155,20 @@ def _without_repeated_groups(measured: Sequence[MeasuredLine]) -> list[MeasuredL
 def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -> list[GroupResult]:
     group = measured.line.group
     grd = None if group is None else target.grd_cm(group)
-    if measured.reason is not None or grd is None:
+    if measured.reason is not None or group is None or grd is None:
         return [GroupResult(measured, "", grd, reason=measured.reason)]
-    cycle = None if scale is None else grd * scale
+    cycle = None if scale is None else target.cycle_cm(group) * scale
     results = []
     for band, reading in measured.readings.items():
         reason = _why_unresolved(reading, target)
         aliasing = None if reason is not None else _why_aliased(reading, cycle)
         why = reason or aliasing
+        error = distance_error(reading, grd, target)
         if why is None and band in measured.saturated:
             clipped = messages.BARS_SATURATED(value=measured.saturated[band])
-            results.append(GroupResult(measured, band, grd, True, False, clipped))
+            results.append(GroupResult(measured, band, grd, True, False, clipped, error))
         else:
-            results.append(GroupResult(measured, band, grd, why is None, aliasing is not None, why))
+            results.append(GroupResult(measured, band, grd, why is None, aliasing is not None, why, error))
     return results
 
 
@@ -165,13 +219,13 @@ def _pixels_per_cm(
         good = [reading for reading in one.readings.values() if _why_unresolved(reading, target) is None]
         spacings = [reading.spacing for reading in good if reading.spacing is not None]
         if spacings and float(np.median(spacings)) >= MIN_ALIAS_FREE_PX:
-            seen.append((target.grd_cm(group), float(np.median(spacings))))
+            seen.append((target.cycle_cm(group), float(np.median(spacings))))
     if not seen:
         return ground, None
     seen.sort(reverse=True)
     if _runs_backwards(seen):
         return None, messages.TARGET_REVERSED()
-    scale = float(np.median([spacing / grd for grd, spacing in seen[:3]]))
+    scale = float(np.median([spacing / cycle for cycle, spacing in seen[:3]]))
     if ground is None:
         return scale, None
     if abs(scale / ground - 1) > MAX_TARGET_SCALE_DIFFERENCE:
@@ -188,10 +242,12 @@ def _runs_backwards(seen: Sequence[tuple[float, float]]) -> bool:
     return slope < -0.5
 
 
-def _without_spurious(results: Sequence[GroupResult]) -> tuple[list[GroupResult], dict[tuple[str, str], float | None]]:
-    """Groups that are finer than one that is not resolved put out of count; the finest that is left, in cm."""
+def _without_spurious(
+    results: Sequence[GroupResult],
+) -> tuple[list[GroupResult], dict[tuple[str, str], GroupResult | None]]:
+    """Groups that are finer than one that is not resolved put out of count; the finest that is left."""
     judged = list(results)
-    distances: dict[tuple[str, str], float | None] = {}
+    finest: dict[tuple[str, str], GroupResult | None] = {}
     order = sorted(range(len(judged)), key=lambda place: -(judged[place].grd_cm or 0))
     lost: dict[tuple[str, str], int] = {}  # the first group of a direction and band that is not resolved
     for place in order:
@@ -201,13 +257,13 @@ def _without_spurious(results: Sequence[GroupResult]) -> tuple[list[GroupResult]
         group = result.measured.line.group
         assert group is not None
         key = result.measured.line.direction, result.band
-        distances.setdefault(key, None)
+        finest.setdefault(key, None)
         if result.resolved and key in lost:
             judged[place] = replace(
                 result, resolved=False, spurious=True, reason=messages.BARS_SPURIOUS(group=lost[key])
             )
         elif result.resolved:
-            distances[key] = result.grd_cm
+            finest[key] = result
         else:
             lost.setdefault(key, group)
-    return judged, distances
+    return judged, finest

@@ -1,6 +1,7 @@
 """A line across the bars of one group: its profiles, the bars in them, and what makes them doubtful."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -13,6 +14,8 @@ from .bars import BarReading, read_bars
 from .profiles import Patch, Segment, bar_profile, perpendicular_line, read_patch
 
 MAX_SATURATED_SHARE = 0.25  # of the middle of a bar: more is not noise that touches the limit
+MAX_SWATH = 0.65  # of a cycle, either side: bars are 2.5 cycles long (USAF-1951, STANAG), the blur takes half a cycle
+LINE_BEYOND_BARS = 0.2  # of a cycle, how much longer than bars and gaps a line is drawn: where no bars tell the cycle
 
 GREEN = "green"
 
@@ -63,6 +66,7 @@ def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: i
     names = raster.band_names
     places = list(range(len(names))) if band is None else [band]
     segment = perpendicular_line(patch, places, line.segment, width)
+    width = _width_within(width, [read_bars(bar_profile(patch, index, segment, width), bars) for index in places], bars)
     every = {index: read_bars(bar_profile(patch, index, segment, width), bars) for index in places}
     readings = {names[index]: reading for index, reading in every.items()}
     clipped = {names[index]: _saturation(patch, index, segment, width, reading) for index, reading in every.items()}
@@ -76,6 +80,13 @@ def measure_line(raster: Raster, line: BarLine, bars: int, width: float, band: i
             shifts[name] = shift
     saturated = {name: value for name, value in clipped.items() if value is not None}
     return MeasuredLine(line, segment, readings, saturated, shifts)
+
+
+def _width_within(width: float, readings: Sequence[BarReading], bars: int) -> float:
+    """px either side of a line that stay within the bars' length, though their ends are blurred; ``width`` at most."""
+    spacings = [one.spacing for one in readings if len(one.bars) == bars and one.spacing is not None]
+    cycle = min(spacings) if spacings else readings[0].profile.length / (bars + LINE_BEYOND_BARS)
+    return min(width, max(0.0, MAX_SWATH * cycle - 0.5))
 
 
 def _saturation(patch: Patch, band: int, segment: Segment, width: float, reading: BarReading) -> float | None:

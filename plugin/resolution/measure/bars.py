@@ -1,7 +1,9 @@
 """The bars in a profile: where they are, how bright they and their gaps are, and whether they stand out."""
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 from scipy.signal import find_peaks
@@ -9,13 +11,25 @@ from scipy.signal import find_peaks
 from . import limits
 from .profiles import Profile
 
-MIN_BAR_PROMINENCE = 0.25  # of the full amplitude: half the criterion, so that bars below it are still counted
+MIN_BAR_PROMINENCE = 0.25  # of the profile's range: half the criterion, so that bars below it are still counted
 GROUND_BEYOND = 0.15  # of a line's length, beyond its ends: what lies there is ground
 GROUND_WITHIN = 0.03  # the same, before its ends
-MIN_GROUND_OFFSET = 0.15  # of the full amplitude: ground nearer to the middle is neither bright nor dark
+MIN_GROUND_OFFSET = 0.15  # of the profile's range: ground nearer to the middle is neither bright nor dark
+MIN_CLEAR_SPACING_PX = 4.0  # further apart than any bars that aliasing feigns
 
 _VERTEX_SHARE = 1 / 8  # of a cycle, either side of an extreme: the part of a bar that a parabola is fitted to
-_FLANK = (0.3, 0.8)  # of a cycle from an outer bar: where the ground beside it is its gap
+_GROUND = (0.55, 1.25)  # of a cycle from an outer bar's middle: where the ground beside it is least blurred by the bar
+
+
+class PlainPlace(Enum):
+    """Where a target's plain brightness was found."""
+
+    GROUPS = "groups"
+    """In its own bars and gaps, as the fall of the amplitude from group to group tells."""
+    GROUND = "ground"
+    """In the ground beside the bars."""
+    NOWHERE = "nowhere"
+    """Nowhere: the darkest place that was seen is taken."""
 
 
 @dataclass(frozen=True)
@@ -39,22 +53,28 @@ class BarReading:
     """The bars that stand out, in the order of the profile."""
     gaps: tuple[Extreme, ...]
     """The gap between each two neighbouring bars."""
-    flanks: tuple[Extreme, ...]
-    """The ground beside the outer bars, within a cycle."""
+    grounds: tuple[float, ...]
+    """The ground beside the outer bars, within a cycle and as unlike the bars as it gets there, DN."""
     full_amplitude: float
-    """Brightest bar less darkest gap, the ground beside the outer bars included, DN."""
+    """What the amplitude is a share of, DN: to the darkest place seen, until the target as a whole puts it right."""
+    full_error: float
+    """Its standard deviation, DN."""
     amplitude: float | None
-    """The smallest difference of a bar to a gap beside it, DN; None for fewer than two bars."""
+    """The bars' brightness less that of the gap that differs least, DN; None for fewer than two bars."""
+    amplitude_error: float | None
+    """Its standard deviation, DN: from the noise of the pixels and from how much the gaps differ."""
     modulation: float | None
     """(max - min)/(max + min) of the bars and the gaps between them; None for fewer than two bars."""
+    plain: PlainPlace | None = None
+    """Where the gaps' plain brightness of the full amplitude was found; None before the target put it right."""
 
     @property
     def spacing(self) -> float | None:
         """px from one bar to the next; None for fewer than two."""
-        places = [(2 * i, bar.position) for i, bar in enumerate(self.bars)]
-        places += [(2 * i + 1, gap.position) for i, gap in enumerate(self.gaps)]
         if len(self.bars) < 2:
             return None
+        places = [(2 * i, bar.position) for i, bar in enumerate(self.bars)]
+        places += [(2 * i + 1, gap.position) for i, gap in enumerate(self.gaps)]
         half_cycles, positions = zip(*places)
         return float(2 * np.polyfit(half_cycles, positions, 1)[0])
 
@@ -64,41 +84,60 @@ class BarReading:
         return None if self.amplitude is None or self.full_amplitude <= 0 else self.amplitude / self.full_amplitude
 
     @property
+    def share_error(self) -> float | None:
+        """The share's standard deviation."""
+        if self.share is None or not self.amplitude or self.amplitude_error is None:
+            return None
+        errors = self.amplitude_error / self.amplitude, self.full_error / self.full_amplitude
+        return abs(self.share) * math.hypot(*errors)
+
+    @property
+    def inner_bars(self) -> tuple[Extreme, ...]:
+        """The bars between the outer ones, which other ground does not reach; all when there is none."""
+        return self.bars[1:-1] or self.bars
+
+    @property
     def is_flat(self) -> bool:
         """Whether nothing rises out of the noise."""
         return self.full_amplitude <= limits.MIN_NOISE_RATIO * self.profile.noise
 
 
-def read_bars(profile: Profile, bars: int) -> BarReading:
-    """Find the bars of a group in a profile, bright ones on dark ground or dark ones on bright ground.
+def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarReading:
+    """Find the bars of a group in a profile, bright ones or dark ones; None: whichever there are ``bars`` of.
 
-    A bar stands out by a quarter of the profile's range. Its brightness and place are those of the vertex of a
-    parabola through its middle quarter of a cycle, and so are a gap's.
+    A bar stands out by a quarter of the profile's range, on the side of a gap at least: the ground beside the outer
+    bars may be as bright as they are. Its brightness and place are those of the vertex of a parabola through its middle
+    quarter of a cycle, and so are a gap's.
     """
     drawn = _between(profile, 0, profile.length)
     low, high = float(profile.values[drawn].min()), float(profile.values[drawn].max())
-    bright = _is_bright(profile, (low + high) / 2, high - low, bars)
+    if bright is None:
+        bright = _is_bright(profile, (low + high) / 2, high - low, bars)
     sign = 1.0 if bright else -1.0
-    values = sign * profile.values
-    peaks = _peaks(profile, sign, high - low)
-    x = profile.positions
-    if len(peaks) < 2:
-        found = tuple(Extreme(float(x[peak]), float(profile.values[peak])) for peak in peaks)
-        return BarReading(profile, bright, found, (), (), high - low, None, None)
-    cycle = float(x[peaks[-1]] - x[peaks[0]]) / (len(peaks) - 1)
-    lows = [first + int(np.argmin(values[first:last])) for first, last in zip(peaks, peaks[1:])]
-    tops = [_vertex(x, values, float(x[place]), cycle) for place in peaks]
-    bottoms = [_vertex(x, -values, float(x[place]), cycle) for place in lows]
+    values, x = sign * profile.values, profile.positions
+    places = _bar_places(profile, sign, high - low, bars)
+    if len(places) < 2:
+        found = tuple(Extreme(float(place), float(np.interp(place, x, profile.values))) for place in places)
+        return BarReading(profile, bright, found, (), (), high - low, 0.0, None, None, None)
+    cycle = float(places[-1] - places[0]) / (len(places) - 1)
+    between = [np.flatnonzero((x > first) & (x < last)) for first, last in zip(places, places[1:])]
+    lows = [x[inside[np.argmin(values[inside])]] for inside in between]
+    tops = [_vertex(x, values, float(place), cycle) for place in places]
+    bottoms = [_vertex(x, -values, float(place), cycle) for place in lows]
     bottoms = [Extreme(one.position, -one.value) for one in bottoms]
-    flanks = [_flank(x, values, top.position, cycle, side) for top, side in ((tops[0], -1), (tops[-1], 1))]
-    outer = [flank for flank in flanks if flank is not None]
-    full = max(top.value for top in tops) - min(one.value for one in (*bottoms, *outer))
-    amplitude = min(top.value - bottom.value for pair, bottom in zip(zip(tops, tops[1:]), bottoms) for top in pair)
+    grounds = [_ground(x, values, top.position, cycle, side) for top, side in ((tops[0], -1), (tops[-1], 1))]
+    height = float(np.mean([top.value for top in tops[1:-1] or tops]))
+    amplitude = height - max(bottom.value for bottom in bottoms)
+    error = math.sqrt(2) * profile.error_over(max(2 * cycle * _VERTEX_SHARE, 0.5))
+    inner = [top.value - bottom.value for top in tops[1:-1] or tops for bottom in bottoms]
+    error = max(error, float(np.std(inner, ddof=1)) / math.sqrt(2)) if len(inner) > 1 else error
     sides = [sign * max(top.value for top in tops), sign * min(bottom.value for bottom in bottoms)]
     total = sum(sides)
     modulation = abs(sides[0] - sides[1]) / total if total > 0 else None
-    signed = [tuple(Extreme(one.position, sign * one.value) for one in group) for group in (tops, bottoms, outer)]
-    return BarReading(profile, bright, signed[0], signed[1], signed[2], full, amplitude, modulation)
+    signed = [tuple(Extreme(one.position, sign * one.value) for one in group) for group in (tops, bottoms)]
+    beside = tuple(sign * one for one in grounds if one is not None)
+    full = height - min([*(one.value for one in bottoms), *(one for one in grounds if one is not None)])
+    return BarReading(profile, bright, signed[0], signed[1], beside, full, error, amplitude, error, modulation)
 
 
 def _between(profile: Profile, low: float, high: float) -> np.ndarray:
@@ -106,14 +145,31 @@ def _between(profile: Profile, low: float, high: float) -> np.ndarray:
 
 
 def _is_bright(profile: Profile, middle: float, extent: float, bars: int) -> bool:
-    """Bars are what the ground at both ends is not; where that lies half-way, what there are ``bars`` of."""
+    """Bars are what there are ``bars`` of; where that says nothing clear, what the ground at both ends is not."""
+    places = [_bar_places(profile, sign, extent, bars) for sign in (1.0, -1.0)]
+    counts = [abs(len(found) - bars) for found in places]
+    clear = [len(found) == bars and np.ptp(found) >= MIN_CLEAR_SPACING_PX * (bars - 1) for found in places]
+    if clear[0] != clear[1]:
+        return bool(clear[0])
     length, beyond, within = profile.length, GROUND_BEYOND * profile.length, GROUND_WITHIN * profile.length
     ends = _between(profile, -beyond, within) | _between(profile, length - within, length + beyond)
     ground = float(np.median(profile.values[ends]))
     if abs(ground - middle) > MIN_GROUND_OFFSET * extent:
         return ground < middle
-    counts = [abs(len(_peaks(profile, sign, extent)) - bars) for sign in (1.0, -1.0)]
     return counts[0] <= counts[1]
+
+
+def _bar_places(profile: Profile, sign: float, extent: float, bars: int) -> np.ndarray:
+    """px: the middles of the bars that stand out. Outer ones beside bright ground are known by their gaps alone."""
+    x = profile.positions
+    peaks = x[_peaks(profile, sign, extent)]
+    gaps = x[_peaks(profile, -sign, extent)]
+    if len(peaks) == bars or len(gaps) != bars - 1 or bars < 3:
+        return np.asarray(peaks)
+    half = float(gaps[-1] - gaps[0]) / (len(gaps) - 1) / 2
+    if gaps[0] - half < 0 or gaps[-1] + half > profile.length:
+        return np.asarray(peaks)
+    return np.concatenate([[gaps[0] - half], (gaps[1:] + gaps[:-1]) / 2, [gaps[-1] + half]])
 
 
 def _peaks(profile: Profile, sign: float, extent: float) -> np.ndarray:
@@ -145,13 +201,11 @@ def _plateau(x: np.ndarray, values: np.ndarray, place: float, cycle: float) -> f
     return float((above.min() + above.max()) / 2)
 
 
-def _flank(x: np.ndarray, values: np.ndarray, place: float, cycle: float, side: int) -> Extreme | None:
-    """The darkest stretch of a quarter of a cycle beyond an outer bar; None where the profile ends."""
+def _ground(x: np.ndarray, values: np.ndarray, place: float, cycle: float, side: int) -> float | None:
+    """The darkest stretch of an eighth of a cycle beyond an outer bar; None where the profile ends."""
     beyond = side * (x - place)
-    where = np.flatnonzero((beyond >= _FLANK[0] * cycle) & (beyond <= _FLANK[1] * cycle))
-    count = max(1, round(2 * _VERTEX_SHARE * cycle / float(x[1] - x[0])))
+    where = np.flatnonzero((beyond >= _GROUND[0] * cycle) & (beyond <= _GROUND[1] * cycle))
+    count = max(1, round(_VERTEX_SHARE * cycle / float(x[1] - x[0])))
     if len(where) < count:
         return None
-    means = np.convolve(values[where], np.full(count, 1 / count), "valid")
-    first = int(np.argmin(means))
-    return Extreme(float(x[where[first : first + count]].mean()), float(means[first]))
+    return float(np.convolve(values[where], np.full(count, 1 / count), "valid").min())

@@ -8,6 +8,8 @@ TOO_FEW_BARS = Message("A group of {bars} bars can't be measured; a target has a
 GRD_NOT_POSITIVE = Message("The ground resolved distance is {grd} cm; give a positive number of centimetres.")
 STEP_TOO_SMALL = Message("The step from group to group is {step}; give a factor above 1, such as 1.1225.")
 CRITERION_OUT_OF_RANGE = Message("The criterion is {criterion}; give a share of the full amplitude between 0 and 1.")
+FULL_AMPLITUDE_UNKNOWN = Message("There is no full amplitude '{word}'; choose one of {known}.")
+GRD_OF_UNKNOWN = Message("A distance can't be that of '{word}'; choose one of {known}.")
 BAR_WIDTH_OUT_OF_RANGE = Message("The profile is averaged over {width} px either side; give 0 to {most}.")
 # the layer of lines
 NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)
@@ -71,6 +73,18 @@ TARGET_REVERSED = Message(
 )
 NO_GRD = Message(
     "No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.", WARNING
+)
+TARGET_CONTRAST_LOW = Message(
+    "The bars of the coarsest group are {contrast:.1f} times as bright as its gaps, or the other way round, and the "
+    "method asks for {least:g} at least: haze and a low sun lower it; the distance may be coarser for it.", WARNING
+)
+NO_PLAIN_PLACE = Message(
+    "No plain place of the target tells the full amplitude, so the groups may seem better resolved than they are; draw "
+    "lines across coarser groups too.", WARNING
+)
+NO_LINE_MEASURED = Message(
+    "None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each "
+    "across the bars of one group, on the image."
 )
 # the minimum height
 REFERENCE_HEIGHT_NOT_POSITIVE = Message("The reference height is {height} m; give a positive number or leave it empty.")

@@ -98,6 +98,14 @@ class Profile:
     """px: where the line ends. The profile goes on a little beyond both ends."""
     noise: float
     """Standard deviation of the pixels of the plain ground beside the bars, DN."""
+    scatter: float = 0.0
+    """Standard deviation of the pixels about the profile, DN."""
+    density: float = 1.0
+    """How many pixels a pixel's length of the line is averaged over."""
+
+    def error_over(self, length: float) -> float:
+        """Standard deviation of the mean of so long a piece, px, in DN."""
+        return max(self.noise, self.scatter) / math.sqrt(max(self.density * length, 1.0))
 
 
 def read_patch(raster: Raster, line: Segment, bars: int) -> Patch:
@@ -182,7 +190,9 @@ def bar_profile(patch: Patch, band: int, line: Segment, width: float) -> Profile
     coefficients = spsolve(normal, design.T @ (values - level))
     positions = np.arange(math.ceil(low / _SAMPLE_PX), math.floor(high / _SAMPLE_PX) + 1) * _SAMPLE_PX
     fitted = level + BSpline(knots, coefficients, 3)(positions)
-    return Profile(positions, fitted, line.length, _noise(patch, band, line, width))
+    rest = values - level - design @ coefficients
+    scatter = math.sqrt(float(np.sum(rest**2)) / max(1, len(at) - count))
+    return Profile(positions, fitted, line.length, _noise(patch, band, line, width), scatter, len(at) / (high - low))
 
 
 def _noise(patch: Patch, band: int, line: Segment, width: float) -> float:

@@ -25,7 +25,7 @@ def test_half_of_the_full_amplitude_is_enough(make_raster: MakeRaster, amplitude
     bars = tuple(Extreme(place, 150.0) for place in (5.0, 10.0, 15.0))
     gaps = tuple(Extreme(place, 150.0 - amplitude) for place in (7.5, 12.5))
     profile = Profile(np.arange(20.0), np.full(20, 100.0), 20.0, noise=1.0)
-    reading = BarReading(profile, True, bars, gaps, (Extreme(1.0, 50.0),), 100.0, amplitude, None)
+    reading = BarReading(profile, True, bars, gaps, (50.0,), 100.0, 1.0, amplitude, 1.0, None)
     line = MeasuredLine(BarLine(0, "along", Segment((0, 0), (20, 0))), None, {"grey": reading})
     raster = describe_north_up(RasterRef(make_raster("any.tif", np.zeros((8, 8), np.uint8), gsd=0.1)))
     assert judge_lines(raster, [line], Target(reference_group=0, reference_grd_cm=50)).results[0].resolved is resolved
@@ -70,9 +70,13 @@ def test_a_directions_distance_is_its_worst_bands_and_the_targets_the_geometric_
     distances: dict[tuple[str, str], float | None] = {
         ("along", "red"): 30.0, ("along", "green"): 40.0, ("across", "red"): 90.0, ("across", "green"): 85.0
     }
-    found = TargetResolution((), distances, ())
+    errors: dict[tuple[str, str], float | None] = {key: 0.04 * (value or 0) for key, value in distances.items()}
+    found = TargetResolution((), distances, errors, {}, ())
     assert (found.worst("along"), found.worst("across"), found.mean) == (40, 90, 60)
-    lost = TargetResolution((), {**distances, ("along", "red"): None}, ())
+    assert (found.worst_error("along"), found.worst_error("across")) == pytest.approx((1.6, 3.6))
+    assert found.mean_error == pytest.approx(60 * 0.04 / np.sqrt(2))
+    lost = TargetResolution((), {**distances, ("along", "red"): None}, errors, {}, ())
+    assert (lost.worst_error("along"), lost.mean_error) == (None, None)
     assert (lost.worst("along"), lost.worst("across"), lost.mean) == (None, 90, None)
 
 
