@@ -60,9 +60,9 @@ class BarReading:
     full_error: float
     """Its standard deviation, DN."""
     amplitude: float | None
-    """The bars' brightness less that of the gap that differs least, DN; None for fewer than two bars."""
+    """Mean of the inner bars less that of the gaps, DN; None for fewer than two bars."""
     amplitude_error: float | None
-    """Its standard deviation, DN: from the noise of the pixels and from how much the gaps differ."""
+    """Its standard deviation, DN: from the noise of the pixels, and from how much bars and gaps differ."""
     modulation: float | None
     """(max - min)/(max + min) of the bars and the gaps between them; None for fewer than two bars."""
     plain: PlainPlace | None = None
@@ -126,18 +126,20 @@ def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarRea
     bottoms = [_vertex(x, -values, float(place), cycle) for place in lows]
     bottoms = [Extreme(one.position, -one.value) for one in bottoms]
     grounds = [_ground(x, values, top.position, cycle, side) for top, side in ((tops[0], -1), (tops[-1], 1))]
-    height = float(np.mean([top.value for top in tops[1:-1] or tops]))
-    amplitude = height - max(bottom.value for bottom in bottoms)
-    error = math.sqrt(2) * profile.error_over(max(2 * cycle * _VERTEX_SHARE, 0.5))
-    inner = [top.value - bottom.value for top in tops[1:-1] or tops for bottom in bottoms]
-    error = max(error, float(np.std(inner, ddof=1)) / math.sqrt(2)) if len(inner) > 1 else error
+    inner = tops[1:-1] or tops
+    height, depth = (float(np.mean([one.value for one in part])) for part in (inner, bottoms))
+    single = profile.error_over(max(2 * cycle * _VERTEX_SHARE, 0.5))
+    for part in (inner, bottoms):
+        if len(part) > 1:
+            single = max(single, float(np.std([one.value for one in part], ddof=1)))
+    error = single * math.sqrt(1 / len(inner) + 1 / len(bottoms))
     sides = [sign * max(top.value for top in tops), sign * min(bottom.value for bottom in bottoms)]
     total = sum(sides)
     modulation = abs(sides[0] - sides[1]) / total if total > 0 else None
     signed = [tuple(Extreme(one.position, sign * one.value) for one in group) for group in (tops, bottoms)]
     beside = tuple(sign * one for one in grounds if one is not None)
     full = height - min([*(one.value for one in bottoms), *(one for one in grounds if one is not None)])
-    return BarReading(profile, bright, signed[0], signed[1], beside, full, error, amplitude, error, modulation)
+    return BarReading(profile, bright, signed[0], signed[1], beside, full, error, height - depth, error, modulation)
 
 
 def _between(profile: Profile, low: float, high: float) -> np.ndarray:
