@@ -10,6 +10,7 @@ from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure, plain_figure
 from ..toolkit.translation import filled, tr
+from .distance_words import direction_title
 from .measure.bar_groups import GroupResult
 from .measure.bars import BarReading
 from .measure.target import DIRECTIONS
@@ -20,11 +21,6 @@ VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "
 _MOST_ROWS = 10  # of panels below each other
 _ROW_WIDTH, _ROW_HEIGHT = 7.08, 1.32  # inches of a row of two panels: as wide as A4 between its margins
 _PANELS = ((0.075, 0.16, 0.41, 0.66), (0.575, 0.16, 0.41, 0.66))  # left, bottom, width and height in a row
-
-
-def direction_title(direction: str) -> str:
-    """A direction for the user."""
-    return {"along": tr("along the flight"), "across": tr("across the flight")}.get(direction, direction)
 
 
 def verdict_of(results: Sequence[GroupResult]) -> str:
@@ -75,10 +71,10 @@ def band_colour(band: str, place: int, count: int, style: ChartStyle = PAPER) ->
 
 
 def _draw_threshold(axes: Axes, reading: BarReading, criterion: float, style: ChartStyle) -> None:
-    """A gap on the bars' side of this line is too shallow."""
+    """Gaps that lie on the bars' side of this line, on the whole, are too shallow."""
     down = -1 if reading.bright else 1
-    least = (min if reading.bright else max)(bar.value for bar in reading.bars)
-    level = least + down * criterion * reading.full_amplitude
+    bars = sum(bar.value for bar in reading.inner_bars) / len(reading.inner_bars)
+    level = bars + down * criterion * reading.full_amplitude
     ends = reading.bars[0].position, reading.bars[-1].position
     axes.plot(ends, (level, level), "--", color=style.limit, linewidth=1.2 * style.scale, zorder=2)
 

@@ -1,6 +1,7 @@
 """The layer of lines across bar groups: an ordinary line layer, changed through its edit buffer."""
 from __future__ import annotations
 
+from itertools import islice
 from pathlib import Path
 
 from qgis.core import (
@@ -9,6 +10,7 @@ from qgis.core import (
     QgsCoordinateTransformContext,
     QgsCsException,
     QgsGeometry,
+    QgsProject,
     QgsVectorFileWriter,
     QgsVectorLayer,
     QgsVectorLayerUtils,
@@ -17,15 +19,18 @@ from qgis.core import (
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import WindowLayerError
+from ..imagery.grids import Grid
 from ..toolkit import messages as toolkit_messages
 from ..toolkit.layer_editing import edit_step
 from ..toolkit.layer_styles import load_style
 from ..toolkit.table_fields import table_fields
 from ..toolkit.translation import tr
-from .line_table import DIRECTION, GROUP
+from .line_table import DIRECTION, GROUP, bar_line
 from .measure import messages
+from .measure.bar_lines import BarLine
 
 _LAYER_NAME = "bar_groups"
+_MOST_LINES = 1000
 
 
 def create_bar_layer(crs: QgsCoordinateReferenceSystem, folder: Path) -> QgsVectorLayer:
@@ -78,3 +83,12 @@ def next_group(layer: QgsVectorLayer | None, direction: str) -> int | None:
     rows = (row for row in layer.getFeatures() if row[DIRECTION] == direction)
     numbers = [row[GROUP] for row in rows if isinstance(row[GROUP], int)]
     return max(numbers) + 1 if numbers else None
+
+
+def drawn_lines(layer: QgsVectorLayer | None, grid: Grid, crs: QgsCoordinateReferenceSystem) -> list[BarLine]:
+    """The lines of a layer in pixels of an image, as far as they can be measured; the first thousand, to stay quick."""
+    if layer is None or not {GROUP, DIRECTION} <= set(layer.fields().names()):
+        return []
+    transform = QgsCoordinateTransform(layer.crs(), crs, QgsProject.instance().transformContext())
+    lines = (bar_line(row, grid, transform) for row in islice(layer.getFeatures(), _MOST_LINES))
+    return [line for line in lines if line.reason is None]

@@ -12,6 +12,7 @@ from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
 from ..imagery.grids import Grid
 from ..imagery.message import Message
+from ..imagery.statistics.observers import DECIDED, VISIBLE
 from ..toolkit.attribute_values import text, whole_number
 from ..toolkit.table_fields import Column, column_fields, column_values, feature
 from ..toolkit.translation import sentence
@@ -24,20 +25,24 @@ from .measure.target import DIRECTIONS
 MAX_LINE_BEND = 0.05  # of its length that a line across the bars may leave its chord
 
 LARGEST_GROUP = 999
-GROUP, DIRECTION = "group", "direction"
-
+GROUP, DIRECTION, OBSERVER = "group", "direction", "observer"
 
 _COLUMNS: tuple[Column[GroupResult], ...] = (
     Column(GROUP, "integer", lambda result: result.measured.line.group),
     Column(DIRECTION, "text", lambda result: result.measured.line.direction),
     Column("band", "text", lambda result: result.band or None),
     Column("grd", "real", lambda result: result.grd_cm),
+    Column("grd_error", "real", lambda result: result.grd_error_cm),
     Column("bars_found", "integer", lambda result: result.reading and len(result.reading.bars)),
     Column("amplitude", "real", lambda result: result.reading and result.reading.amplitude),
     Column("full_amplitude", "real", lambda result: result.reading and result.reading.full_amplitude),
+    Column("amplitude_error", "real", lambda result: result.reading and result.reading.amplitude_error),
     Column("modulation", "real", lambda result: result.reading and result.reading.modulation),
     Column("resolved", "integer", lambda result: result.reading and int(result.resolved)),
     Column("spurious", "integer", lambda result: result.reading and int(result.spurious)),
+    Column("observers", "integer", lambda result: len(result.measured.line.seen) or None),
+    Column("seen_by", "integer", lambda result: sum(result.measured.line.seen.values()) if result.measured.line.seen
+           else None),
     Column("shift_px", "real", lambda result: result.measured.shifts.get(result.band)),
     Column("reason", "text", lambda result: None if result.reason is None else sentence(result.reason)),
 )
@@ -50,7 +55,14 @@ def check_fields(names: Sequence[str], wanted: Sequence[str] = (GROUP, DIRECTION
             raise SettingsError(messages.FIELD_MISSING(field=name))
 
 
-def bar_line(row: QgsFeature, grid: Grid, transform: QgsCoordinateTransform) -> BarLine:
+def observer_fields(names: Sequence[str]) -> list[str]:
+    """The fields in which observers say what they see: ``observer``, ``observer_2`` and so on."""
+    return [name for name in names if name == OBSERVER or name.startswith(f"{OBSERVER}_")]
+
+
+def bar_line(
+    row: QgsFeature, grid: Grid, transform: QgsCoordinateTransform, observers: Sequence[str] = ()
+) -> BarLine:
     """A line of the layer in pixels of a raster; what can't be measured says why. ``transform``: to the raster."""
     group, given = whole_number(row[GROUP], LARGEST_GROUP), text(row[DIRECTION])
     direction = given.lower()
@@ -59,7 +71,10 @@ def bar_line(row: QgsFeature, grid: Grid, transform: QgsCoordinateTransform) -> 
         reason = messages.DIRECTION_UNKNOWN(direction=given)
     if group is None:
         reason = messages.GROUP_NOT_GIVEN()
-    return BarLine(group, direction, segment, reason)
+    words = {name: text(row[name]).lower() for name in observers}
+    return BarLine(group, direction, segment, reason, {
+        name: word == VISIBLE for name, word in words.items() if word in DECIDED
+    })
 
 
 def line_on_map(segment: Segment, grid: Grid) -> QgsGeometry:

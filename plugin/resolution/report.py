@@ -14,14 +14,14 @@ from ..toolkit.translation import filled, percent, sentence, shown_number, tr
 from .charts import (
     VERDICT_COLOURS,
     band_colour,
-    direction_title,
     lines_of,
     profile_rows,
     verdict_of,
     verdict_word,
 )
+from .distance_words import direction_title, distance_number, distance_text
 from .measure.bar_groups import GroupResult, TargetResolution
-from .measure.target import DIRECTIONS, Target
+from .measure.target import BAR, COARSEST, DIRECTIONS, Target
 from .target_picture import target_picture
 
 
@@ -37,10 +37,12 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
         "resolution",
         HowMeasured(_settings(target), [measured_raster(tr("image"), raster)]),
         name=raster.ref.name,
-        summary=_summary(resolution),
+        summary=_summary(resolution, target),
         figures=_figures(resolution),
         notices=sentences_once(resolution.notices),
         **_distances(resolution),
+        contrasts=_contrasts(resolution),
+        observers=_observers(resolution),
         picture=None if picture is None else svg_text(picture),
         verdicts=[(VERDICT_COLOURS[one], verdict_word(one)) for one in _verdicts(results)],
         profiles=map(svg_text, profile_rows(results, target.criterion)),
@@ -59,7 +61,11 @@ def _distances(resolution: TargetResolution) -> dict[str, object]:
     for direction in DIRECTIONS:
         found = [known.get((direction, band), math.nan) for band in bands]
         if any(grd is None or grd == grd for grd in found):
-            words = (tr("none") if grd is None else "" if grd != grd else shown_number(grd) for grd in found)
+            errors = [resolution.grd_error_cm.get((direction, band)) for band in bands]
+            words = (
+                tr("none") if grd is None else "" if grd != grd else distance_number(grd, error)
+                for grd, error in zip(found, errors)
+            )
             rows.append([direction_title(direction), *words])
     return {"distance_bands": [band_title(band) for band in bands], "distances": rows}
 
@@ -90,12 +96,35 @@ def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
 
 def _figures(resolution: TargetResolution) -> list[tuple[str, str]]:
     """The ground resolved distances with what they are."""
-    known = [(resolution.worst(direction), direction_title(direction)) for direction in DIRECTIONS]
-    known.append((resolution.mean, tr("geometric mean")))
-    return [(filled("{grd:.2f} cm", grd=grd), words) for grd, words in known if grd is not None]
+    known = [
+        (resolution.worst(direction), resolution.worst_error(direction), direction_title(direction))
+        for direction in DIRECTIONS
+    ]
+    known.append((resolution.mean, resolution.mean_error, tr("geometric mean")))
+    return [(distance_text(grd, error), words) for grd, error, words in known if grd is not None]
 
 
-def _summary(resolution: TargetResolution) -> str:
+def _contrasts(resolution: TargetResolution) -> list[tuple[str, str]]:
+    """The target's own contrast by band."""
+    return [(band_title(band), f"{shown_number(value, 1)} : 1") for band, value in resolution.contrasts.items()]
+
+
+def _observers(resolution: TargetResolution) -> list[tuple[str, ...]]:
+    """Each observer's distances along and across the flight, and those that all agree on."""
+    if not resolution.observers:
+        return []
+
+    def distances(observer: str | None) -> list[str]:
+        found = [resolution.seen(direction, observer) for direction in DIRECTIONS]
+        return ["" if grd is None else shown_number(grd) for grd in found]
+
+    rows = [(name, *distances(name)) for name in resolution.observers]
+    return [*rows, (tr("all of them"), *distances(None))]
+
+
+def _summary(resolution: TargetResolution, target: Target) -> str:
+    if _figures(resolution) and target.grd_of == BAR:
+        return tr("Ground resolved distance: one bar of the finest group that is resolved in every band.")
     if _figures(resolution):
         return tr("Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.")
     return tr("No group is resolved in every band.")
@@ -103,12 +132,16 @@ def _summary(resolution: TargetResolution) -> str:
 
 def _settings(target: Target) -> list[tuple[str, str]]:
     coarser = tr("higher") if target.reversed else tr("lower")
+    own, coarsest = tr("the group's own bars against plain gaps"), tr("that of the coarsest group")
+    full = coarsest if target.full_amplitude == COARSEST else own
     words = tr("group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide")
     return [
         (tr("bars in each group"), str(target.bars)),
         (tr("widths"), filled(words, group=target.reference_group, grd=target.reference_grd_cm, coarser=coarser,
                               step=target.step)),
+        (tr("widths are of"), tr("one bar") if target.grd_of == BAR else tr("a bar and a gap together")),
         (tr("criterion"), f"{percent(target.criterion)} %"),
+        (tr("full amplitude"), full),
     ]  # fmt: skip
 
 
@@ -121,8 +154,10 @@ def _row(result: GroupResult) -> tuple[object, ...]:
     return (
         *_names(result),
         rounded(result.grd_cm, 2),
+        rounded(result.grd_error_cm, 2),
         "" if reading is None else len(reading.bars),
         rounded(None if reading is None else reading.amplitude, 1),
+        rounded(None if reading is None else reading.amplitude_error, 1),
         rounded(None if reading is None else reading.full_amplitude, 1),
         rounded(None if reading is None else reading.modulation, 3),
         rounded(result.measured.shifts.get(result.band), 2),

@@ -32,9 +32,11 @@ if TYPE_CHECKING:
 
 RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
 REFERENCE_GROUP, REFERENCE_GRD, STEP = "REFERENCE_GROUP", "REFERENCE_GRD", "STEP"
-CRITERION, REVERSED = "CRITERION", "REVERSED"
+CRITERION, FULL_AMPLITUDE, GRD_OF, REVERSED = "CRITERION", "FULL_AMPLITUDE", "GRD_OF", "REVERSED"
 OUTPUT = "OUTPUT"
 GRD_ALONG, GRD_ACROSS, GRD_MEAN = "GRD_ALONG", "GRD_ACROSS", "GRD_MEAN"
+ALONG_ERROR, ACROSS_ERROR, MEAN_ERROR = "GRD_ALONG_ERROR", "GRD_ACROSS_ERROR", "GRD_MEAN_ERROR"
+SEEN_ALONG, SEEN_ACROSS, CONTRAST = "SEEN_ALONG", "SEEN_ACROSS", "TARGET_CONTRAST"
 
 
 class MeasureResolution(SeamInspectorAlgorithm):
@@ -46,10 +48,10 @@ class MeasureResolution(SeamInspectorAlgorithm):
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line "
-        "across the bars of each group. A group is resolved when all its bars stand out, the smallest difference of a "
-        "bar to a gap beside it is at least half of the group's full amplitude and exceeds three times the noise of "
-        "the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are "
-        "aliasing and are not counted (Walczykowski and others 2009)."
+        "across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars "
+        "against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the "
+        "noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, "
+        "are aliasing and are not counted (Walczykowski and others 2009)."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -64,12 +66,13 @@ class MeasureResolution(SeamInspectorAlgorithm):
             tr(
                 "One line across the bars of each group, from the ground on one side to that on the other, with the "
                 "fields 'group' (whole number) and 'direction' ('along' or 'across' the flight). A line is turned by "
-                "up to 10 degrees to be perpendicular to the bars."
+                "up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, "
+                "'visible' or 'invisible', in the fields 'observer', 'observer_2' and so on."
             ),
         )
         self.addDescribed(
             common.real(WIDTH, tr("Width to average (pixels)"), limits.DEFAULT_BAR_WIDTH_PX, 0),
-            tr("How far either side of the line the profile is averaged; it should stay within the bars' length."),
+            tr("How far either side of the line the profile is averaged; less where that is more than bars are long."),
         )
         self.addDescribed(
             QgsProcessingParameterNumber(BAND, tr("Band"), defaultValue=0, minValue=0),
@@ -89,7 +92,14 @@ class MeasureResolution(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.real(REFERENCE_GRD, tr("Distance of the reference group (cm)"), limits.DEFAULT_REFERENCE_GRD_CM),
-            tr("Width of one bar and one gap of the reference group together, centimetres on the ground."),
+            tr("Of the reference group, centimetres on the ground: the width of what the next line says."),
+        )
+        self.addDescribed(
+            common.choice(GRD_OF, tr("Distances are widths of"), limits.DISTANCES),
+            tr(
+                "cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and "
+                "reports count. A bar and a gap finer than two pixels together are aliasing either way."
+            ),
         )
         self.addDescribed(
             common.real(STEP, tr("Step from group to group"), limits.DEFAULT_GROUP_STEP, decimals=6),
@@ -99,6 +109,14 @@ class MeasureResolution(SeamInspectorAlgorithm):
         self.addDescribed(
             common.real(CRITERION, tr("Criterion"), limits.DEFAULT_CRITERION),
             tr("Share of the full amplitude that the bars of a resolved group keep."),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.choice(FULL_AMPLITUDE, tr("Full amplitude"), limits.FULL_AMPLITUDES),
+            tr(
+                "group: the group's own bars against plain gaps, as in the paper. coarsest: that of the coarsest "
+                "group, a reference that doesn't change from group to group, and a stricter one."
+            ),
             advanced=True,
         )
         self.addDescribed(
@@ -118,6 +136,12 @@ class MeasureResolution(SeamInspectorAlgorithm):
             GRD_ALONG: tr("Distance along the flight (cm)"),
             GRD_ACROSS: tr("Distance across the flight (cm)"),
             GRD_MEAN: tr("Geometric mean of both distances (cm)"),
+            ALONG_ERROR: tr("Standard deviation along the flight (cm)"),
+            ACROSS_ERROR: tr("Standard deviation across the flight (cm)"),
+            MEAN_ERROR: tr("Standard deviation of the mean (cm)"),
+            SEEN_ALONG: tr("Distance along the flight that all observers see (cm)"),
+            SEEN_ACROSS: tr("Distance across the flight that all observers see (cm)"),
+            CONTRAST: tr("Contrast of the target, bars to gaps"),
         })
 
     def check(self, run: Run) -> None:
@@ -131,6 +155,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from .. import line_table
+        from ..distance_words import distance_sentences
         from ..measure.bar_groups import judge_lines
         from ..measure.bar_lines import measure_line
 
@@ -139,7 +164,9 @@ class MeasureResolution(SeamInspectorAlgorithm):
         width, band = self._width(run), self._band(run, raster)
         run.check_chart()
         lines = run.source(GROUPS)
-        line_table.check_fields(lines.fields().names())
+        names = lines.fields().names()
+        line_table.check_fields(names)
+        observers = line_table.observer_fields(names)
         count = lines.featureCount()
         if count == 0:
             raise SettingsError(messages.NO_BAR_LINES())
@@ -149,15 +176,19 @@ class MeasureResolution(SeamInspectorAlgorithm):
         for row in layers.features(lines):
             if run.is_cancelled():
                 break
-            line = line_table.bar_line(row, raster.grid, transform)
+            line = line_table.bar_line(row, raster.grid, transform, observers)
             measured.append(measure_line(raster, line, target.bars, width, band))
             run.progress(0.9 * len(measured) / max(count, 1))
         resolution = judge_lines(raster, measured, target)
-        run.tell(*resolution.notices)
         for result in resolution.results:
             if result.reason is not None:
                 where = f"{result.measured.line.group} {result.measured.line.direction} {result.band}".strip()
                 run.tell(imagery_messages.ABOUT(what=where, why=result.reason))
+        if not resolution.is_any_measured and not run.is_cancelled():
+            raise SettingsError(messages.NO_LINE_MEASURED(count=count))
+        run.tell(*resolution.notices)
+        for sentence in distance_sentences(resolution):
+            run.inform(sentence)
         sink, destination = run.sink(OUTPUT, line_table.result_fields(), QgsWkbTypes.Type.LineString, crs)
         run.write(sink, line_table.result_features(resolution.results, raster.grid))
         return {
@@ -165,6 +196,12 @@ class MeasureResolution(SeamInspectorAlgorithm):
             GRD_ALONG: resolution.worst("along"),
             GRD_ACROSS: resolution.worst("across"),
             GRD_MEAN: resolution.mean,
+            ALONG_ERROR: resolution.worst_error("along"),
+            ACROSS_ERROR: resolution.worst_error("across"),
+            MEAN_ERROR: resolution.mean_error,
+            SEEN_ALONG: resolution.seen("along"),
+            SEEN_ACROSS: resolution.seen("across"),
+            CONTRAST: min(resolution.contrasts.values(), default=None),
             **run.save(common.CHART, lambda path: _save_chart(path, resolution, target)),
             **run.save(common.REPORT, lambda path: _save_report(path, raster, resolution, target)),
         }
@@ -173,7 +210,8 @@ class MeasureResolution(SeamInspectorAlgorithm):
         from ..measure.target import Target
 
         numbers = run.real(REFERENCE_GRD), run.real(STEP), run.real(CRITERION)
-        return Target(run.whole(BARS), run.whole(REFERENCE_GROUP), *numbers, run.flag(REVERSED))
+        words = run.word(FULL_AMPLITUDE), run.word(GRD_OF)
+        return Target(run.whole(BARS), run.whole(REFERENCE_GROUP), *numbers, run.flag(REVERSED), *words)
 
     def _width(self, run: Run) -> float:
         width = run.real(WIDTH)

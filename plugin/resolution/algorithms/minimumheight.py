@@ -45,7 +45,8 @@ class MinimumHeight(SeamInspectorAlgorithm):
         self.addDescribed(
             QgsProcessingParameterFeatureSource(OBSERVATIONS, tr("Observations"), [table]),
             tr(
-                "One row per pass with the fields 'height' (metres above the target) and 'grd' (centimetres). Rows "
+                "One row per pass with the fields 'height' (metres above the target) and 'grd' (centimetres), several "
+                "observers' in 'grd', 'grd_2', 'grd_3' and so on: their heights are averaged within the pass. Rows "
                 "that agree in 'sensor', 'image_type' and 'direction', as far as there are such fields, make a group."
             ),
         )
@@ -64,7 +65,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Minimum heights"), table),
-            tr("One row per group: count, mean and spread (metres), tolerance (%), and what to know about it."),
+            tr("One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it."),
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSink(
@@ -82,20 +83,19 @@ class MinimumHeight(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from .. import height_tables
-        from ..line_table import check_fields
         from ..measure.minimum_height import check_heights, minimum_heights
 
         required, reference = self._limits(run)
         check_heights(required, reference)
         source = run.source(OBSERVATIONS)
         names = source.fields().names()
-        check_fields(names, (height_tables.HEIGHT, height_tables.GRD))
+        readings = height_tables.reading_fields(names)
         keys = height_tables.key_fields(names, run.flag(BY_HEIGHT))
         observations = []
         for number, row in enumerate(layers.features(source), 1):
             if run.is_cancelled():
                 break
-            observation, fault = height_tables.observation(row, keys)
+            observation, fault = height_tables.observation(row, keys, readings)
             if fault is not None or observation is None:
                 run.tell(messages.OBSERVATIONS_LEFT_OUT(row=number, why=fault))
             else:

@@ -1,6 +1,7 @@
 """The dock of bar groups: draw a line across the bars of each group and watch its profile."""
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -42,14 +43,17 @@ from ...toolkit.map_places import transformed_point
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from .. import line_layer
-from ..jobs import bar_job, image_job
-from ..line_table import GROUP, pixel_segment
+from ..jobs import MeasuredLines, bar_job, image_job
+from ..line_layer import drawn_lines
+from ..line_table import GROUP as GROUP_FIELD
+from ..line_table import pixel_segment
 from ..measure import limits, messages
 from ..measure.bar_groups import TargetResolution
 from ..measure.bar_lines import BarLine
-from ..measure.target import DIRECTIONS, Target
+from ..measure.target import BAR, COARSEST, CYCLE, DIRECTIONS, GROUP, Target
 from .bar_profile import BarProfile
 from .bar_tool import BarTool
+from .verdict_text import verdict_text
 
 if TYPE_CHECKING:
     from ..measure.bar_groups import GroupResult
@@ -65,6 +69,7 @@ class BarDock(ToolDock):
         self._background = BackgroundTasks(self)
         self._raster: Raster | None = None  # the image, once it is open
         self._waiting: BarLine | None = None  # the newest line, while an older one is measured
+        self._measured: MeasuredLines = {}  # the layer's lines on this image, as far as they were measured
         self.results: tuple[GroupResult, ...] = ()
         tool = BarTool(self._canvas)
         self._offer_tool(
@@ -81,11 +86,11 @@ class BarDock(ToolDock):
         self.reference_grd.setRange(0.01, 100000)
         self.reference_grd.setSuffix(tr(" cm"))
         self.reference_grd.setValue(limits.DEFAULT_REFERENCE_GRD_CM)
-        self.direction = QComboBox()
-        for direction, words in zip(DIRECTIONS, (tr("along"), tr("across"))):
-            self.direction.addItem(words, direction)
+        self.grd_of = _choice({CYCLE: tr("bar and gap"), BAR: tr("one bar")})
+        self.full_amplitude = _choice({GROUP: tr("of the group"), COARSEST: tr("of the coarsest group")})
+        self.direction = _choice(dict(zip(DIRECTIONS, (tr("along"), tr("across")))))
         self.profile = BarProfile()
-        self.verdict = ClippedLabel(4)
+        self.verdict = ClippedLabel(6)
         self._lay_out()
         self.image.layerChanged.connect(self._image_changed)
         self.direction.currentIndexChanged.connect(self._take_next)
@@ -106,7 +111,10 @@ class BarDock(ToolDock):
 
     def target(self) -> Target:
         """The target as it is set here."""
-        return Target(self.bars.value(), self.reference_group.value(), self.reference_grd.value())
+        return Target(
+            self.bars.value(), self.reference_group.value(), self.reference_grd.value(),
+            grd_of=self.grd_of.currentData(), full_amplitude=self.full_amplitude.currentData(),
+        )
 
     def line_layer(self) -> QgsVectorLayer | None:
         """The layer that lines are added to; None until there is one."""
@@ -115,7 +123,7 @@ class BarDock(ToolDock):
 
     def _offer_bar_lines(self, *_: object) -> None:
         """Layers of other lines, such as seams or contours, are none that groups could be added to."""
-        self.lines.leave_out(vectors_without(GROUP))
+        self.lines.leave_out(vectors_without(GROUP_FIELD))
 
     # the line
 
@@ -180,7 +188,12 @@ class BarDock(ToolDock):
             self._waiting = line
             return
         self._waiting = None
-        job = bar_job(self._raster, line, self.target(), limits.DEFAULT_BAR_WIDTH_PX)
+        others = [
+            other for other in drawn_lines(self.line_layer(), self._raster.grid, mosaic_crs(self._raster))
+            if (other.group, other.direction) != (line.group, line.direction)
+        ]
+        width = limits.DEFAULT_BAR_WIDTH_PX
+        job = bar_job(self._raster, line, others, self._measured, self.target(), width)
         self._background.start(tr("Measure a bar group"), job, self._take, _KEY)
 
     def _task_ended(self, key: object, outcome: Outcome) -> None:
@@ -192,14 +205,16 @@ class BarDock(ToolDock):
 
     def _take(self, resolution: object) -> None:
         assert isinstance(resolution, TargetResolution)
-        self.results = resolution.results
+        last = resolution.results[-1].measured  # the line itself, after the others of its target
+        self.results = tuple(result for result in resolution.results if result.measured is last)
         self.profile.show_results(self.results, self.target().criterion)
-        self.verdict.setText(_verdict(resolution))
+        self.verdict.setText(verdict_text(self.results, resolution))
 
     def _image_changed(self) -> None:
         """Open the image, in the background: it may lie on a slow network."""
         self._background.abandon()  # what is under way is of the image before
         self._raster = self._waiting = None
+        self._measured = {}
         self.draw.setEnabled(False)
         layer = self.image.currentLayer()
         if not isinstance(layer, QgsRasterLayer):
@@ -252,13 +267,22 @@ class BarDock(ToolDock):
         self.group.setToolTip(tr("Number of the group that is drawn next; it goes up by one with every line."))
         self.bars.setToolTip(tr("How many bars each group of the target has."))
         self.reference_group.setToolTip(tr("Number of the group whose distance is known. Higher numbers are finer."))
-        self.reference_grd.setToolTip(tr("Width of one bar and one gap of the reference group together."))
+        self.reference_grd.setToolTip(tr("Distance of the reference group: the width of what is chosen beside it."))
+        self.grd_of.setToolTip(tr(
+            "What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some "
+            "targets and reports count."
+        ))
+        self.full_amplitude.setToolTip(tr(
+            "What the amplitude has to be half of: the group's own bars against plain gaps, or the full amplitude of "
+            "the coarsest group, which is stricter."
+        ))
         form = QFormLayout()
         form.setContentsMargins(0, 0, 0, 0)
         form.addRow(tr("Image"), self.image)
         form.addRow(tr("Lines"), self.lines)
         form.addRow(tr("Bars"), self.bars)
-        form.addRow(tr("Reference"), _row(self.reference_group, self.reference_grd))
+        form.addRow(tr("Reference"), _row(self.reference_group, self.reference_grd, self.grd_of))
+        form.addRow(tr("Full amplitude"), self.full_amplitude)
         form.addRow(tr("Group"), _row(self.group, self.direction, button))
         settings = QVBoxLayout()
         settings.addLayout(form)
@@ -279,6 +303,13 @@ class BarDock(ToolDock):
 _KEY, _IMAGE_KEY = "bar group", "image"
 
 
+def _choice(words: Mapping[str, str]) -> QComboBox:
+    box = QComboBox()
+    for value, word in words.items():
+        box.addItem(word, value)
+    return box
+
+
 def _row(*widgets: QWidget) -> QWidget:
     row, layout = QWidget(), QHBoxLayout()
     layout.setContentsMargins(0, 0, 0, 0)
@@ -287,15 +318,3 @@ def _row(*widgets: QWidget) -> QWidget:
     row.setLayout(layout)
     return row
 
-
-def _verdict(resolution: TargetResolution) -> str:
-    """What a line by itself shows: its distance and verdict, or the reasons why it has none."""
-    results = resolution.results
-    reasons = list(dict.fromkeys(sentence(result.reason) for result in results if result.reason is not None))
-    grd = results[0].grd_cm if results else None
-    words = "" if grd is None else f"{grd:.2f} cm"
-    if results and all(result.resolved for result in results):
-        words += ", " + tr("resolved")
-    verdict = ": ".join(part for part in (words, " ".join(reasons)) if part)
-    notice = sentence(resolution.scale_notice) if resolution.scale_notice is not None else ""
-    return "\n".join(part for part in (verdict, notice) if part)

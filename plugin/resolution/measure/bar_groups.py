@@ -74,6 +74,29 @@ class TargetResolution:
         found = [value for (where, _), value in self.grd_cm.items() if where == direction]
         return None if not found or None in found else max(value for value in found if value is not None)
 
+    def seen(self, direction: str, observer: str | None = None) -> float | None:
+        """Distance of the finest group that an observer tells apart, or all who judged it, before one that is not, cm.
+
+        None where nobody judged a group, or the coarsest one is not told apart.
+        """
+        finest = None
+        for line, grd in sorted(
+            {id(one.measured): (one.measured.line, one.grd_cm or 0.0) for one in self.results}.values(),
+            key=lambda pair: -pair[1],
+        ):
+            words = [seen for name, seen in line.seen.items() if observer in (None, name)]
+            if line.direction != direction or not words or line.group is None:
+                continue
+            if not all(words):
+                break
+            finest = grd
+        return finest
+
+    @property
+    def observers(self) -> tuple[str, ...]:
+        """Who judged any group, in the order of the layer's fields."""
+        return tuple(dict.fromkeys(name for one in self.results for name in one.measured.line.seen))
+
     def worst_error(self, direction: str) -> float | None:
         """Standard deviation of that distance; None without one."""
         worst = self.worst(direction)

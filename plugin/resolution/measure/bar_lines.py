@@ -1,7 +1,7 @@
 """A line across the bars of one group: its profiles, the bars in them, and what makes them doubtful."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -32,6 +32,8 @@ class BarLine:
     """None where the line can't be used."""
     reason: Message | None = None
     """Why it can't be used."""
+    seen: Mapping[str, bool] = field(default_factory=dict)
+    """Whether each observer who judged the group tells its bars apart."""
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ MIN_BAR_PROMINENCE = 0.25  # of the profile's range: half the criterion, so that
 GROUND_BEYOND = 0.15  # of a line's length, beyond its ends: what lies there is ground
 GROUND_WITHIN = 0.03  # the same, before its ends
 MIN_GROUND_OFFSET = 0.15  # of the profile's range: ground nearer to the middle is neither bright nor dark
-MIN_CLEAR_SPACING_PX = 4.0  # further apart than any bars that aliasing feigns
+MIN_CLEAR_SPACING_PX = 3.2  # further apart than any bars that aliasing feigns, ground taken for a bar included
 
 _VERTEX_SHARE = 1 / 8  # of a cycle, either side of an extreme: the part of a bar that a parabola is fitted to
 _GROUND = (0.55, 1.25)  # of a cycle from an outer bar's middle: where the ground beside it is least blurred by the bar

@@ -75,8 +75,8 @@ NO_GRD = Message(
     "No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.", WARNING
 )
 TARGET_CONTRAST_LOW = Message(
-    "The bars of the coarsest group are {contrast:.1f} times as bright as its gaps, or the other way round, and the "
-    "method asks for {least:g} at least: haze and a low sun lower it; the distance may be coarser for it.", WARNING
+    "Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at "
+    "least, so the distance may be coarser than the sensor's best; haze and a low sun lower the contrast.", WARNING
 )
 NO_PLAIN_PLACE = Message(
     "No plain place of the target tells the full amplitude, so the groups may seem better resolved than they are; draw "
@@ -87,13 +87,19 @@ NO_LINE_MEASURED = Message(
     "across the bars of one group, on the image."
 )
 # the minimum height
-REFERENCE_HEIGHT_NOT_POSITIVE = Message("The reference height is {height} m; give a positive number or leave it empty.")
+REQUIRED_GRD_IMPOSSIBLE = Message(
+    "The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}."
+)
+REFERENCE_HEIGHT_IMPOSSIBLE = Message(
+    "The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty."
+)
 NO_OBSERVATIONS = Message("No row has a height and a distance to compute with; fill in 'height' and 'grd'.")
 OBSERVATIONS_LEFT_OUT = Message("Row {row} is left out: {why}", WARNING)
 OBSERVATION_EMPTY = Message("'height' or 'grd' holds no number; fill in both.", INFO)
-OBSERVATION_NOT_POSITIVE = Message(
-    "Height {height} m and distance {grd} cm make no minimum height; give positive numbers of metres and "
-    "centimetres.", INFO
+OBSERVATION_NO_NUMBER = Message("'{word}' is no number; give metres and centimetres.", INFO)
+OBSERVATION_IMPOSSIBLE = Message(
+    "Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to "
+    "{highest:g} and centimetres from {least:g} to {most:g}.", INFO
 )
 FEW_OBSERVATIONS = Message("{count} passes over the target; the Open Skies treaty asks for {least} at least.", WARNING)
 # the Bayer filter

@@ -1,6 +1,7 @@
 """The lowest flying height at which a sensor keeps to a ground resolved distance (Walczykowski et al. 2009)."""
 from __future__ import annotations
 
+import math
 import statistics
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from ...imagery.message import Message
 from . import messages
 
 MIN_OBSERVATIONS = 5  # of the minimum height: the Open Skies treaty asks for five passes
+MAX_HEIGHT_M, MIN_GRD_CM, MAX_GRD_CM = 1e6, 1e-3, 1e6  # from a microscope to a satellite
 
 Key = tuple[str, ...]
 
@@ -20,21 +22,32 @@ class Observation:
 
     height_m: float
     """Flying height above the target, m."""
-    grd_cm: float
-    """Ground resolved distance that was read, cm."""
+    grds_cm: tuple[float, ...]
+    """Ground resolved distance as each observer read it, cm; at least one."""
     key: Key = ()
     """What it is grouped by: sensor, type of image, direction."""
 
     @property
     def fault(self) -> Message | None:
         """Why it can't be used; None when it can."""
-        if not self.height_m > 0 or not self.grd_cm > 0:
-            return messages.OBSERVATION_NOT_POSITIVE(height=self.height_m, grd=self.grd_cm)
+        for grd in self.grds_cm:
+            if not 0 < self.height_m <= MAX_HEIGHT_M or not MIN_GRD_CM <= grd <= MAX_GRD_CM:
+                return messages.OBSERVATION_IMPOSSIBLE(
+                    height=self.height_m, grd=grd, highest=MAX_HEIGHT_M, least=MIN_GRD_CM, most=MAX_GRD_CM
+                )
         return None
 
     def minimum_height(self, required_cm: float) -> float:
-        """Height at which the distance would be the required one, m: both grow alike (equation 1)."""
-        return self.height_m * required_cm / self.grd_cm
+        """Height at which the distance would be the required one, m, the mean of its observers' (equations 1, 2)."""
+        return statistics.fmean(self.heights_m(required_cm))
+
+    def heights_m(self, required_cm: float) -> list[float]:
+        """The same by each observer: height and distance grow alike."""
+        return [self.height_m * (required_cm / grd) for grd in self.grds_cm]
+
+    def observer_spread_m(self, required_cm: float) -> float | None:
+        """Standard deviation of one observer's height, m; None for a single one."""
+        return statistics.stdev(self.heights_m(required_cm)) if len(self.grds_cm) > 1 else None
 
 
 @dataclass(frozen=True)
@@ -48,6 +61,10 @@ class HeightResult:
     """What it is compared with, m."""
     notice: Message | None
     """What to know about it."""
+    observers: int = 1
+    """How many readings the passes have together."""
+    observer_spread_m: float | None = None
+    """Standard deviation of one observer's height within a pass, m; None where no pass has several."""
 
     @property
     def mean_m(self) -> float:
@@ -66,11 +83,11 @@ class HeightResult:
 
 
 def check_heights(required_cm: float, reference_m: float | None) -> None:
-    """Raise SettingsError for numbers that are not positive."""
-    if not required_cm > 0:
-        raise SettingsError(messages.GRD_NOT_POSITIVE(grd=required_cm))
-    if reference_m is not None and not reference_m > 0:
-        raise SettingsError(messages.REFERENCE_HEIGHT_NOT_POSITIVE(height=reference_m))
+    """Raise SettingsError for numbers that no flight has."""
+    if not MIN_GRD_CM <= required_cm <= MAX_GRD_CM:
+        raise SettingsError(messages.REQUIRED_GRD_IMPOSSIBLE(grd=required_cm, least=MIN_GRD_CM, most=MAX_GRD_CM))
+    if reference_m is not None and not 0 < reference_m <= MAX_HEIGHT_M:
+        raise SettingsError(messages.REFERENCE_HEIGHT_IMPOSSIBLE(height=reference_m, highest=MAX_HEIGHT_M))
 
 
 def minimum_heights(
@@ -78,17 +95,21 @@ def minimum_heights(
 ) -> list[HeightResult]:
     """The minimum height of every group of passes, in the order in which the groups first come.
 
-    Raises SettingsError for a required distance or a reference that is not positive.
+    Raises SettingsError for a required distance or a reference that no flight has.
     """
     check_heights(required_cm, reference_m)
-    groups: dict[Key, list[float]] = {}
+    groups: dict[Key, list[Observation]] = {}
     for one in observations:
-        groups.setdefault(one.key, []).append(one.minimum_height(required_cm))
-    return [_result(key, heights, reference_m) for key, heights in groups.items()]
+        groups.setdefault(one.key, []).append(one)
+    return [_result(key, passes, required_cm, reference_m) for key, passes in groups.items()]
 
 
-def _result(key: Key, heights: Sequence[float], reference_m: float | None) -> HeightResult:
+def _result(key: Key, passes: Sequence[Observation], required_cm: float, reference_m: float | None) -> HeightResult:
     notice = None
-    if len(heights) < MIN_OBSERVATIONS:
-        notice = messages.FEW_OBSERVATIONS(count=len(heights), least=MIN_OBSERVATIONS)
-    return HeightResult(key, tuple(heights), reference_m, notice)
+    if len(passes) < MIN_OBSERVATIONS:
+        notice = messages.FEW_OBSERVATIONS(count=len(passes), least=MIN_OBSERVATIONS)
+    several = [(len(one.grds_cm) - 1, one.observer_spread_m(required_cm)) for one in passes]
+    free = sum(count for count, _ in several)
+    spread = math.sqrt(sum(count * (each or 0.0) ** 2 for count, each in several) / free) if free else None
+    heights = tuple(one.minimum_height(required_cm) for one in passes)
+    return HeightResult(key, heights, reference_m, notice, sum(len(one.grds_cm) for one in passes), spread)

@@ -57,13 +57,13 @@ class Scene:
 def ground_scene(
     random: np.random.Generator, ground: Ground, dark_bars: bool = False, bars: int = 3, groups: int = 12,
     sigma: float | None = None, noise: float | None = None, angle: float | None = None, length: float = 5.0,
-    limit: int = 7, roughly: bool = True,
+    limit: int = 7, roughly: bool = True, finest: float | None = None,
 ) -> Scene:
-    """A target whose group ``limit`` is about the finest one that its blur leaves resolved."""
+    """A target whose group ``limit``, of ``finest`` px, is about the finest one that its blur leaves resolved."""
     sigma = random.uniform(0.45, 1.4) if sigma is None else sigma
     noise = random.uniform(0.5, 4) if noise is None else noise
     angle = math.radians(random.uniform(-8, 8)) if angle is None else angle
-    finest = 4.0 * math.hypot(sigma, math.sqrt(1 / 12)) * STEP ** random.uniform(-0.5, 0.5)
+    finest = finest or 4.0 * math.hypot(sigma, math.sqrt(1 / 12)) * STEP ** random.uniform(-0.5, 0.5)
     cycles = [finest * STEP ** (limit - group) for group in range(groups)]
     x, placed = 24.0, []
     for cycle in cycles:

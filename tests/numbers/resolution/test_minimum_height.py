@@ -1,6 +1,7 @@
 """Minimum flying heights: equations 1 and 2 of the paper and its tables 4A and 4B."""
 from __future__ import annotations
 
+import math
 import statistics
 
 import pytest
@@ -13,44 +14,75 @@ POSITIVE = st.floats(0.01, 1e5)
 
 
 def test_the_papers_example() -> None:
-    (result,) = minimum_heights([Observation(3000, 33.67)], 30)
+    (result,) = minimum_heights([Observation(3000, (33.67,))], 30)
     assert result.mean_m == pytest.approx(2673.0, abs=0.05)
     assert result.spread_m is None
     assert result.tolerance_percent is None
 
 
-@pytest.mark.parametrize(
-    ("mean", "reference", "percent"),
-    [(2186, 2704, -19), (2628, 2704, -3), (2590, 2722, -5), (1314, 2015, -35), (1383, 2015, -31), (1453, 2015, -28)],
+TABLE_4A = (
+    (2186, -19), (2186, -19), (2628, -3), (2590, -5), (2649, -2), (2885, 6), (2378, -12), (2431, -10), (2490, -8)
 )
-def test_tolerances_round_as_in_tables_4a_and_4b(mean: float, reference: float, percent: int) -> None:
-    (result,) = minimum_heights([Observation(mean, 30)], 30, reference)
-    assert result.tolerance_percent is not None
-    assert round(result.tolerance_percent) == percent
+TABLE_4B = ((1314, -35), (1383, -31), (1453, -28))
+"""Mean minimum heights, m, and their tolerances, %."""
+
+
+@pytest.mark.parametrize(("table", "reference"), [
+    *((TABLE_4A, reference) for reference in (2713, 2714, 2715)), (TABLE_4B, 2015)
+])
+def test_all_cells_of_tables_4a_and_4b_follow_one_reference(
+    table: tuple[tuple[float, int], ...], reference: float
+) -> None:
+    found = [minimum_heights([Observation(mean, (30,))], 30, reference)[0].tolerance_percent for mean, _ in table]
+    assert [round(percent or 0) for percent in found] == [percent for _, percent in table]
+
+
+@pytest.mark.parametrize("reference", [2712, 2716, 2704])
+def test_no_other_whole_reference_does(reference: float) -> None:
+    found = [minimum_heights([Observation(mean, (30,))], 30, reference)[0].tolerance_percent for mean, _ in TABLE_4A]
+    assert [round(percent or 0) for percent in found] != [percent for _, percent in TABLE_4A]
+
+
+def test_observers_of_a_pass_are_averaged_and_their_spread_is_told() -> None:
+    """Two passes of three and two observers, after tables 3A and 3B: groups of a target whose ninth has 30 cm."""
+    passes = [Observation(3000, (33.67, 30.0, 37.8)), Observation(2500, (30.0, 33.67))]
+    (result,) = minimum_heights(passes, 30)
+    each = [[3000 * 30 / grd for grd in passes[0].grds_cm], [2500 * 30 / grd for grd in passes[1].grds_cm]]
+    assert result.heights_m == pytest.approx([statistics.fmean(one) for one in each])
+    assert result.mean_m == pytest.approx(statistics.fmean(result.heights_m))
+    assert result.observers == 5
+    pooled = (2 * statistics.variance(each[0]) + statistics.variance(each[1])) / 3
+    assert result.observer_spread_m == pytest.approx(pooled**0.5)
+    assert "2 passes" in str(result.notice)  # observers are no passes
+    assert minimum_heights([Observation(3000, (30.0,))], 30)[0].observer_spread_m is None
 
 
 @given(st.lists(st.tuples(POSITIVE, POSITIVE), min_size=2, max_size=8), POSITIVE)
 def test_mean_and_spread_are_those_of_the_passes(passes: list[tuple[float, float]], required: float) -> None:
-    (result,) = minimum_heights([Observation(*one) for one in passes], required)
+    (result,) = minimum_heights([Observation(height, (grd,)) for height, grd in passes], required)
     expected = [height * required / grd for height, grd in passes]
     assert result.mean_m == pytest.approx(statistics.fmean(expected))
     assert result.spread_m == pytest.approx(statistics.stdev(expected), abs=1e-6 * max(expected))
 
 
 def test_groups_are_kept_apart_and_few_passes_are_told() -> None:
-    passes = [Observation(3000, 30 + number, ("DMC",)) for number in range(5)] + [Observation(2500, 60, ("RCD",))]
+    passes = [Observation(3000, (30 + number,), ("DMC",)) for number in range(5)] + [Observation(2500, (60,), ("RCD",))]
     many, few = minimum_heights(passes, 30)
     assert (many.key, len(many.heights_m), many.notice) == (("DMC",), 5, None)
     assert few.mean_m == pytest.approx(1250)
     assert "1 passes over the target; the Open Skies treaty asks for 5" in str(few.notice)
 
 
-@pytest.mark.parametrize(("required", "reference"), [(0.0, None), (-30.0, None), (30.0, 0.0), (30.0, -1.0)])
+@pytest.mark.parametrize(("required", "reference"), [
+    (0.0, None), (-30.0, None), (math.inf, None), (math.nan, None), (30.0, 0.0), (30.0, -1.0), (30.0, math.inf)
+])
 def test_numbers_that_are_not_positive_are_refused(required: float, reference: float | None) -> None:
     with pytest.raises(SettingsError, match="positive"):
-        minimum_heights([Observation(3000, 30)], required, reference)
+        minimum_heights([Observation(3000, (30,))], required, reference)
 
 
-@pytest.mark.parametrize("values", [(0, 30), (3000, 0), (-1, 30), (float("nan"), 30)])
+@pytest.mark.parametrize("values", [
+    (0, 30), (3000, 0), (-1, 30), (math.nan, 30), (math.inf, 30), (3000, math.inf), (1e300, 1e-300)
+])
 def test_an_observation_that_can_not_be_says_so(values: tuple[float, float]) -> None:
-    assert "give positive numbers" in str(Observation(*values).fault)
+    assert "give positive numbers" in str(Observation(values[0], (30.0, values[1])).fault)

@@ -1,6 +1,7 @@
 """``seaminspector:minimumheight`` and ``seaminspector:simulatebayer`` as QGIS runs them."""
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -42,7 +43,7 @@ def test_groups_and_passes() -> None:
     observations = table(rows, sensor="string", image_type="string", direction="string", height="integer", grd="double")
     made = run("minimumheight", OBSERVATIONS=observations)
     assert made.layer().fields().names() == (
-        "sensor image_type direction count mean spread reference tolerance notice".split()
+        "sensor image_type direction count mean spread observers observer_spread reference tolerance notice".split()
     )
     pan, rgb = made.rows()
     heights = [3000 * 30 / (30 + number) for number in range(5)]
@@ -73,9 +74,38 @@ def test_bad_rows_are_told_and_cost_nothing_else() -> None:
     assert [warning for warning in log.warnings if "Row 3 is left out" in warning and "positive" in warning]
 
 
+def test_heights_and_distances_without_end_are_told_and_make_no_mean() -> None:
+    log, rows = Log(), [(3000.0, "30"), (math.inf, "30"), (3000.0, "inf"), (1e300, "1e-300"), (3000.0, "x")]
+    made = run("minimumheight", log, OBSERVATIONS=table(rows, height="double", grd="string"))
+    assert made.column("mean") == [3000]
+    left_out = [warning for warning in log.warnings if "is left out" in warning]
+    assert [word in warning for word, warning in zip(("'inf'", "'inf'", "1e+300 m", "'x' is no number"), left_out)] == (
+        [True] * 4
+    )
+
+
+def test_several_observers_in_a_row() -> None:
+    rows = [(3000, 33.67, 30.0, None), (3000, 30.0, 30.0, 33.67), (3000, None, None, 30.0)]
+    observations = table(rows, height="integer", grd="double", grd_2="double", grd_anna="double")
+    made = run("minimumheight", OBSERVATIONS=observations)
+    (row,) = made.rows()
+    assert (row["count"], row["observers"]) == (3, 6)
+    low = 3000 * 30 / 33.67
+    heights = [(low + 3000) / 2, (low + 6000) / 3, 3000]
+    assert made.column("h_min", "HEIGHTS") == pytest.approx(heights)
+    assert made.column("observers", "HEIGHTS") == [2, 3, 1]
+    assert row["mean"] == pytest.approx(np.mean(heights))
+    assert row["observer_spread"] == pytest.approx((3000 - low) * np.sqrt((1 / 2 + 2 / 3) / 3))
+
+
 @pytest.mark.parametrize(
     ("parameters", "words"),
-    [({"REQUIRED_GRD": 0}, "positive number of centimetres"), ({"REFERENCE_HEIGHT": -5}, "reference height is -5")],
+    [
+        ({"REQUIRED_GRD": 0}, "positive number of centimetres"),
+        ({"REQUIRED_GRD": math.inf}, "required distance is inf cm"),
+        ({"REFERENCE_HEIGHT": -5}, "reference height is -5"),
+        ({"REFERENCE_HEIGHT": math.inf}, "reference height is inf m"),
+    ],
 )
 def test_bad_settings_are_refused(parameters: dict[str, float], words: str) -> None:
     assert_refused("minimumheight", words, OBSERVATIONS=table([(3000.0, 30.0)]), **parameters)

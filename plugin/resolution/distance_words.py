@@ -1,0 +1,44 @@
+"""The distances of a target in words: for log, report and dock."""
+from __future__ import annotations
+
+from ..toolkit.band_titles import band_title
+from ..toolkit.translation import filled, shown_number, tr
+from .measure.bar_groups import TargetResolution
+from .measure.target import DIRECTIONS
+
+
+def direction_title(direction: str) -> str:
+    """A direction for the user."""
+    return {"along": tr("along the flight"), "across": tr("across the flight")}.get(direction, direction)
+
+
+def distance_number(grd_cm: float, error_cm: float | None) -> str:
+    """A distance and its standard deviation, without their unit."""
+    return shown_number(grd_cm) if error_cm is None else f"{shown_number(grd_cm)} ± {shown_number(error_cm)}"
+
+
+def distance_text(grd_cm: float, error_cm: float | None) -> str:
+    """A distance and its standard deviation."""
+    return f"{distance_number(grd_cm, error_cm)} cm"
+
+
+def distance_sentences(resolution: TargetResolution) -> list[str]:
+    """What was found, line by line: distances, what observers saw, the target's contrast."""
+    found = [
+        (direction_title(direction), resolution.worst(direction), resolution.worst_error(direction))
+        for direction in DIRECTIONS
+    ]
+    found.append((tr("geometric mean"), resolution.mean, resolution.mean_error))
+    words = [f"{name}: {distance_text(grd, error)}" for name, grd, error in found if grd is not None]
+    for direction in DIRECTIONS:
+        seen = resolution.seen(direction)
+        if seen is not None:
+            words.append(filled(
+                tr("seen by all observers {direction}: {grd:.2f} cm"), direction=direction_title(direction), grd=seen
+            ))
+    words += [
+        filled(tr("contrast of the target, bars to gaps, {band}: {contrast:.1f}:1"), band=band_title(band),
+               contrast=contrast)
+        for band, contrast in resolution.contrasts.items()
+    ]
+    return words
