@@ -93,7 +93,7 @@ def test_chart_and_report(target: BarScene, tmp_path: Path) -> None:
     drawn, page = chart.read_text(encoding="utf-8"), report.read_text(encoding="utf-8")
     for words in ("group 1, 100.00 cm: resolved", "group 5, 39.69 cm: not resolved", "along the flight"):
         assert words in drawn
-    assert f"{made.results['GRD_ALONG']:.2f} cm" in page
+    assert f"{made.results['GRD_ALONG']:.2f} ± {made.results['GRD_ALONG_ERROR']:.2f} cm" in page
     assert page.count("data:image/svg+xml") == 1 + 5  # the target, and a row for each group
     assert "http" not in page.replace("http://www.w3.org", "")
 
@@ -107,8 +107,8 @@ def test_a_distance_has_its_uncertainty_in_table_log_and_report(target: BarScene
     finest = [row for row in made.rows() if row["direction"] == "along" and row["grd"] == pytest.approx(grd)]
     assert max(row["grd_error"] for row in finest) == pytest.approx(error)
     assert all(row["amplitude_error"] > 0 for row in finest)
-    words = f"along the flight: {grd:.2f} cm ± {error:.2f} cm"
-    assert words in log.infos
+    words = f"{grd:.2f} ± {error:.2f} cm"
+    assert f"along the flight: {words}" in log.infos
     assert words in report.read_text(encoding="utf-8")
 
 
