@@ -14,11 +14,13 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from .. import stated_rules as stated
+from ..measure import messages
 from ..measure.rules_file import ready_files
 from ..paper import outputs as paper
 from ..sheet_index import add_sheets, with_sheets
@@ -27,7 +29,8 @@ from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
 if TYPE_CHECKING:
     from ..measure.decision import Decision
 
-SEAMS, WINDOWS = "SEAMS", "WINDOWS"
+SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
+TOOL, OBSERVER = "tool", "observer"
 ACCEPTED, TOTAL_METRES, MEASURED_METRES = "ACCEPTED", "TOTAL_METRES", "MEASURED_METRES"
 FAILED_METRES, FAILED_SHARE, LONGEST_FAILURE = "FAILED_METRES", "FAILED_SHARE", "LONGEST_FAILURE"
 
@@ -83,6 +86,14 @@ class AcceptMosaic(SeamInspectorAlgorithm):
                 "and the agreement of operators and tool is told."
             ),
         )
+        self.addDescribed(
+            common.choice(JUDGE, tr("Who judges"), (TOOL, OBSERVER)),
+            tr(
+                "tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what "
+                "nobody judged counts as not measured."
+            ),
+            advanced=True,
+        )
         paper.add_inputs(self)
         paper.add_outputs(self)
         self.addDescribed(*common.chart(tr(
@@ -99,7 +110,16 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
     def check(self, run: Run) -> None:
         stated.stated_rules(run)
+        self._by_observer(run)
         run.check_chart()
+
+    @staticmethod
+    def _by_observer(run: Run) -> bool:
+        """Raises SettingsError where there are no windows that an observer could have judged."""
+        by_observer = stated.known_word(run, JUDGE, (TOOL, OBSERVER)) == OBSERVER
+        if by_observer and not run.parameters.get(WINDOWS):
+            raise SettingsError(messages.NO_JUDGED_WINDOWS())
+        return by_observer
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_aql(super().for_check(parameters))
@@ -107,7 +127,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     def prepare(self, run: Run) -> None:
         from ..seam_layers import seam_layers
 
-        self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, "kept_1")
+        needed = "" if self._by_observer(run) else "kept_1"
+        self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, needed)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
         self._windows = "" if windows is None else windows.source()
         self._paper = paper.prepare(run)
@@ -143,7 +164,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         if run.parameters.get(WINDOWS):
             crs = QgsCoordinateReferenceSystem.fromWkt(delivery.wkt)
             delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))
-        return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED))
+        return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED), self._by_observer(run))
 
     def _add_limits(self) -> None:
         self.addDescribed(

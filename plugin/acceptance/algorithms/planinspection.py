@@ -86,7 +86,10 @@ class PlanInspection(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.mosaic(optional=True)[0],
-            tr("What windows are placed on; pieces that do not lie on it are no part of the lot."),
+            tr(
+                "What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same "
+                "seed, windows and pieces are one sample."
+            ),
         )
         self.addDescribed(
             common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01),
@@ -123,7 +126,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
         self._check(run)
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context)
-        self._mosaic = run.mosaic() if run.word(UNIT) == WINDOWS else None
+        self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..measure.inspection_plan import drawn_sample
@@ -274,14 +277,14 @@ class PlanInspection(SeamInspectorAlgorithm):
 
         items = [SampledItem(order, piece, lot_size) for order, piece in enumerate(sample, 1)]
         mosaic, columns, kind = self._mosaic, PIECE_COLUMNS, QgsWkbTypes.Type.LineString
-        if mosaic is not None:
+        if mosaic is not None and run.word(UNIT) == WINDOWS:
             wkt = layers.system_wkt(crs)
             columns, kind, crs = WINDOW_COLUMNS, QgsWkbTypes.Type.Polygon, layers.mosaic_crs(mosaic)
             items = [replace(one, window=sampled_window(mosaic, one.piece, wkt, run.real(SIDE))) for one in items]
         fields = column_fields(columns)
         sink, destination = run.sink(OUTPUT, fields, kind, crs)
         run.write(sink, (feature(fields, column_values(columns, one), _outline(one, mosaic)) for one in items))
-        if mosaic is not None:
+        if columns is WINDOW_COLUMNS:
             run.style(destination, "placed_windows")
         return destination
 

@@ -24,22 +24,29 @@ from .decision import (
     PieceState,
     RuleOutcome,
 )
-from .delivery import Delivery
+from .delivery import Delivery, SeenWindow
 from .failure_runs import failure_runs
-from .measured_pieces import is_unclear, metre_figures, piece_state, sheet_figures
+from .measured_pieces import is_unclear, metre_figures, piece_state, seen_state, sheet_figures
 from .observing import observers, windows_over
 from .sampled_lot import sampled_lot
 from .share_interval import failed_share_interval
 
 
-def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0) -> Decision:
+def decide(
+    delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0, by_observer: bool = False
+) -> Decision:
     """Accept or reject a delivery.
 
     ``lot_size``: pieces of the whole lot where a plan decides; None: those that are given. ``seed``: of the sample that
-    is drawn then. Raises SettingsError for a lot size that can't be.
+    is drawn then. ``by_observer``: pieces fail by what operators saw in their windows, not by what they kept. Raises
+    SettingsError for a lot size that can't be.
     """
-    states = [piece_state(piece, rules.least_kept) for piece in delivery.pieces]
-    unclear = [is_unclear(piece, rules.least_kept) for piece in delivery.pieces]
+    windows = _windows(delivery)
+    states = [
+        seen_state(over) if by_observer else piece_state(piece, rules.least_kept)
+        for piece, over in zip(delivery.pieces, windows)
+    ]
+    unclear = [not by_observer and is_unclear(piece, rules.least_kept) for piece in delivery.pieces]
     runs = failure_runs(delivery.pieces, states, delivery.unit_m)
     longest = runs[0].length_m if runs else 0.0
     whole = metre_figures("", delivery.pieces, states, unclear, longest)
@@ -56,9 +63,10 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         _decision_sentence(rules, outcomes, accepted),
         *_figures(whole, interval, runs, rules, delivery.sampled_numbers is not None),
         *told,
+        *((messages.BY_OBSERVER(),) if by_observer else ()),
         *_observers_sentences(seen),
     )
-    pieces = _decided(delivery, states, unclear, runs, sampled)
+    pieces = _decided(delivery, states, unclear, runs, sampled, windows)
     sheets = sheet_figures(delivery, states, unclear)
     return Decision(
         accepted, sentences, rules, delivery, tuple(outcomes), whole, sheets, interval, pieces, runs, plan, seen
@@ -106,17 +114,19 @@ def _interval(delivery: Delivery, states: Sequence[PieceState]) -> Interval | No
 
 def _decided(
     delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun],
-    sampled: set[int],
+    sampled: set[int], windows: Sequence[tuple[SeenWindow, ...]],
 ) -> tuple[DecidedPiece, ...]:
     of_run = {number: run.number for run in runs for number in run.pieces}
-    extents = np.array([window.extent for window in delivery.windows]).reshape(-1, 4)
     return tuple(
-        DecidedPiece(
-            piece, state, told, of_run.get(piece.number), piece.number in sampled,
-            windows_over(piece, delivery.windows, extents),
-        )
-        for piece, state, told in zip(delivery.pieces, states, unclear)
+        DecidedPiece(piece, state, told, of_run.get(piece.number), piece.number in sampled, over)
+        for piece, state, told, over in zip(delivery.pieces, states, unclear, windows)
     )
+
+
+def _windows(delivery: Delivery) -> list[tuple[SeenWindow, ...]]:
+    """Those over each piece."""
+    extents = np.array([window.extent for window in delivery.windows]).reshape(-1, 4)
+    return [windows_over(piece, delivery.windows, extents) for piece in delivery.pieces]
 
 
 def _decision_sentence(rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], accepted: bool) -> Message:

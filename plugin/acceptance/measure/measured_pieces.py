@@ -3,8 +3,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...imagery.statistics.observers import DECIDED, INVISIBLE, VISIBLE
 from .decision import MetreFigures, PieceState
-from .delivery import DeliveredPiece, Delivery
+from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .failure_runs import failure_runs
 
 NO_VERDICT = "not_comparable"  # the scan's word
@@ -19,6 +20,16 @@ def piece_state(piece: DeliveredPiece, least_kept: float) -> PieceState:
     if piece.kept_1 is None or (piece.verdict == NO_VERDICT and is_unclear(piece, least_kept, True)):
         return PieceState.NOT_MEASURED
     return PieceState.FAILED if piece.kept_1 < least_kept else PieceState.PASSED
+
+
+def seen_state(windows: Sequence[SeenWindow]) -> PieceState:
+    """By what an operator saw in the windows over a piece, the nearest that was judged.
+
+    The first operator's word comes first. A visible loss fails.
+    """
+    words = (word for window in windows for word in (window.observer, window.observer_2) if word in DECIDED)
+    word = next(words, "")
+    return {VISIBLE: PieceState.FAILED, INVISIBLE: PieceState.PASSED}.get(word, PieceState.NOT_MEASURED)
 
 
 def is_unclear(piece: DeliveredPiece, least_kept: float, without_interval: bool = False) -> bool:

@@ -104,6 +104,8 @@ SAMPLE_ONLY = Message(
     WARNING,
 )
 # observers
+BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
+NO_JUDGED_WINDOWS = Message("The operators' words are in the windows; give WINDOWS, or judge by the tool.")
 OBSERVERS_AGREE = Message(
     "Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to "
     "{high:.2f}.", INFO

@@ -139,6 +139,20 @@ def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
         decide(delivery(seam([0.9] * 40)), rules(None, None, sampling=SAMPLING), lot_size=10)
 
 
+def test_an_observer_decides_where_he_is_asked_to() -> None:
+    words = [("visible", ""), ("unsure", "visible"), ("invisible", "visible"), ("unsure", "")]
+    windows = tuple(
+        SeenWindow(str(place), (10.0 * place, -1, 10.0 * place + 10, 1), observer=one, observer_2=two)
+        for place, (one, two) in enumerate(words)
+    )
+    made = replace(delivery(seam([None, 0.9, 0.1, 0.9, 0.9])), windows=windows)
+    found = decide(made, rules(), by_observer=True)
+    failed, passed, lacking = PieceState.FAILED, PieceState.PASSED, PieceState.NOT_MEASURED
+    assert [one.state for one in found.pieces] == [failed, failed, passed, lacking, lacking]
+    assert found.longest_failure_m == 20
+    assert any("the operator saw a loss" in str(said) for said in found.sentences)
+
+
 def test_windows_over_a_piece_and_what_operators_say() -> None:
     words = [("visible", "visible", "significant"), ("invisible", "visible", "preserved"), ("", "", "reduced"),
              ("visible", "unsure", "significant")]

@@ -65,6 +65,25 @@ def test_the_sample_is_decided_on() -> None:
     assert any("they speak of the sample alone" in text for text in judged.log.warnings)
 
 
+def test_a_sample_that_an_operator_judged_is_decided_on(scene: Scene) -> None:
+    seam = layer("LineString", [line((200, 0), (300, 256)), line((400, 0), (400, 256))])
+    given = {"PLAN": "count", "COUNT": 8, "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "PIECE": 5}
+    drawn, shown = plan(seam, **given), plan(seam, UNIT="windows", **given)
+    assert [row["station"] for row in shown.rows()] == pytest.approx(
+        [row["station"] + row["length"] / 2 for row in drawn.rows()]
+    )  # the same pieces
+    words = ["visible", "invisible", "", "visible", "invisible", "invisible", "unsure", "invisible"]
+    outlines = [feature.geometry() for feature in shown.features()]
+    judged = layer("Polygon", outlines, window_id=("integer", list(range(8))), observer=("string", words))
+    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, "JUDGE": "observer", "MIN_MEASURED": 50}
+    outcome = run("acceptmosaic", SEAMS=[drawn.layer()], WINDOWS=judged, **wanted)
+    lengths = [row["length"] for row in drawn.rows()]
+    failed = sum(length for length, word in zip(lengths, words) if word == "visible")
+    assert outcome.results["ACCEPTED"] == 0
+    assert outcome.results["FAILED_METRES"] >= failed
+    assert_refused("acceptmosaic", "give WINDOWS", SEAMS=[drawn.layer()], **wanted)
+
+
 @pytest.mark.parametrize("count", [1, 12, 5000])
 def test_as_many_as_are_asked_for(count: int) -> None:
     outcome = plan(seams([P] * 40), PLAN="count", COUNT=count)
