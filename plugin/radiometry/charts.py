@@ -62,17 +62,16 @@ def _range_of_values(result: Assessment) -> ValueRange:
 
 
 def balance_figure(results: Sequence[Assessment]) -> Figure | None:
-    """Contrast beside the seams against the step at them, a point for each raster with seams: tonal unity is bought
-    with contrast. None with fewer than two."""
+    """Contrast beside the seams against the step at them, a numbered point for each raster with seams: tonal unity
+    is bought with contrast. None with fewer than two."""
     points = [(result, *pair) for result in results if (pair := step_and_contrast(result)) is not None]
     if len(points) < 2:
         return None
-    figure = new_figure(6.2, 3.9)
+    figure = new_figure(5.2, 3.4)
     axes = figure.subplots()
-    for index, (result, step, contrast) in enumerate(points):
-        label = result.image.ref.name if result.window_id is None else f"{result.image.ref.name} {result.window_id}"
-        axes.plot([100 * step], [100 * contrast], "o", color=PAPER.sources[index % len(PAPER.sources)], markersize=8,
-                  label=label)
+    for number, (_, step, contrast) in enumerate(points, 1):
+        axes.plot([100 * step], [100 * contrast], "o", color=PAPER.sources[0], markersize=6)
+        axes.annotate(str(number), (100 * step, 100 * contrast), xytext=(4, 4), textcoords="offset points", fontsize=8)
     axes.set_xlim(0, 115 * max(max(step for _, step, _ in points), 1e-3))
     axes.set_ylim(0, 115 * max(max(contrast for _, _, contrast in points), 1e-3))
     axes.set_xlabel(tr("largest step at a seam (% of the largest value)"))
@@ -80,7 +79,6 @@ def balance_figure(results: Sequence[Assessment]) -> Figure | None:
     axes.grid(True, color=PAPER.grid)
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(fontsize="small", frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
 
 

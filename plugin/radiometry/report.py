@@ -88,7 +88,7 @@ def save_radiometry_report(
         sources=sources,
         overview=[_overview(image) for image in decision.images],
         notices=sentences_once(told),
-        balance=[_balance_row(result, *pair) for result, pair in pairs],
+        balance=[[number, *_balance_row(result, *pair)] for number, (result, pair) in enumerate(pairs, 1)],
         balance_chart=None if figure is None else svg_text(figure),
         images=(_section(image, sources) for image in decision.images),
         area_side=limits.AREA_PX,

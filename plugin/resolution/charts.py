@@ -151,14 +151,16 @@ def _draw_panel(
         return
     readings = {result.band: result.reading for result in results if result.reading is not None}
     verdict, first = verdict_of(results), results[0]
-    words = tr("group {group}, {grd:.2f} cm: {verdict}")
+    group, grd, colour = first.measured.line.group, first.grd_cm, VERDICT_COLOURS[verdict]
     if with_direction:
-        words = tr("group {group} {direction}, {grd:.2f} cm: {verdict}")
-    title = filled(
-        words, group=first.measured.line.group, direction=direction_title(first.measured.line.direction),
-        grd=first.grd_cm, verdict=verdict_word(verdict),
-    )
-    panel.set_title(title, fontsize=8, loc="left", color=VERDICT_COLOURS[verdict], fontweight="bold")
+        where = direction_title(first.measured.line.direction)
+        panel.set_title(tr("group {group} {direction}").format(group=group, direction=where), fontsize=7, loc="left")
+        told = filled(tr("{grd:.2f} cm: {verdict}"), grd=grd, verdict=verdict_word(verdict))
+        panel.set_title(told, fontsize=7, loc="right", color=colour, fontweight="bold")
+    else:
+        words = tr("group {group}, {grd:.2f} cm: {verdict}")
+        title = filled(words, group=group, grd=grd, verdict=verdict_word(verdict))
+        panel.set_title(title, fontsize=8, loc="left", color=colour, fontweight="bold")
     if readings:
         draw_profiles(panel, readings, criterion)
         panel.set_ylabel("DN", fontsize=7)

@@ -1,4 +1,4 @@
-"""Every report on A4, in both languages: no page is empty, nothing is cut off, pages are numbered, the result is first."""
+"""Every report on A4, in both languages: no page is empty or cut off, all are numbered, the result is first."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
@@ -11,12 +11,13 @@ from qgis.core import QgsApplication, QgsProcessingProvider
 from seam_inspector.plugin.toolkit.translation import Translation, tr
 
 from tests.numbers.synthetic import orthoimage, write_raster
-from tests.printing import PrintedPage, print_page, why_not
+from tests.printing import print_page, why_not
 from tests.qgis.resolution.bar_scenes import bar_layer, make_bar_scene
 from tests.qgis.runs import run
-from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
+from tests.qgis.scenes import BLURRED, SHARP, windows
 
-Report = Callable[[dict[str, Any], Scene, Path], dict[str, Any]]
+Report = Callable[[dict[str, Any], Path, Path], None]
+"""From the inputs and a folder for more of them to the report's file."""
 
 LONG = "a_name_without_any_space_that_nobody_could_break_into_lines_by_itself_because_it_is_so_very_long.tif"
 MARGIN = 42  # points, 15 mm
@@ -25,58 +26,57 @@ HEADING = 14.5  # points: the height of a word in a heading
 TITLE = 21.5  # of one in a title, where the browser had not to shrink the page to make it fit
 
 
-def inspection(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
+def inspection(given: dict[str, Any], folder: Path, path: Path) -> None:
     words = ["", "visible", "visible", ""]
     drawn = windows(SHARP, BLURRED, (192, 0, 128, 128), (0, 0, 9, 9), observer=("string", words))
-    found = run("inspectwindows", WINDOWS=drawn, MOSAIC=given["mosaic"], SOURCES=given["sources"])
+    rasters = {"MOSAIC": given["mosaic"], "SOURCES": given["sources"]}
+    found = run("inspectwindows", WINDOWS=drawn, **rasters)
     tables = {name: found.layer(name) for name in ("CURVES", "PAIRS", "PROFILES")}
-    return {
-        "": "report", "WINDOWS": found.layer(), "MOSAIC": given["mosaic"], "SOURCES": given["sources"], **tables,
-        "OUTPUT": str(folder / "report.html"),
-    }
+    assert run("report", WINDOWS=found.layer(), OUTPUT=str(path), **rasters, **tables).complaint is None
 
 
-def radiometry(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
+def radiometry(given: dict[str, Any], folder: Path, path: Path) -> None:
     long = write_raster(folder / LONG, orthoimage((300, 300)))
-    return {"": "checkradiometry", "RASTERS": [given["mosaic"], *given["sources"], long], "SEAMLINES": given["seams"]}
+    made("checkradiometry", path, RASTERS=[given["mosaic"], *given["sources"], long], SEAMLINES=given["seams"])
 
 
-def noise(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
+def noise(given: dict[str, Any], folder: Path, path: Path) -> None:
     long = write_raster(folder / LONG, orthoimage((600, 600)))
-    return {"": "checknoise", "RASTERS": [given["mosaic"], *given["sources"], long]}
+    made("checknoise", path, RASTERS=[given["mosaic"], *given["sources"], long])
 
 
-def resolution(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
-    return {"": "measureresolution", "RASTER": given["target"], "GROUPS": given["bars"], "REFERENCE_GRD": 100.0}
+def resolution(given: dict[str, Any], folder: Path, path: Path) -> None:
+    made("measureresolution", path, RASTER=given["target"], GROUPS=given["bars"], REFERENCE_GRD=100.0)
 
 
-def one_line(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
+def one_line(given: dict[str, Any], folder: Path, path: Path) -> None:
     bars = make_bar_scene(folder, bands=1)
-    return {"": "measureresolution", "RASTER": bars.path, "GROUPS": bars.lines([(2, "across")])}
+    made("measureresolution", path, RASTER=bars.path, GROUPS=bars.lines([(2, "across")]))
 
 
-def many_groups(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
-    """Sixty lines across a target that is forty times as wide as high."""
+def many_groups(given: dict[str, Any], folder: Path, path: Path) -> None:
+    """Sixty lines, six across each group as if they were groups of their own, in four bands."""
     bars = make_bar_scene(folder, bands=4)
-    shapes, groups, directions = [], [], []
-    for group, direction in [key for key in bars.groups for _ in range(6)]:
-        place = 1 + sum(one == direction for one in directions)
-        shapes.append(bars.geometry(group, direction))
-        groups.append(place)
-        directions.append(direction)
-    return {"": "measureresolution", "RASTER": bars.path, "GROUPS": bar_layer(shapes, groups, directions)}
+    keys = [key for key in bars.groups for _ in range(6)]
+    shapes, directions = [bars.geometry(*key) for key in keys], [direction for _, direction in keys]
+    groups = [1 + directions[:place].count(direction) for place, direction in enumerate(directions)]
+    made("measureresolution", path, RASTER=bars.path, GROUPS=bar_layer(shapes, groups, directions))
 
 
-def orientation(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
-    return {"": "interiororientation", "PHOTO": given["photo"], "CALIBRATION": given["calibration"]}
+def orientation(given: dict[str, Any], folder: Path, path: Path) -> None:
+    made("interiororientation", path, PHOTO=given["photo"], CALIBRATION=given["calibration"])
 
 
-def sensor_model(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
-    return {"": "fitsensormodel", "GCPS": given["gcps"], "MODEL": "polynomial_2d", "HEIGHTS": "ellipsoid"}
+def sensor_model(given: dict[str, Any], folder: Path, path: Path) -> None:
+    made("fitsensormodel", path, GCPS=given["gcps"], MODEL="polynomial_2d", HEIGHTS="ellipsoid")
 
 
-def sensor_comparison(given: dict[str, Any], scene: Scene, folder: Path) -> dict[str, Any]:
-    return {"": "comparesensormodels", "GCPS": given["gcps"], "HEIGHTS": "ellipsoid"}
+def sensor_comparison(given: dict[str, Any], folder: Path, path: Path) -> None:
+    made("comparesensormodels", path, GCPS=given["gcps"], HEIGHTS="ellipsoid")
+
+
+def made(algorithm: str, path: Path, **parameters: Any) -> None:
+    assert run(algorithm, REPORT=str(path), **parameters).complaint is None
 
 
 REPORTS: dict[Report, str] = {
@@ -109,20 +109,13 @@ def language(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
     made.remove()
 
 
-def printed(report: Report, given: dict[str, Any], scene: Scene, folder: Path) -> list[PrintedPage]:
-    parameters = report(given, scene, folder)
-    algorithm, path = parameters.pop(""), folder / "report.html"
-    if algorithm != "report":
-        parameters["REPORT"] = str(path)
-    assert run(algorithm, **parameters).complaint is None
-    return print_page(path, folder)
-
-
 @pytest.mark.parametrize("report", REPORTS, ids=lambda report: report.__name__)
 def test_a_report_is_fit_for_paper(
-    report: Report, language: str, provider: QgsProcessingProvider, given: dict[str, Any], scene: Scene, tmp_path: Path
+    report: Report, language: str, provider: QgsProcessingProvider, given: dict[str, Any], tmp_path: Path
 ) -> None:
-    pages = printed(report, given, scene, tmp_path)
+    path = tmp_path / "report.html"
+    report(given, tmp_path, path)
+    pages = print_page(path, tmp_path)
     first = pages[0].text
     assert tr(REPORTS[report]) in first
     assert "Seam Inspector" in first
