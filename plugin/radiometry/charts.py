@@ -12,6 +12,7 @@ from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.translation import tr
 from .measure.assessment import Assessment
+from .measure.image_statistics import Histogram
 from .measure.rules import CLIPPED_HIGH, CLIPPED_LOW, LUMINOSITY, PEAK, SEAM_CONTRAST, SEAM_STEP
 from .words import band_words
 
@@ -27,9 +28,9 @@ def histogram_figure(result: Assessment) -> Figure | None:
     figure = new_figure(6.2, 2.7)
     axes = figure.subplots()
     spare = iter(PAPER.sources * 9)
-    for name, histogram in result.histograms.items():
+    for name, histogram in _drawn(result).items():
         counts, middles = histogram.binned(shown)
-        is_dark = name == LUMINOSITY or len(result.histograms) == 1
+        is_dark = name == LUMINOSITY or len(_drawn(result)) == 1
         colour = PAPER.text if is_dark else BAND_COLOURS.get(name) or next(spare)
         axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=band_words(name))
     known = result.checked_figures if result.available is not None else ()
@@ -52,6 +53,11 @@ def histogram_figure(result: Assessment) -> Figure | None:
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(fontsize="small", frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
+
+
+def _drawn(result: Assessment) -> dict[str, Histogram]:
+    """Of one band the luminosity is the band itself, so that one of the two is enough."""
+    return dict(list(result.histograms.items())[:1]) if len(result.image.band_names) == 1 else result.histograms
 
 
 def _range_of_values(result: Assessment) -> ValueRange:

@@ -132,17 +132,18 @@ def _section(image: ImageDecision, sources: Sequence[str]) -> ImageSection:
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
     figure = histogram_figure(result)
+    said: set[str] = set()
     return ImageSection(
         title(result),
         tr(OUTCOME_WORDS[image.outcome]),
         [*outcome_reasons(image), *found_words(result)],
         result.available,
         None if figure is None else svg_text(figure),
-        [_check_row(check, own, sources) for check, own in by_check.items()],
+        [_check_row(check, own, sources, said) for check, own in by_check.items()],
     )
 
 
-def _check_row(check: str, own: Mapping[str, CheckedFigure], sources: Sequence[str]) -> CheckRow:
+def _check_row(check: str, own: Mapping[str, CheckedFigure], sources: Sequence[str], said: set[str]) -> CheckRow:
     rule = next(iter(own.values())).rule
     failed = [band_words(checked.band) for checked in own.values() if checked.passed is False]
     passed = tr("passed") if any(checked.passed for checked in own.values()) else ""
@@ -153,17 +154,22 @@ def _check_row(check: str, own: Mapping[str, CheckedFigure], sources: Sequence[s
         limit_words(rule),
         tr("failed") + names if failed else passed,
         bool(failed),
-        _remarks(own),
+        _remarks(own, said),
         sources.index(rule.source) + 1,
     )
 
 
-def _remarks(own: Mapping[str, CheckedFigure]) -> list[str]:
-    """Each reason with the bands that it concerns, where it doesn't concern all."""
+def _remarks(own: Mapping[str, CheckedFigure], said: set[str]) -> list[str]:
+    """Each reason with the bands that it concerns, where it doesn't concern all; a long one once for each image.
+
+    ``said`` holds those of the rows above, and is added to."""
     reasons: dict[str, list[str]] = {}
     for checked in own.values():
         if checked.reason is not None:
-            reasons.setdefault(sentence(checked.reason), []).append(band_words(checked.band))
+            words = sentence(checked.reason)
+            shown = tr("not measurable, for the reason above") if checked.value is None and words in said else words
+            reasons.setdefault(shown, []).append(band_words(checked.band))
+    said.update(sentence(checked.reason) for checked in own.values() if checked.reason is not None)
     return [
         reason if len(concerned) == len(own) else f"{', '.join(concerned)}: {reason}"
         for reason, concerned in reasons.items()

@@ -76,8 +76,12 @@ def test_a_raster_that_was_not_looked_at_leaves_it_open(sheets: dict[str, str]) 
     assert "Not looked at: 1." in why
 
 
-def test_a_guessed_range_accepts_nothing(sheets: dict[str, str]) -> None:
-    word, why, log = decided([sheets["twelve"]])
+def test_a_guessed_range_accepts_nothing(sheets: dict[str, str], tmp_path: Path) -> None:
+    report = tmp_path / "r.html"
+    word, why, log = decided([sheets["twelve"]], REPORT=str(report))
+    page = report.read_text(encoding="utf-8")
+    assert page.count("The largest value of all such images") == 2  # the notice, and the first row that it concerns
+    assert page.count("not measurable, for the reason above") == 4
     assert word == "undecided"
     assert "Not measurable and required: clipped at the bright end (luminosity), histogram peak" in why
     (said,) = log.warnings
