@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProcessingProvider, QgsProject
-from qgis.gui import QgisInterface
+from qgis.gui import QgisInterface, QgsMapCanvas
 
 importlib.invalidate_caches()  # QGIS looked for plugins before the package's link was there
 
@@ -34,6 +34,14 @@ def slot_errors() -> Iterator[list[BaseException]]:
     yield _raised
     if _raised:
         raise _raised[0]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _undrawn_map(qgis_app: QgsApplication, qgis_canvas: QgsMapCanvas) -> None:
+    """Nobody sees it. QGIS ends the drawing before it closes a project, as the threads that draw share the styles of
+    layers and crash when these go meanwhile; a project that a test clears knows of no map.
+    """
+    qgis_canvas.setRenderFlag(False)
 
 
 @pytest.fixture(scope="session")
