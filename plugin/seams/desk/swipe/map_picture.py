@@ -20,6 +20,13 @@ def _let_go_of_ended() -> None:
     _under_way.difference_update([job for job in _under_way if not job.isActive()])
 
 
+def end_drawing() -> None:
+    """Cancel all jobs, and wait until they have ended, as QGIS does with its maps before it closes a project: their
+    threads share the styles of layers, and crash when these go meanwhile."""
+    for job in list(_under_way):
+        job.cancel()
+
+
 class MapPicture(QObject):
     """Keeps the last picture until the next one is drawn."""
 

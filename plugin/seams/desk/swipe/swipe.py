@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 from uuid import uuid4
 
-from qgis.core import QgsMapLayer, QgsRasterLayer
+from qgis.core import QgsMapLayer, QgsProject, QgsRasterLayer
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
@@ -18,7 +18,7 @@ from ....toolkit.background_task import Job
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from .composite_layer import composite_job
-from .map_picture import MapPicture
+from .map_picture import MapPicture, end_drawing
 from .swipe_handle import SwipeHandle
 from .swipe_item import SwipeItem
 from .swiped_layer import SwipeChoice, exchanged, is_on_top, looks_alike, opening_job
@@ -152,6 +152,7 @@ class Swipe(QObject):
             (canvas.rotationChanged, self._repaint),
             (canvas.destinationCrsChanged, self._repaint),
             (canvas.xyCoordinates, self._follow_drag),
+            (QgsProject.instance().layersWillBeRemoved, self._end_drawing),
             (self._own.drawn, self._repaint),
             (self._other.drawn, self._repaint),
         ]
@@ -166,6 +167,9 @@ class Swipe(QObject):
         if event is not None and event.type() == QEvent.Type.Resize:
             self._place()
         return False
+
+    def _end_drawing(self, *_: object) -> None:
+        end_drawing()
 
     def _place(self) -> None:
         if self._item is None or self._handle is None:

@@ -28,6 +28,7 @@ from qgis.PyQt.QtGui import QColor, QImage, QMouseEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QMainWindow, QShortcut
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.seams.desk.swipe import map_picture
 from seam_inspector.plugin.seams.desk.swipe.swipe_action import SwipeAction
 from seam_inspector.plugin.seams.desk.swipe.swipe_handle import SwipeHandle
 from seam_inspector.plugin.seams.desk.swipe.swiped_layer import looks_alike
@@ -323,6 +324,24 @@ def test_nothing_is_left(map_: Map, way: str) -> None:
     assert not map_.swipe.is_on
     assert map_.left_over()[1:] == map_.before[1:]
     assert map_.left_over()[0] <= map_.before[0]
+
+
+@pytest.mark.parametrize("way", ["layer", "project"])
+def test_no_thread_draws_layers_that_go(map_: Map, way: str) -> None:
+    """They share the style of a layer with it."""
+    map_.start()
+    map_.swipe._draw()
+    map_.swipe._draw()  # those before are cancelled, and may be at work yet
+    drawing: list[bool] = []
+    map_.desk.project.layersWillBeRemoved.connect(
+        lambda _ids: drawing.extend(job.isActive() for job in map_picture._under_way)
+    )
+    if way == "layer":
+        map_.desk.project.removeMapLayer(map_.desk.seamlines.id())
+    else:
+        map_.desk.project.clear()
+    assert drawing
+    assert not any(drawing)
 
 
 def test_a_source_that_is_gone_is_told(map_: Map, tmp_path: Path, desk: Desk) -> None:
