@@ -22,6 +22,7 @@ from .noise_summary import NoiseGroup, class_title, compared_curve, noise_groups
 _LINES = {1: "-", 2: "--"}
 _HEADROOM = 1.25
 MAX_PANELS = 8  # classes of windows that a chart shows; the report's table has all
+BEHIND = "#8a8a8a"  # of the range behind a window's own curves: no band has it
 MAX_TITLE = 40  # characters of a name
 
 
@@ -70,7 +71,7 @@ def draw_noise_clip(
     known = [noise.curve.detail for noise in measured.values() if noise.curve.variance > 0]
     noise_frame(axes, levels, [*known, *alike], style, logarithmic)
     if alike:
-        draw_group(axes, alike, 1, shown_title(label), style)
+        draw_group(axes, alike, 1, shown_title(label), style, BEHIND)
     bold = measured[noisiest_band(measured)] if measured else None
     if bold is not None and bold.curve.variance > 0:
         draw_rule(axes, bold.curve.detail, style)
@@ -78,12 +79,12 @@ def draw_noise_clip(
 
 
 def draw_group(
-    axes: Axes, curves: Sequence[Sequence[float]], group: int, label: str, style: ChartStyle = PAPER
+    axes: Axes, curves: Sequence[Sequence[float]], group: int, label: str, style: ChartStyle = PAPER, colour: str = ""
 ) -> list[Artist]:
-    """The range of a group's curves as a band, with its mean line."""
+    """The range of a group's curves as a band, with its mean line; in the group's own colour unless one is given."""
     values = np.array(curves)
     levels = range(1, values.shape[1] + 1)
-    colour = style.sources[(group - 1) % len(style.sources)]
+    colour = colour or style.sources[(group - 1) % len(style.sources)]
     low, high = values.min(axis=0), values.max(axis=0)
     band = axes.fill_between(levels, low, high, facecolor=colour, alpha=0.25, linewidth=0, zorder=2)
     if group == 2:

@@ -89,7 +89,7 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
         size = member.ground_sample_distance
         rows.append([
             member.image.ref.name,
-            member.group_name,
+            member.group_name if len({other.group for other in by_image}) > 1 else "",
             "" if size is None else f"{size:.3g} m",
             *(counts[verdict] for verdict in VERDICT_WORDS),
             f"{min(sigmas):.2f}" if sigmas else "",

@@ -7,17 +7,15 @@ import numpy as np
 import pytest
 from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.charts import draw_noise_clip
 from seam_inspector.plugin.noise.measure.band_noise import measure_noise, noisiest_band
 from seam_inspector.plugin.noise.measure.group_noise import measure_window
 from seam_inspector.plugin.radiometry.charts import balance_figure, histogram_figure
-from seam_inspector.plugin.radiometry.measure.assessment import assess
-from seam_inspector.plugin.radiometry.measure.rules import default_rules
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK
 from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, save_figure
 
+from tests.numbers.radiometry.judging import checked
 from tests.numbers.synthetic import decompose, orthoimage, read_pixels
 from tests.qgis.scenes import Scene
 
@@ -58,12 +56,11 @@ def test_nothing_to_draw_is_drawn_as_an_empty_chart(tmp_path: Path) -> None:
 
 
 def test_histograms_hold_every_pixel(scene: Scene) -> None:
-    source = OpenRaster(RasterRef(str(scene.west)))
-    result = assess(source, source.raster.whole, default_rules())
-    assert result is not None
+    result = checked(str(scene.west))
     figure = histogram_figure(result)
     assert figure is not None
     curves = {line.get_label(): line for line in figure.axes[0].get_lines()}
-    for band in ("red", "green", "blue"):
-        assert sum(curves[band].get_ydata()) == pytest.approx(100)
+    assert curves
+    for curve in curves.values():
+        assert sum(curve.get_ydata()) == pytest.approx(100)
     assert balance_figure([result, result]) is None  # there are no seams
