@@ -141,6 +141,9 @@ def _inputs(
             continue
         for place in _places(parameters.get(name), "ogr" if _is_vector(definition) else "gdal", context):
             yield place
+            if os.path.isdir(place.path):  # of which every file is read
+                yield from (_DataPlace(one.path) for one in os.scandir(place.path) if one.is_file())
+                continue
             yield from _parts(place.path, seen)
         if name.upper() == common.SOURCE_INDEX and parameters.get(name):
             for path in _indexed(algorithm.parameterAsVectorLayer(parameters, name, context)):

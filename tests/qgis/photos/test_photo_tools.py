@@ -143,6 +143,8 @@ def test_measurements_that_can_not_be_compared(folders: dict[str, Path], tmp_pat
     for text, words in (("<a", "can't be read"), (measures(1, True).replace("0", "a"), "has no column and row")):
         (empty / "MeasuresIm-1.xml").write_text(text, encoding="utf-8")
         assert_sentence(run("comparemarks", FIRST=layer, SECOND_FOLDER=str(empty)).complaint, words)
+    same = str(folders["tables"] / "3.csv")
+    assert_refused("comparemarks", "3.csv", FIRST_FOLDER=layers, SECOND_FOLDER=str(folders["tables"]), OUTPUT=same)
     twice = run("comparemarks", FIRST_FOLDER=layers, SECOND=points({"1": (1, 1), "2": (2, 2)}))
     assert_sentence(twice.complaint, "'1' twice")
 
