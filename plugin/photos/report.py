@@ -2,37 +2,62 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from scipy import ndimage
 
-from ..toolkit.pages.how_measured import HowMeasured, measured_raster
+from ..toolkit.pages.how_measured import HowMeasured, measured_raster, whole_path
 from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import filled, sentence, tr
-from .measure import messages
+from ..toolkit.translation import filled, sentence, shown_number, tr
+from .measure import limits, messages
+from .measure.camera_calibration import CameraCalibration
+from .measure.mark_templates import MarkShape
 from .measure.measuring_marks import MarkWindow
-from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, PhotoOrientation
+from .measure.orientation import (
+    FittedTransformation,
+    MarkResult,
+    MarkStatus,
+    OrientationSettings,
+    PhotoOrientation,
+)
+from .measure.orientation_files import orientation_parameters
 from .measure.photo import Photo
+from .measure.photo_views import Place
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
 
-_COLOURS = {MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0)}
+_COLOURS = {
+    MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0), MarkStatus.FAILED: (255, 70, 70)
+}
 
 
-def save_orientation_report(path: Path, photo: Photo, made: PhotoOrientation) -> None:
+@dataclass(frozen=True)
+class OrientationJob:
+    """What an interior orientation was made of."""
+
+    photo: Photo
+    calibration: CameraCalibration
+    calibration_path: Path
+    settings: OrientationSettings
+
+
+def save_orientation_report(path: Path, job: OrientationJob, made: PhotoOrientation) -> None:
     """Write the report. Raises SettingsError where no file can be."""
+    photo = job.photo
     save_page(
         path,
         "interior_orientation",
-        HowMeasured(rasters=[measured_raster(tr("photo"), photo.raster)]),
+        HowMeasured(_settings(job, made), [measured_raster(tr("photo"), photo.raster)]),
         name=photo.ref.name,
         figures=_figures(made),
         notices=sentences_once(made.notices),
         marks=[_row(mark) for mark in made.marks],
-        pictures=[_picture(mark, made.views[mark.name]) for mark in made.marks if mark.name in made.views],
+        pictures=[_picture(mark, made) for mark in made.marks if mark.name in made.views],
+        scan=[] if made.fitted is None else _scan(job, made),
         transformation=None if made.fitted is None else _transformation(made.fitted),
         scan_orientation=made.scan_orientation,
         evidence=None if made.evidence is None else sentence(messages.WORDS[made.evidence.value]),
@@ -76,33 +101,71 @@ def _transformation(fitted: FittedTransformation) -> dict[str, object]:
     }
 
 
-def _picture(mark: MarkResult, view: MarkWindow) -> tuple[bytes, int, str]:
+def _scan(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, str]]:
+    """What the transformation says of the scan, and of the camera in it."""
+    values = orientation_parameters(job.photo, job.calibration, made)
+    camera = job.calibration
+    facts = [
+        (tr("pixel size"), filled("{x:.3f} x {y:.3f} um", **values.pixel_size_um)),
+        (tr("rotation"), filled("{angle:.3f} deg", angle=values.rotation_deg)),
+        (tr("shear"), filled("{angle:.4f} deg", angle=values.shear_deg)),
+        (tr("principal point"), filled("{column:.2f}, {row:.2f} px", **values.principal_point_px)),
+    ]
+    if camera.focal_length is not None and values.focal_length_px is not None:
+        size = {"mm": camera.focal_length, "px": values.focal_length_px}
+        facts.append((tr("focal length"), filled("{mm:.3f} mm, {px:.1f} px", **size)))
+    return facts
+
+
+def _settings(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, str]]:
+    settings, template = job.settings, made.template
+    facts = [(tr("calibration"), whole_path(str(job.calibration_path)))]
+    if isinstance(template, MarkShape):
+        words = sentence(messages.WORDS[template.kind.value])
+        facts.append((tr("marks drawn as"), filled("{words}, {size:.1f} px", words=words, size=template.size)))
+    elif template is not None:
+        rows, columns = template.pixels.shape
+        facts.append((tr("template"), filled("{columns} x {rows} px", columns=columns, rows=rows)))
+    return [
+        *facts,
+        (tr("smallest correlation"), shown_number(settings.min_correlation, 2)),
+        (tr("search"), filled("{mm:g} mm", mm=settings.search_mm)),
+        (tr("surface"), sentence(messages.WORDS[settings.surface.value])),
+        (
+            tr("farthest that a mark may be off"),
+            filled("{mm:.3f} mm", mm=limits.FILM_DEFORMATION * job.calibration.span),
+        ),
+    ]
+
+
+def _picture(mark: MarkResult, made: PhotoOrientation) -> tuple[bytes, int, str]:
     """A PNG file, its columns, and its caption."""
-    assert mark.place is not None
-    words = f"{mark.name}: {mark.place[0]:.2f}, {mark.place[1]:.2f}"
-    if mark.correlation is not None:
+    place = mark.place or made.expected[mark.name]
+    words = f"{mark.name}: {place[0]:.2f}, {place[1]:.2f}"
+    if mark.place is None:
+        words += ", " + tr("failed; it should be here")
+    elif mark.correlation is not None:
         words += ", " + tr("correlation {value:.2f}").format(value=mark.correlation)
-    pixels = marked(mark, view)
+    pixels = marked(mark.status, place, made.views[mark.name])
     return encoded(pixels, "PNG"), pixels.shape[1], words
 
 
-def marked(mark: MarkResult, view: MarkWindow) -> np.ndarray:
+def marked(status: MarkStatus, place: Place, view: MarkWindow) -> np.ndarray:
     """The surroundings of a mark, magnified, with a cross at its place: (rows, columns, 3) uint8."""
-    assert mark.place is not None
     times = PICTURE_MAGNIFICATION
     low, high = np.percentile(view.pixels, (0.5, 99.5))
     grey = np.clip((view.pixels - low) / max(float(high - low), 1e-9), 0, 1) * 255
     step = max(1, math.ceil(max(grey.shape) * times / PICTURE_SIDE_PX))
     shown = np.kron(ndimage.zoom(grey, 1 / step, order=1) if step > 1 else grey, np.ones((times, times)))
     picture = np.repeat(np.rint(shown)[..., np.newaxis], 3, axis=2).astype(np.uint8)
-    x = round((mark.place[0] - view.left) * times / step - 0.5)
-    y = round((mark.place[1] - view.top) * times / step - 0.5)
+    x = round((place[0] - view.left) * times / step - 0.5)
+    y = round((place[1] - view.top) * times / step - 0.5)
     arm, gap, thin = 3 * times, times // 2, slice(-1, 2)
     for rows, columns in (
         (thin, slice(-arm, -gap)), (thin, slice(gap + 1, arm + 1)), (slice(-arm, -gap), thin),
         (slice(gap + 1, arm + 1), thin), (slice(0, 1), slice(0, 1)),
     ):
-        picture[y + rows.start : y + rows.stop, x + columns.start : x + columns.stop] = _COLOURS[mark.status]
+        picture[y + rows.start : y + rows.stop, x + columns.start : x + columns.stop] = _COLOURS[status]
     return picture
 
 

@@ -87,18 +87,22 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         results.update({MARKS: len(made.marks) - failed, FAILED: failed})
         if made.fitted is not None and made.fitted.redundancy:
             results[RMS_UM] = made.fitted.rms
-        results.update(self._files(run, photo, calibration, made))
+        results.update(self._files(run, photo, calibration, settings, made))
         run.progress(1)
         return results
 
-    def _files(self, run: Run, photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, Any]:
+    def _files(
+        self, run: Run, photo: Photo, calibration: CameraCalibration, settings: OrientationSettings,
+        made: PhotoOrientation,
+    ) -> dict[str, Any]:
         """Write the files asked for; without a transformation those of the marks alone, and say so."""
         from ...imagery.atomic_files import save_text
         from ..measure import orientation_files
         from ..measure.micmac_measures import measures_text
-        from ..report import save_orientation_report
+        from ..report import OrientationJob, save_orientation_report
 
-        results = run.save(common.REPORT, lambda path: save_orientation_report(path, photo, made))
+        job = OrientationJob(photo, calibration, Path(run.path(photo_parameters.CALIBRATION)), settings)
+        results = run.save(common.REPORT, lambda path: save_orientation_report(path, job, made))
         measures = measures_text(photo.ref.name, made.marks)
         results.update(run.save(photo_parameters.MEASURES, partial(save_text, measures)))
         if made.fitted is None:

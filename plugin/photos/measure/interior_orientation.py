@@ -58,8 +58,11 @@ def orient_photo(
     if fitted is not None and way is None:
         way, evidence = _nearest_scan_orientation(fitted), OrientationEvidence.POSITIONS
     notices = (*found.notices, *left_out)
-    views = _surroundings(photo, marks, found.template)
-    return PhotoOrientation(tuple(marks), fitted, way, evidence, found.template, notices, views)
+    expected = {} if fitted is None else {
+        mark.name: _place(fitted, mark.calibrated) for mark in marks if mark.place is None
+    }
+    views = _surroundings(photo, marks, expected, found.template)
+    return PhotoOrientation(tuple(marks), fitted, way, evidence, found.template, notices, views, expected)
 
 
 def _check_positions(
@@ -125,15 +128,21 @@ def _raise_nothing(photo: Photo, marks: Sequence[MarkResult], given: bool) -> No
     raise PhotoError(message(name=photo.ref.name, why=why))
 
 
+def _place(fitted: FittedTransformation, calibrated: Place) -> Place:
+    ((column, row),) = fitted.to_pixels(np.array([calibrated]))
+    return float(column), float(row)
+
+
 def _surroundings(
-    photo: Photo, marks: Sequence[MarkResult], template: MarkShape | CutOut | None
+    photo: Photo, marks: Sequence[MarkResult], expected: Mapping[str, Place], template: MarkShape | CutOut | None
 ) -> dict[str, MarkWindow]:
-    """The photo around every mark that has a place, for the report."""
+    """The photo around every mark, where it is or should be, for the report."""
     size = template.size if isinstance(template, MarkShape) else max(template.pixels.shape) if template else 0.0
     half = math.ceil(max(size, 2 * MIN_PICTURE_PX) * 0.75)
+    places = {mark.name: mark.place or expected.get(mark.name) for mark in marks}
     return {
-        mark.name: window_around(photo, mark.place, half) for mark in marks
-        if mark.place is not None and photo.contains(mark.place)
+        name: window_around(photo, place, half) for name, place in places.items()
+        if place is not None and photo.contains(place)
     }
 
 

@@ -88,10 +88,11 @@ class MeasuringTemplate:
             self.centre: Place = (math.floor(mark.centre[0]) + 0.5, math.floor(mark.centre[1]) + 0.5)
             self._residue = mark.centre[0] - self.centre[0], mark.centre[1] - self.centre[1]
             self.size = float(min(mark.pixels.shape)) / 2
+            self.radius = 0.0  # how much of it is ground is not known
             self.halves_tell = True
         else:
             self.centre = (mark.margin + 0.5, mark.margin + 0.5)
-            self.size = mark.size
+            self.size, self.radius = mark.size, mark.size / 2
             self.halves_tell = mark.kind is not MarkKind.WEDGE
 
     def at(self, offset: Place) -> np.ndarray:

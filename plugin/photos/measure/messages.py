@@ -142,10 +142,12 @@ PIXEL_SIZE_UNKNOWN = Message(
     "The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the "
     "fields x_mm and y_mm.", WARNING
 )
-# words for the values of PlaneModel, MarkStatus and OrientationEvidence
+# words for the values of PlaneModel, MarkStatus, OrientationEvidence, SurfaceBasis and MarkKind
 WORDS = {one.template.lower(): one for one in (
     Message("affine", INFO), Message("similarity", INFO), Message("projective", INFO),
     Message("Measured", INFO), Message("Given", INFO), Message("Failed", INFO),
     Message("positions", INFO), Message("dots", INFO), Message("data strip", INFO), Message("residuals", INFO),
-    Message("marks", INFO), Message("assumed", INFO),
+    Message("marks", INFO), Message("assumed", INFO), Message("correlation", INFO), Message("brightness", INFO),
+    Message("cross", INFO), Message("dot", INFO), Message("ring with dot", INFO), Message("ring with cross", INFO),
+    Message("wedge", INFO),
 )}

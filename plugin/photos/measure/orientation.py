@@ -108,7 +108,9 @@ class PhotoOrientation:
     notices: tuple[Message, ...] = ()
     """What the user should know."""
     views: Mapping[str, MarkWindow] = field(default_factory=dict)
-    """The surroundings of each mark, for pictures."""
+    """The surroundings of each mark, for pictures; of a failed one where it should be."""
+    expected: Mapping[str, Place] = field(default_factory=dict)
+    """Where the transformation puts the marks that failed, px."""
 
     def count(self, status: MarkStatus) -> int:
         """How many marks have a status."""

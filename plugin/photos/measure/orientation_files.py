@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,15 +14,44 @@ from .orientation import FittedTransformation, PhotoOrientation
 from .photo import Photo
 
 
-def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, object]:
-    """All there is to know about a transformation, ready for JSON. Raises PhotoError where there is none."""
+@dataclass(frozen=True)
+class OrientationParameters:
+    """What a transformation says of a scan."""
+
+    pixel_size_um: dict[str, float]
+    """``x`` along the rows, ``y`` along the columns."""
+    rotation_deg: float
+    """Of the rows against the x axis."""
+    shear_deg: float
+    mirrored: bool
+    principal_point_px: dict[str, float]
+    """``column`` and ``row``."""
+    focal_length_px: float | None
+
+
+def orientation_parameters(
+    photo: Photo, calibration: CameraCalibration, made: PhotoOrientation
+) -> OrientationParameters:
+    """Of a photo that has a transformation; raises PhotoError where there is none."""
     fitted = _fitted(made)
     corners = np.array([[0.0, 0.0], [photo.columns, 0.0], [0.0, photo.rows], [photo.columns, photo.rows]])
     linear = fitted.to_mm.linear(corners)[:, :2]
-    across, down = np.hypot(*linear[:, 0]), np.hypot(*linear[:, 1])
-    turned = math.degrees(math.atan2(linear[1, 0], linear[0, 0]))
-    shear = math.degrees(math.asin(float(np.clip(linear[:, 0] @ linear[:, 1] / (across * down), -1, 1))))
-    principal = fitted.to_pixels(np.array([calibration.principal_point]))[0]
+    across, down = (float(size) for size in np.hypot(*linear))
+    cosine = float(np.clip(linear[:, 0] @ linear[:, 1] / (across * down), -1, 1))
+    column, row = fitted.to_pixels(np.array([calibration.principal_point]))[0]
+    return OrientationParameters(
+        {"x": 1000 * across, "y": 1000 * down},
+        math.degrees(math.atan2(linear[1, 0], linear[0, 0])),
+        math.degrees(math.asin(cosine)),
+        bool(np.linalg.det(linear) > 0),
+        {"column": float(column), "row": float(row)},
+        None if calibration.focal_length is None else calibration.focal_length / math.sqrt(across * down),
+    )
+
+
+def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, object]:
+    """All there is to know about a transformation, ready for JSON. Raises PhotoError where there is none."""
+    fitted, values = _fitted(made), orientation_parameters(photo, calibration, made)
     orientation = made.scan_orientation
     return {
         "photo": photo.ref.name,
@@ -32,11 +62,11 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
         "model": fitted.to_mm.model.value,
         "to_mm": _rows(fitted.to_mm.matrix),
         "to_pixels": _rows(fitted.to_pixels.matrix),
-        "pixel_size_um": {"x": 1000 * float(across), "y": 1000 * float(down)},
-        "scale_px_per_mm": {"x": 1 / float(across), "y": 1 / float(down)},
-        "rotation_deg": turned,
-        "shear_deg": shear,
-        "mirrored": bool(np.linalg.det(linear) > 0),
+        "pixel_size_um": values.pixel_size_um,
+        "scale_px_per_mm": {axis: 1000 / size for axis, size in values.pixel_size_um.items()},
+        "rotation_deg": values.rotation_deg,
+        "shear_deg": values.shear_deg,
+        "mirrored": values.mirrored,
         "lies": None if orientation is None else {
             "turned_deg": orientation.turned,
             "mirrored": orientation.mirrored,
@@ -48,10 +78,9 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
         "rms_x_um": fitted.rms_x if fitted.redundancy else None,
         "rms_y_um": fitted.rms_y if fitted.redundancy else None,
         "principal_point_mm": {"x": calibration.principal_point[0], "y": calibration.principal_point[1]},
-        "principal_point_px": {"column": float(principal[0]), "row": float(principal[1])},
+        "principal_point_px": values.principal_point_px,
         "focal_length_mm": calibration.focal_length,
-        "focal_length_px": None if calibration.focal_length is None
-        else calibration.focal_length / float(math.sqrt(across * down)),
+        "focal_length_px": values.focal_length_px,
         "notices": [str(notice) for notice in made.notices],
     }
 

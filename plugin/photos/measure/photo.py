@@ -29,6 +29,11 @@ class Photo(OpenRaster):
         """Whether a column and row, pixel centres at .5, lie in the photo."""
         return 0 <= place[0] < self.columns and 0 <= place[1] < self.rows
 
+    def holds(self, place: tuple[float, float], radius: float) -> bool:
+        """Whether what is so large (px) around a place lies in the photo as a whole."""
+        column, row = place
+        return radius <= min(column, row, self.columns - column, self.rows - row)
+
     def grey(self, window: PixelWindow | None = None) -> np.ndarray:
         """(rows, columns) float32 of a window, or of all; what lies outside the photo repeats its edge."""
         window = window or self.raster.whole

@@ -142,6 +142,16 @@ def test_a_mark_under_a_blot_fails_and_the_others_are_measured(tmp_path: Path) -
     assert max(errors(made, frame)) < 0.1
 
 
+@pytest.mark.parametrize("beyond", [-12, 0, 12], ids=["half", "edge in its middle", "gone"])
+def test_a_mark_cut_off_by_the_scan_fails_alone(tmp_path: Path, beyond: int) -> None:
+    """What lies beyond the edge was made up of its last pixels, where half a wedge looks like a whole one."""
+    frame = make_frame(Look("wedge"), SIDES, 500, seed=15)
+    pixels = np.ascontiguousarray(frame.pixels[:, : int(frame.places["1"][0]) - beyond])
+    made = measured(pixels, tmp_path, SIDES, OrientationSettings(shapes=chosen_shapes("wedge", False, None)))
+    assert [mark.status.value for mark in made.marks] == ["failed", "measured", "measured", "measured"]
+    assert max(errors(made, frame)) < 0.1
+
+
 def with_four_alike(frame: Frame, covered: np.ndarray) -> np.ndarray:
     """The photo with the same light thing on dark ground near each of its corners, in the marks' own arrangement."""
     pixels = frame.pixels.astype(np.float64)

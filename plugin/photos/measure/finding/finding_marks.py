@@ -218,7 +218,10 @@ class _Finder:
             window = window_around(self._photo, near, half)
         except PhotoError as error:
             return UnmeasuredMark(error.message)
-        return measure_mark(window, near, reach, template, self._settings.min_correlation, self._settings.surface)
+        found = measure_mark(window, near, reach, template, self._settings.min_correlation, self._settings.surface)
+        if isinstance(found, MeasuredMark) and not self._photo.holds((found.column, found.row), template.radius):
+            return UnmeasuredMark(messages.MARK_AT_THE_EDGE(), found.correlation)
+        return found
 
     def _one_by_one(self, frame: MarkFrame, scale: float) -> FoundMarks:
         """No arrangement was found: every mark on its own, where it has a position."""
