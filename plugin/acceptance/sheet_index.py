@@ -67,7 +67,9 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         raise SettingsError(messages.SHEETS_ELSEWHERE())
     if outside:
         run.tell(messages.PIECES_OFF_SHEETS(count=outside))
-    pieces = tuple(replace(piece, sheet=sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found))
+    pieces = tuple(
+        replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0]) for piece, sheet in zip(delivery.pieces, found)
+    )
     return replace(delivery, pieces=pieces)
 
 

@@ -105,7 +105,7 @@ def _rule_sentence(rule: AcceptanceRule, value: float, passed: bool) -> Message:
 
 def _interval(delivery: Delivery, states: Sequence[PieceState]) -> Interval | None:
     measured = [
-        (piece.length_m, state is PieceState.FAILED, (piece.sheet, piece.seam_id))
+        (piece.length_m, state is PieceState.FAILED, piece.seam)
         for piece, state in zip(delivery.pieces, states)
         if state is not PieceState.NOT_MEASURED
     ]

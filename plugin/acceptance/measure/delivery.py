@@ -43,6 +43,13 @@ class DeliveredPiece:
     right_date: str = ""
     sample_number: int | None = None
     """As the how-manieth of its sample it was drawn, from 1; None where the layer is no sample."""
+    scan: str = ""
+    """What ``seam_id`` numbers the seams of, where that is not the sheet: a scan of many sheets."""
+
+    @property
+    def seam(self) -> tuple[str, str]:
+        """The same for all pieces of one seam, and for no others."""
+        return self.scan or self.sheet, self.seam_id
 
     @property
     def middle(self) -> tuple[float, float]:

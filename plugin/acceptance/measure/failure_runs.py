@@ -87,7 +87,7 @@ class _Links:
         for number in members:
             piece = self._pieces[number]
             if piece.seam_id and piece.station_m is not None:
-                seams.setdefault((piece.sheet, piece.seam_id), []).append((piece.station_m, number))
+                seams.setdefault(piece.seam, []).append((piece.station_m, number))
         for stations in seams.values():
             stations.sort()
             for (station, number), (next_station, next_number) in zip(stations, stations[1:]):

@@ -41,7 +41,7 @@ def plan_of_risk(
     pieces: Sequence[DeliveredPiece], lot_size: int, risk: StatedRisk, correlation: float | None, least_kept: float
 ) -> CountedPlan:
     """By stated risks. ``correlation``: None to estimate it from what the pieces kept, where a scan measured them."""
-    seams = [(piece.sheet, piece.seam_id) for piece in pieces]
+    seams = [piece.seam for piece in pieces]
     if correlation is None:
         known = [(piece.kept_1 < least_kept, seam) for piece, seam in zip(pieces, seams) if piece.kept_1 is not None]
         correlation = intraclass_correlation(*zip(*known)) if known else None

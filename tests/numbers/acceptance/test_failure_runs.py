@@ -109,3 +109,16 @@ def test_runs_do_not_depend_on_the_order_of_many_pieces() -> None:
     for value in [*kept, P]:
         run, expected = (run + 10, expected) if value == F else (0, [*expected, run] if run else expected)
     assert sorted(lengths(mixed)) == sorted(lengths(pieces)) == sorted(expected)
+
+
+def test_a_seam_that_sheets_cut_is_one_seam() -> None:
+    pieces = [
+        DeliveredPiece(**{**vars(piece), "sheet": f"sheet {place // 2}", "scan": "mosaic"})
+        for place, piece in enumerate(seam([F, P, F, F, P, F]))
+    ]
+    assert len({piece.seam for piece in pieces}) == 1
+    found = decide(delivery(pieces), rules())
+    assert [run.length_m for run in found.runs] == [20, 10, 10]
+    assert [sheet.longest_failure_m for sheet in found.sheets] == [10, 20, 10]
+    assert found.failed_share is not None
+    assert (found.failed_share.low, found.failed_share.high) == (0, 1)  # one seam says nothing of others
