@@ -15,7 +15,7 @@ from ...imagery.raster_writer import format_of, raster_writer
 from ...imagery.rasters import Raster
 from . import limits, messages
 
-BILINEAR, EDGE_AWARE = limits.DEMOSAICS
+BILINEAR, MALVAR, EDGE_AWARE = limits.DEMOSAICS
 
 _REACH_PX = 8  # how far a pixel's neighbours reach, generously: strips overlap by this, an even number
 _STRIP_PIXELS = 4_000_000
@@ -83,11 +83,14 @@ def filtered(colours: np.ndarray, pattern: str) -> np.ndarray:
 def interpolated(chip: np.ndarray, pattern: str, demosaic: str) -> np.ndarray:
     """Red, green and blue (3, rows, columns) of a chip's (rows, columns), in its data type.
 
-    ``bilinear``: the mean of the two or four nearest pixels of the colour. ``edge_aware``: OpenCV's, along edges.
+    ``bilinear``: the mean of the two or four nearest pixels of the colour. ``malvar``: that, and a share of what the
+    pixel's own colour differs from its neighbours (Malvar, He and Cutler 2004). ``edge_aware``: OpenCV's, along edges.
     Raises RasterError when the way does not go with the data type.
     """
     if demosaic == BILINEAR:
         return _bilinear(chip, pattern)
+    if demosaic == MALVAR:
+        return _malvar(chip, pattern)
     _check_kind(chip.dtype)
     import cv2
 
@@ -119,6 +122,39 @@ def _bilinear(chip: np.ndarray, pattern: str) -> np.ndarray:
         mean = _nearest_mean(values[index], there[index])
         result[index] = mean if chip.dtype.kind == "f" else np.rint(mean)
     return result
+
+
+def _malvar(chip: np.ndarray, pattern: str) -> np.ndarray:
+    """Linear filters of five by five pixels; beyond the border the chip goes on mirrored, which keeps its pattern."""
+    rows, columns = chip.shape
+    padded = np.pad(chip.astype(np.float64), 2, mode="reflect")
+
+    def near(*places: tuple[int, int]) -> np.ndarray:
+        """The sum of the pixels so far down and to the right, and of those opposite."""
+        shifts = [(sign * down, sign * right) for down, right in places for sign in (1, -1)]
+        return np.asarray(sum(padded[2 + y : 2 + y + rows, 2 + x : 2 + x + columns] for y, x in shifts))
+
+    own = padded[2:-2, 2:-2]
+    upright, level, corners = near((1, 0)), near((0, 1)), near((1, 1), (1, -1))
+    upright2, level2 = near((2, 0)), near((0, 2))
+    green = (4 * own + 2 * (upright + level) - upright2 - level2) / 8  # at red and blue
+    in_row = (5 * own + 4 * level - corners - level2 + upright2 / 2) / 8  # red or blue at green, in a row of theirs
+    in_column = (5 * own + 4 * upright - corners - upright2 + level2 / 2) / 8
+    opposite = (6 * own + 2 * corners - 1.5 * (upright2 + level2)) / 8  # red at blue, blue at red
+    result = np.repeat(own[np.newaxis], 3, axis=0)
+    for place, here in enumerate(pattern):
+        row, column = divmod(place, 2)
+        at = np.s_[row::2, column::2]
+        for index, colour in enumerate("RGB"):
+            if colour == here:
+                continue
+            in_the_row = pattern[2 * row + 1 - column] == colour
+            kind = green if colour == "G" else opposite if here != "G" else in_row if in_the_row else in_column
+            result[index][at] = kind[at]
+    if chip.dtype.kind == "f":
+        return result.astype(chip.dtype)
+    largest = np.iinfo(chip.dtype)
+    return np.clip(np.rint(result), largest.min, largest.max).astype(chip.dtype)
 
 
 def _nearest_mean(values: np.ndarray, there: np.ndarray) -> np.ndarray:

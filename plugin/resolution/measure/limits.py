@@ -14,4 +14,4 @@ DEFAULT_BAR_WIDTH_PX = 3.0  # either side: seven pixels lower the noise 2.6 time
 MIN_NOISE_RATIO = 3.0  # amplitude over the noise of the ground: three standard deviations
 MAX_BAR_LINE_PX = 2000  # some 130 MB of pixels of three bands around it
 BAYER_PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")  # colours row by row: the filter of the paper and its three turns
-DEMOSAICS = ("bilinear", "edge_aware")  # the paper's; OpenCV's, which needs that package
+DEMOSAICS = ("bilinear", "malvar", "edge_aware")  # the paper's; Malvar, He, Cutler 2004; OpenCV's, if installed

@@ -107,10 +107,10 @@ BAYER_PATTERN_UNKNOWN = Message("There is no Bayer pattern '{pattern}'; choose o
 DEMOSAIC_UNKNOWN = Message("There is no interpolation '{demosaic}'; choose one of {known}.")
 OPENCV_MISSING = Message(
     "The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, 'python -m pip install "
-    "opencv-python-headless' elsewhere); install it, or choose bilinear."
+    "opencv-python-headless' elsewhere); install it, or choose malvar or bilinear."
 )
 EDGE_AWARE_WANTS_INTEGERS = Message(
-    "The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose bilinear."
+    "The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear."
 )
 BANDS_NOT_COLOURS = Message(
     "{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band."

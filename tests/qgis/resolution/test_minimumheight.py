@@ -117,7 +117,7 @@ def test_a_table_without_its_fields_or_rows() -> None:
     assert "No row has a height" in str(run("minimumheight", OBSERVATIONS=table([])).complaint)
 
 
-@pytest.mark.parametrize("demosaic", ["bilinear", "edge_aware"])
+@pytest.mark.parametrize("demosaic", ["bilinear", "malvar", "edge_aware"])
 @pytest.mark.parametrize("pattern", ["RGGB", "GBRG"])
 def test_a_simulated_bayer_image(tmp_path: Path, pattern: str, demosaic: str) -> None:
     scene = orthoimage((40, 50))
@@ -148,7 +148,7 @@ def test_what_can_not_be_simulated_is_told(tmp_path: Path, monkeypatch: pytest.M
     path = write_raster(tmp_path / "two.tif", orthoimage((30, 30))[:2])
     assert "no red, green and blue" in str(run("simulatebayer", RASTER=path).complaint)
     floats = write_raster(tmp_path / "floats.tif", orthoimage((30, 30), dtype=np.float32))
-    assert "choose bilinear" in str(run("simulatebayer", RASTER=floats, DEMOSAIC="edge_aware").complaint)
+    assert "choose malvar or bilinear" in str(run("simulatebayer", RASTER=floats, DEMOSAIC="edge_aware").complaint)
     lost = run("simulatebayer", RASTER=floats, OUTPUT="/nowhere/there/seen.tif")
     assert "can't be written" in str(lost.complaint)
     monkeypatch.setattr(bayer, "find_spec", lambda name: None)
