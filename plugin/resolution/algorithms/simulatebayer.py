@@ -41,10 +41,10 @@ class SimulateBayer(SeamInspectorAlgorithm):
         self.addDescribed(
             common.choice(DEMOSAIC, tr("Interpolation"), limits.DEMOSAICS),
             tr(
-                "bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that was seen "
                 "bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen "
                 "there says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by "
                 "OpenCV, which has to be installed."
+            ),
         )
         self.addDescribed(
             QgsProcessingParameterRasterDestination(OUTPUT, tr("Seen by a single chip")),
