@@ -42,9 +42,9 @@ class ScanSettings:
     def told(self) -> dict[str, str]:
         """What its results say of how they were measured."""
         told = {
-            "wavelet": self.wavelet, "levels": f"{self.levels}", "density": self.density, "piece_m": f"{self.piece_m:g}"
+            "wavelet": self.wavelet, "levels": f"{self.levels}", "density": self.density, "piece_m": f"{self.piece_m:.4g}"
         }  # fmt: skip
-        return {**told, "corridor_m": f"{self.corridor_m:g}"} if self.corridor_m else told
+        return {**told, "corridor_m": f"{self.corridor_m:.4g}"} if self.corridor_m else told
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
