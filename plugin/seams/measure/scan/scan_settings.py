@@ -42,7 +42,8 @@ class ScanSettings:
     def told(self) -> dict[str, str]:
         """What its results say of how they were measured."""
         told = {
-            "wavelet": self.wavelet, "levels": f"{self.levels}", "density": self.density, "piece_m": f"{self.piece_m:.4g}"
+            "wavelet": self.wavelet, "levels": str(self.levels), "density": self.density,
+            "piece_m": f"{self.piece_m:.4g}",
         }  # fmt: skip
         return {**told, "corridor_m": f"{self.corridor_m:.4g}"} if self.corridor_m else told
 
