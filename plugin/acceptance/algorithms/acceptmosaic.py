@@ -58,8 +58,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
                 "drew of them."
             ),
         )
-        self._add_limits()
         add_sheets(self)
+        self._add_limits()
         self.addDescribed(
             common.choice(stated.PLAN, tr("Plan"), (stated.ALL, stated.ISO2859)),
             tr(
