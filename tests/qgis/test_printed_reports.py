@@ -12,6 +12,7 @@ from seam_inspector.plugin.toolkit.translation import Translation, tr
 
 from tests.numbers.synthetic import orthoimage, write_raster
 from tests.printing import print_page, why_not
+from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
 from tests.qgis.resolution.bar_scenes import bar_layer, make_bar_scene
 from tests.qgis.runs import run
 from tests.qgis.scenes import BLURRED, SHARP, windows
@@ -75,6 +76,23 @@ def sensor_comparison(given: dict[str, Any], folder: Path, path: Path) -> None:
     made("comparesensormodels", path, GCPS=given["gcps"], HEIGHTS="ellipsoid")
 
 
+def acceptance(given: dict[str, Any], folder: Path, path: Path) -> None:
+    """One sheet, by a plan, with pictures of its failures."""
+    pixels = np.random.default_rng(1).integers(60, 190, (3, 400, 1600)).astype(np.uint8)
+    mosaic = write_raster(folder / LONG, pixels, 0.5, (X - 50, Y + 100), system=UTM33)
+    kept = [0.9] * 4 + [0.5] * 14 + [0.9, 0.5] * 6
+    made("acceptmosaic", path, SEAMS=[seams(kept)], MOSAIC=[mosaic], PLAN="iso2859", DEFECTS=None)
+
+
+def acceptance_of_many(given: dict[str, Any], folder: Path, path: Path) -> None:
+    """Forty sheets with long names, some of them with failures."""
+    sheets = [
+        seams([0.9, 0.5 if number % 3 else 0.9, 0.9, 0.5] * 3, y=30 * number, name=f"{LONG}_{number}")
+        for number in range(40)
+    ]
+    made("acceptmosaic", path, SEAMS=sheets, DEFECTS=None)
+
+
 def made(algorithm: str, path: Path, **parameters: Any) -> None:
     assert run(algorithm, REPORT=str(path), **parameters).complaint is None
 
@@ -89,6 +107,8 @@ REPORTS: dict[Report, str] = {
     orientation: "root mean square of the residuals",
     sensor_model: "",
     sensor_comparison: "",
+    acceptance: "rejected",
+    acceptance_of_many: "rejected",
 }
 """How each is made, and what of its result the first page has to say; what the report makes up by itself is empty."""
 

@@ -18,7 +18,7 @@ from ..measure.defects import Defect
 STATE_COLOURS = {PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9", PieceState.FAILED: "#d55e00"}
 """In the order in which they are drawn."""
 _WIDTHS = {PieceState.PASSED: 0.7, PieceState.NOT_MEASURED: 1.0, PieceState.FAILED: 2.2}
-_WIDTH, _MOST_HEIGHT, _LEAST_HEIGHT = 6.7, 7.2, 1.6  # inches on paper
+_WIDTH, _MOST_HEIGHT, _LEAST_HEIGHT = 6.7, 6.2, 1.6  # inches on paper
 _MARGIN = 0.04  # of the longer side
 _FINEST_PT = 0.25  # lines are thinned to it
 _MOST_SHEET_NAMES = 60

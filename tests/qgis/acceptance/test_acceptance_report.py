@@ -32,7 +32,7 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
     page = page_of(tmp_path, record_of(decision, scan={"wavelet": "coif3", "levels": "3"}))
     text = page.words[page.words.index("rejected") :]  # after the page's looks
     places = [text.index(words) for words in (
-        "rejected", "3.75", "share of the seams that failed", "signature", "Sheets", "Where the seams failed",
+        "rejected", "3.75", "share of the seams that failed", "signature", "Where the seams failed", "Sheets",
         "Failures", "How it was measured",
     )]
     assert places == sorted(places)

@@ -7,9 +7,14 @@ from datetime import datetime, timezone
 from pathlib import Path
 
 import pytest
+from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.paper.inspection_record import scan_settings
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
 from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.scan.results.loss_raster import loss_raster
+from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
 from tests.numbers.acceptance.metadata_structure import NAMESPACES, faults
@@ -146,8 +151,6 @@ def test_any_name_is_text(name: str, tmp_path: Path) -> None:
 def nothing_measured() -> Decision:
     decision = decided()
     pieces = tuple(replace(one, kept_1=None, kept_low=None, kept_high=None) for one in decision.delivery.pieces)
-    from seam_inspector.plugin.acceptance.measure.deciding import decide
-
     return decide(replace(decision.delivery, pieces=pieces), decision.rules)
 
 
@@ -170,3 +173,12 @@ def test_a_delivery_without_a_place_has_no_extent() -> None:
 def test_where_none_can_be_there_is_a_sentence(tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match="can't be written"):
         save_quality_document(tmp_path / "no" / "quality.xml", record_of(decided()))
+
+
+def test_how_the_scan_measured_is_read_from_its_picture_of_losses(tmp_path: Path) -> None:
+    mosaic, settings = ground(tmp_path / "mosaic.tif"), ScanSettings(wavelet="haar", piece_m=12.5)
+    with loss_raster(str(tmp_path / "loss.tif"), mosaic, 32, settings.told) as raster:
+        raster.close([])
+    told = scan_settings(RasterRef(str(tmp_path / "loss.tif")))
+    assert told == {"wavelet": "haar", "levels": "3", "density": "seams", "piece_m": "12.5"}
+    assert scan_settings(RasterRef(mosaic.ref.path)) == {}
