@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -14,13 +15,14 @@ from qgis.core import (
 )
 
 from ..imagery.errors import SettingsError
-from ..toolkit import layers
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.attribute_values import attributes, text
 from ..toolkit.translation import tr
 from .measure import messages
-from .measure.delivery import Delivery
+
+if TYPE_CHECKING:
+    from .measure.delivery import Delivery
 
 SHEETS = "SHEETS"
 _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
@@ -45,6 +47,8 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
 
     Raises SettingsError where the polygons have no names, or none holds a piece.
     """
+    from ..toolkit.layers import features
+
     if not run.parameters.get(SHEETS):
         return delivery
     source = run.source(SHEETS)
@@ -54,7 +58,7 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         raise SettingsError(messages.SHEETS_WITHOUT_NAMES(fields=", ".join(_NAME_FIELDS)))
     transform = run.transform(source, QgsCoordinateReferenceSystem.fromWkt(delivery.wkt))
     outlines: list[tuple[str, QgsGeometry]] = []
-    for row in attributes(layers.features(source), names):
+    for row in attributes(features(source), names):
         outline = QgsGeometry(row.feature.geometry())
         try:
             outline.transform(transform)
