@@ -17,7 +17,7 @@ from .charts import VERDICT_COLOURS, lines_of, verdict_of
 from .measure.bar_groups import GroupResult
 
 _LARGEST_PX = 3200  # of the target's longer side: a larger one is not read for a picture
-_WIDTH, _HEIGHT = 7.0, 4.7  # inches: of the picture at most
+_WIDTH, _HEIGHT = 7.0, 4.0  # inches: of the picture at most
 _GAP = 0.12  # inches between strips
 _MOST_STRIPS = 8
 _LARGEST_PIXEL = 0.08  # inches: no pixel is shown larger

@@ -13,7 +13,7 @@ from ..measure.profile.loss_picture import LossPicture
 
 _SIDE_PX = 300  # of the picture at most
 _QUALITY = 75
-_FRAME = (255, 255, 255), (17, 17, 17)  # colours of the part's outline, the outer one first
+_FRAME = (255, 255, 255), (17, 17, 17), (255, 255, 255)  # colours of the outline of a part, the outer one first
 
 
 @dataclass(frozen=True)

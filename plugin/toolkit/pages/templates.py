@@ -53,7 +53,7 @@ def environment() -> Environment:
     made.globals.update(tr=tr, language=language)
     made.filters.update(
         data_address=_data_address, facts_row=_facts_row, css_text=_css_text, filled_columns=_filled_columns,
-        number_columns=_number_columns, has_long_word=_has_long_word, is_short=_is_short,
+        number_columns=_number_columns, has_long_word=_has_long_word, cell_width=_cell_width,
     )
     return made
 
@@ -73,9 +73,11 @@ def _has_long_word(value: object) -> bool:
     return isinstance(value, str) and any(len(word) > _LONGEST_WORD for word in value.split())
 
 
-def _is_short(value: object) -> bool:
-    """Whether a cell of a table stays in one line."""
-    return value is not None and 1 < len(str(value)) <= _LONGEST_UNBROKEN
+def _cell_width(value: object) -> str:
+    """The class of a cell: ``short`` ones stay in one line, ``long`` ones are no narrower than a few words."""
+    if value is None or value == "":
+        return ""
+    return "short" if len(str(value)) <= _LONGEST_UNBROKEN else "long"
 
 
 def _css_text(words: str) -> str:
