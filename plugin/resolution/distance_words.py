@@ -22,8 +22,8 @@ def distance_text(grd_cm: float, error_cm: float | None) -> str:
     return f"{distance_number(grd_cm, error_cm)} cm"
 
 
-def distance_sentences(resolution: TargetResolution) -> list[str]:
-    """What was found, line by line: distances, what observers saw, the target's contrast."""
+def distance_sentences(resolution: TargetResolution, each_band: bool = True) -> list[str]:
+    """What was found, line by line: distances, what observers saw, the target's contrast, the lowest one or all."""
     found = [
         (direction_title(direction), resolution.worst(direction), resolution.worst_error(direction))
         for direction in DIRECTIONS
@@ -36,9 +36,13 @@ def distance_sentences(resolution: TargetResolution) -> list[str]:
             words.append(filled(
                 tr("seen by all observers {direction}: {grd:.2f} cm"), direction=direction_title(direction), grd=seen
             ))
+    contrasts = resolution.contrasts
+    if contrasts and not each_band:
+        words.append(filled(tr("contrast of the target {contrast:.1f}:1"), contrast=min(contrasts.values())))
+        return words
     words += [
         filled(tr("contrast of the target, bars to gaps, {band}: {contrast:.1f}:1"), band=band_title(band),
                contrast=contrast)
-        for band, contrast in resolution.contrasts.items()
+        for band, contrast in contrasts.items()
     ]
     return words

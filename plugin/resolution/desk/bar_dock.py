@@ -1,7 +1,6 @@
 """The dock of bar groups: draw a line across the bars of each group and watch its profile."""
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,11 +19,7 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QBoxLayout,
-    QComboBox,
-    QDoubleSpinBox,
     QFormLayout,
-    QHBoxLayout,
-    QSpinBox,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -45,14 +40,14 @@ from ...toolkit.translation import sentence, tr
 from .. import line_layer
 from ..jobs import MeasuredLines, bar_job, image_job
 from ..line_layer import drawn_lines
-from ..line_table import GROUP as GROUP_FIELD
-from ..line_table import pixel_segment
+from ..line_table import GROUP, pixel_segment
 from ..measure import limits, messages
 from ..measure.bar_groups import TargetResolution
 from ..measure.bar_lines import BarLine
-from ..measure.target import BAR, COARSEST, CYCLE, DIRECTIONS, GROUP, Target
+from ..measure.target import DIRECTIONS
 from .bar_profile import BarProfile
 from .bar_tool import BarTool
+from .target_settings import TargetSettings, choice_box, row, whole_box
 from .verdict_text import verdict_text
 
 if TYPE_CHECKING:
@@ -69,6 +64,7 @@ class BarDock(ToolDock):
         self._background = BackgroundTasks(self)
         self._raster: Raster | None = None  # the image, once it is open
         self._waiting: BarLine | None = None  # the newest line, while an older one is measured
+        self._shown: BarLine | None = None  # the line whose profile is to be seen, or soon will be
         self._measured: MeasuredLines = {}  # the layer's lines on this image, as far as they were measured
         self.results: tuple[GroupResult, ...] = ()
         tool = BarTool(self._canvas)
@@ -78,22 +74,15 @@ class BarDock(ToolDock):
         self.image = LayerBox(_Filter.RasterLayer, tr("no image"))
         self.image.only_files()
         self.lines = LayerBox(_Filter.LineLayer, tr("new layer"))
-        self.group, self.bars, self.reference_group = (self._whole(value) for value in (
-            1, limits.DEFAULT_BARS, limits.DEFAULT_REFERENCE_GROUP
-        ))
-        self.bars.setMinimum(limits.MIN_BARS)
-        self.reference_grd = QDoubleSpinBox()
-        self.reference_grd.setRange(0.01, 100000)
-        self.reference_grd.setSuffix(tr(" cm"))
-        self.reference_grd.setValue(limits.DEFAULT_REFERENCE_GRD_CM)
-        self.grd_of = _choice({CYCLE: tr("bar and gap"), BAR: tr("one bar")})
-        self.full_amplitude = _choice({GROUP: tr("of the group"), COARSEST: tr("of the coarsest group")})
-        self.direction = _choice(dict(zip(DIRECTIONS, (tr("along"), tr("across")))))
+        self.settings = TargetSettings(self)
+        self.group = whole_box(1)
+        self.direction = choice_box(dict(zip(DIRECTIONS, (tr("along"), tr("across")))))
         self.profile = BarProfile()
         self.verdict = ClippedLabel(6)
         self._lay_out()
         self.image.layerChanged.connect(self._image_changed)
         self.direction.currentIndexChanged.connect(self._take_next)
+        self.settings.changed.connect(self._target_changed)
         tool.moved.connect(self._line_moved)
         tool.drawn.connect(self._line_drawn)
         tool.cancelled.connect(self._line_cancelled)
@@ -109,13 +98,6 @@ class BarDock(ToolDock):
         QgsProject.instance().layersAdded.disconnect(self._offer_bar_lines)
         self._background.close()
 
-    def target(self) -> Target:
-        """The target as it is set here."""
-        return Target(
-            self.bars.value(), self.reference_group.value(), self.reference_grd.value(),
-            grd_of=self.grd_of.currentData(), full_amplitude=self.full_amplitude.currentData(),
-        )
-
     def line_layer(self) -> QgsVectorLayer | None:
         """The layer that lines are added to; None until there is one."""
         layer = self.lines.currentLayer()
@@ -123,7 +105,7 @@ class BarDock(ToolDock):
 
     def _offer_bar_lines(self, *_: object) -> None:
         """Layers of other lines, such as seams or contours, are none that groups could be added to."""
-        self.lines.leave_out(vectors_without(GROUP_FIELD))
+        self.lines.leave_out(vectors_without(GROUP))
 
     # the line
 
@@ -149,10 +131,14 @@ class BarDock(ToolDock):
         layer.triggerRepaint()
         self.group.setValue(self.group.value() + 1)
 
+    def _target_changed(self) -> None:
+        if self._shown is not None:
+            self._measure(self._shown)
+
     def _line_cancelled(self) -> None:
-        self._waiting = None
+        self._waiting = self._shown = None
         self.results = ()
-        self.profile.show_results([], self.target().criterion)
+        self.profile.show_results([], self.settings.target().criterion)
         self.verdict.setText(self.draw.toolTip())
 
     def _new_layer(self, raster: Raster) -> QgsVectorLayer:
@@ -184,6 +170,7 @@ class BarDock(ToolDock):
         """Measure a line as soon as the one before is done; those between are left out."""
         if self._raster is None:
             return
+        self._shown = line
         if self._background.is_under_way(_KEY):
             self._waiting = line
             return
@@ -193,7 +180,7 @@ class BarDock(ToolDock):
             if (other.group, other.direction) != (line.group, line.direction)
         ]
         width = limits.DEFAULT_BAR_WIDTH_PX
-        job = bar_job(self._raster, line, others, self._measured, self.target(), width)
+        job = bar_job(self._raster, line, others, self._measured, self.settings.target(), width)
         self._background.start(tr("Measure a bar group"), job, self._take, _KEY)
 
     def _task_ended(self, key: object, outcome: Outcome) -> None:
@@ -207,13 +194,13 @@ class BarDock(ToolDock):
         assert isinstance(resolution, TargetResolution)
         last = resolution.results[-1].measured  # the line itself, after the others of its target
         self.results = tuple(result for result in resolution.results if result.measured is last)
-        self.profile.show_results(self.results, self.target().criterion)
+        self.profile.show_results(self.results, self.settings.target().criterion)
         self.verdict.setText(verdict_text(self.results, resolution))
 
     def _image_changed(self) -> None:
         """Open the image, in the background: it may lie on a slow network."""
         self._background.abandon()  # what is under way is of the image before
-        self._raster = self._waiting = None
+        self._raster = self._waiting = self._shown = None
         self._measured = {}
         self.draw.setEnabled(False)
         layer = self.image.currentLayer()
@@ -253,37 +240,17 @@ class BarDock(ToolDock):
     def _warn(self, message: Message) -> None:
         self._show_message(sentence(message), bar_level(message))
 
-    @staticmethod
-    def _whole(value: int) -> QSpinBox:
-        box = QSpinBox()
-        box.setRange(-999, 999)
-        box.setValue(value)
-        return box
-
     def _lay_out(self) -> None:
         button = QToolButton()
         button.setDefaultAction(self.draw)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.group.setToolTip(tr("Number of the group that is drawn next; it goes up by one with every line."))
-        self.bars.setToolTip(tr("How many bars each group of the target has."))
-        self.reference_group.setToolTip(tr("Number of the group whose distance is known. Higher numbers are finer."))
-        self.reference_grd.setToolTip(tr("Distance of the reference group: the width of what is chosen beside it."))
-        self.grd_of.setToolTip(tr(
-            "What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some "
-            "targets and reports count."
-        ))
-        self.full_amplitude.setToolTip(tr(
-            "What the amplitude has to be half of: the group's own bars against plain gaps, or the full amplitude of "
-            "the coarsest group, which is stricter."
-        ))
         form = QFormLayout()
         form.setContentsMargins(0, 0, 0, 0)
         form.addRow(tr("Image"), self.image)
         form.addRow(tr("Lines"), self.lines)
-        form.addRow(tr("Bars"), self.bars)
-        form.addRow(tr("Reference"), _row(self.reference_group, self.reference_grd, self.grd_of))
-        form.addRow(tr("Full amplitude"), self.full_amplitude)
-        form.addRow(tr("Group"), _row(self.group, self.direction, button))
+        self.settings.add_to(form)
+        form.addRow(tr("Group"), row(self.group, self.direction, button))
         settings = QVBoxLayout()
         settings.addLayout(form)
         settings.addStretch()
@@ -301,20 +268,4 @@ class BarDock(ToolDock):
 
 
 _KEY, _IMAGE_KEY = "bar group", "image"
-
-
-def _choice(words: Mapping[str, str]) -> QComboBox:
-    box = QComboBox()
-    for value, word in words.items():
-        box.addItem(word, value)
-    return box
-
-
-def _row(*widgets: QWidget) -> QWidget:
-    row, layout = QWidget(), QHBoxLayout()
-    layout.setContentsMargins(0, 0, 0, 0)
-    for widget in widgets:
-        layout.addWidget(widget, 1)
-    row.setLayout(layout)
-    return row
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import importlib
+import re
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -47,8 +48,8 @@ def operator(
     canvas.setExtent(QgsRectangle(raster.extent()))
     dock = BarDock(qgis_iface)
     dock.image.setLayer(raster)
-    dock.reference_group.setValue(1)
-    dock.reference_grd.setValue(COARSEST_CM)
+    dock.settings.reference_group.setValue(1)
+    dock.settings.reference_grd.setValue(COARSEST_CM)
     wait_until(dock.draw.isEnabled, "for the image")
     dock.draw.trigger()
     yield Operator(dock, canvas, scene)
@@ -131,6 +132,40 @@ def another_image(operator: Operator) -> QgsRasterLayer:
     QgsProject.instance().addMapLayer(image)
     operator.dock.image.setLayer(image)
     return image
+
+
+def test_the_lines_of_a_target_are_judged_together(operator: Operator) -> None:
+    """What the layer holds counts, whoever drew it; the distance and its deviation are of all lines."""
+    for group in (1, 2, 3):
+        operator.dock.group.setValue(2 * group - 1)  # the scene's are two steps of the dock's target apart
+        operator.draw(group)
+    wait_for_tasks()
+    wait_until(lambda: "Group 5" in operator.dock.verdict.text(), "for the last line")
+    line, together = operator.dock.verdict.text().split("\n")
+    assert re.match(r"Group 5, 63\.00 ± \d\.\d\d cm, resolved \(amplitude \d\d% of the full one\)", line)
+    assert re.match(r"All lines: along the flight: 63\.00 ± \d\.\d\d cm; contrast of the target [45]\.\d:1", together)
+    assert {result.measured.line.group for result in operator.dock.results} == {5}
+
+
+def kept_share(operator: Operator) -> int:
+    """% of the full amplitude, as the dock says."""
+    found = re.search(r"amplitude (\d+)% of the full one", operator.dock.verdict.text())
+    assert found
+    return int(found[1])
+
+
+def test_another_target_is_judged_at_once(operator: Operator) -> None:
+    operator.draw(1)
+    operator.dock.group.setValue(7)
+    operator.draw(4)
+    wait_until(lambda: "Group 7, 50.00" in operator.dock.verdict.text())
+    operator.dock.settings.grd_of.setCurrentIndex(1)
+    operator.dock.settings.reference_grd.setValue(COARSEST_CM / 2)
+    wait_until(lambda: "Group 7, 25.00" in operator.dock.verdict.text())
+    assert "times as far apart" not in operator.dock.verdict.text()
+    of_the_group = kept_share(operator)
+    operator.dock.settings.full_amplitude.setCurrentIndex(1)
+    wait_until(lambda: kept_share(operator) < of_the_group - 5)
 
 
 def test_an_image_that_opens_slowly(operator: Operator, slow_header: threading.Event) -> None:
