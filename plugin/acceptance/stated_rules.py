@@ -1,6 +1,7 @@
 """The rules that a run's parameters state: ready ones, a file, or limits one by one; never two of these at once."""
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +56,9 @@ def stated_rules(run: Run) -> AcceptanceRules:
 
 
 def check_limit(name: str, value: float, most: float | None = None) -> None:
-    """Raise SettingsError for a number below 0, or above the most there can be."""
+    """Raise SettingsError for what is no number, or one below 0, or above the most there can be."""
+    if not math.isfinite(value):
+        raise SettingsError(messages.LIMIT_NO_NUMBER(parameter=name, value=value))
     if value < 0:
         raise SettingsError(messages.LIMIT_NEGATIVE(parameter=name, value=value))
     if not (most is None or value <= most):
@@ -88,7 +91,7 @@ def with_standard_aql(parameters: dict[str, Any]) -> dict[str, Any]:
 def _given(run: Run) -> dict[str, object]:
     """Raises SettingsError for what can't be."""
     values: dict[str, object] = {}
-    for name, most in ((MIN_KEPT, None), (MAX_SHARE, 100.0), (MAX_RUN, None), (MIN_MEASURED, 100.0)):
+    for name, most in ((MIN_KEPT, 1.0), (MAX_SHARE, 100.0), (MAX_RUN, None), (MIN_MEASURED, 100.0)):
         value = run.real(name)
         check_limit(name, value, most)
         values[name] = value

@@ -186,6 +186,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         stated.known_word(run, stated.SEVERITY, SEVERITIES)
         stated.check_limit(LOT_SIZE, run.whole(LOT_SIZE))
         stated.check_limit(PIECE, run.real(PIECE))
+        stated.check_limit(stated.MIN_KEPT, run.real(stated.MIN_KEPT), 1.0)
         if plan == RISK:
             self._risk(run).check()
             self._correlation(run)

@@ -153,6 +153,8 @@ def _figures(
         yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.total_m)
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=rules.least_kept)
+    if rules.least_kept <= 0:
+        yield messages.NOTHING_IS_ASKED()
     if is_sample and rules.sampling is None:
         yield messages.SAMPLE_ONLY()
 

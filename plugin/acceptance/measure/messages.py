@@ -99,6 +99,9 @@ UNCLEAR = Message(
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
+NOTHING_IS_ASKED = Message(
+    "A piece fails when it keeps less than 0, which none can: what was measured passes whatever it kept.", WARNING
+)
 SAMPLE_ONLY = Message(
     "The layers are a sample that was planned, and all of it was judged by its metres; they speak of the sample alone.",
     WARNING,
@@ -136,6 +139,7 @@ NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both."
 )
 LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
+LIMIT_NO_NUMBER = Message("{parameter} is {value:g}; give a number.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
 AQL_UNKNOWN = Message("The AQL {aql} is none of the standard's; known are {known}.")
 WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")

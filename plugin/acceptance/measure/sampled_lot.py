@@ -37,9 +37,10 @@ def sampled_lot(
     """
     given = delivery.sampled_numbers
     measured = [number for number, state in enumerate(states) if state is not PieceState.NOT_MEASURED]
-    size = lot_size or delivery.lot_size or (len(states) if given is not None else len(measured))
-    if size < len(states if given is None else given):
-        raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(states)))
+    here = len(states if given is None else given)
+    if lot_size is not None and lot_size < here:
+        raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=lot_size, given=here))
+    size = lot_size or delivery.lot_size or (len(measured) if given is None else here)
     plan = single_sampling_plan(max(size, 1), rule.aql, rule.inspection_level, rule.severity)
     used_seed: int | None = None
     if given is not None:

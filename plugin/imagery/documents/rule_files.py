@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, TypeVar
@@ -98,7 +98,7 @@ def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made])
         why = getattr(error, "strerror", None) or "no UTF-8 text"
         raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=why)) from None
     try:
-        content = json.loads(text)
+        content = json.loads(text, object_pairs_hook=lambda pairs: _object(path.name, pairs))
     except json.JSONDecodeError as error:
         raise SettingsError(messages.RULES_NOT_JSON(name=path.name, line=error.lineno, error=error.msg)) from None
     except RecursionError:
@@ -113,6 +113,15 @@ def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made])
 def ready_rules(subject: str) -> dict[str, Path]:
     """The ready files of a subject by their names."""
     return {path.stem: path for path in sorted((_READY / subject).glob("*.json"))}
+
+
+def _object(name: str, pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
+    """An object of a file; raises SettingsError where a key stands in it twice: which of the two is meant?"""
+    keys = [key for key, _ in pairs]
+    for key in keys:
+        if keys.count(key) > 1:
+            raise SettingsError(messages.RULES_KEY_TWICE(name=name, key=key))
+    return dict(pairs)
 
 
 def is_number(value: Any) -> bool:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import math
 import shutil
 from pathlib import Path
 from typing import Any
@@ -113,6 +114,14 @@ def test_an_aql_may_be_a_number(aql: object) -> None:
     assert outcome.results["ACCEPTED"] == 1
 
 
+def test_pieces_that_were_not_measured_leave_a_plan_its_lot() -> None:
+    outcome = decide(seams([None] + [P] * 39), PLAN="iso2859")
+    assert outcome.results["ACCEPTED"] == 1
+    assert "lot of 39" in decision(outcome)
+    ready = decide(seams([None] * 2 + [P] * 48), READY_RULES="iso2859_level_II_aql_1_0")
+    assert ready.results["ACCEPTED"] == 1
+
+
 def test_a_sample_is_drawn_with_a_seed() -> None:
     made = seams([F] * 100 + [P] * 900)
     found = [decision(decide(made, PLAN="iso2859", SEED=seed)) for seed in (4, 4, 5, 6, 7)]
@@ -169,6 +178,25 @@ def test_bad_rules_are_refused(rules: list[dict[str, object]], words: str, tmp_p
     path = tmp_path / "bad.json"
     path.write_text(json.dumps({"name": "bad", "rules": rules}))
     assert_refused("acceptmosaic", words, SEAMS=[seams([P])], RULES=str(path))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"name": "n", "rules": [{"check": "kept", "least": 0.7, "least": 0.1, "source": "x"}]}',
+        '{"name": "n", "rules": [], "rules": [{"check": "kept", "least": 0.1, "source": "x"}]}',
+    ],
+)
+def test_a_key_that_stands_twice_is_refused(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "twice.json"
+    path.write_text(text)
+    key = "least" if "0.7" in text else "rules"
+    assert_refused("acceptmosaic", f"twice.json says '{key}' twice", SEAMS=[seams([P])], RULES=str(path))
+
+
+def test_a_limit_that_no_piece_can_fail_is_told() -> None:
+    outcome = decide(seams([0.1] * 4), MIN_KEPT=0)
+    assert any("fails when it keeps less than 0" in said for said in outcome.log.warnings)
 
 
 def test_windows_lend_their_words_and_tell_who_agrees() -> None:
@@ -304,6 +332,10 @@ def test_bad_layers_are_refused() -> None:
         ({"MAX_SHARE": -1}, "MAX_SHARE is -1; give 0 or more"),
         ({"MAX_SHARE": 101}, "MAX_SHARE is 101 and has to lie between 0 and 100"),
         ({"MAX_RUN": -5}, "MAX_RUN is -5"),
+        ({"MIN_KEPT": math.nan}, "MIN_KEPT is nan; give a number"),
+        ({"MAX_RUN": math.nan}, "MAX_RUN is nan; give a number"),
+        ({"MAX_RUN": math.inf}, "MAX_RUN is inf; give a number"),
+        ({"MIN_KEPT": 70}, "MIN_KEPT is 70 and has to lie between 0 and 1"),
         ({"AQL": "3"}, "AQL 3 is none of the standard's"),
         ({"AQL": 15}, "AQL 15 is none of the standard's"),
         ({"CHART": "/tmp/chart.doc"}, "no PNG, SVG or PDF"),
