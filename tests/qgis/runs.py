@@ -48,6 +48,10 @@ class Run:
     complaint: str | None = None
     """Why the algorithm refused the parameters or failed; None when it succeeded."""
 
+    def close(self) -> None:
+        """Let go of its layers: those of a run that tests share would else outlive QGIS, and crash."""
+        self.context.temporaryLayerStore().removeAllMapLayers()
+
     def layer(self, name: str = "OUTPUT") -> QgsVectorLayer:
         """A layer among the results."""
         found = QgsProcessingUtils.mapLayerFromString(self.results[name], self.context)

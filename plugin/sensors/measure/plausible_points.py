@@ -10,7 +10,7 @@ from . import messages
 from .ground_system import GroundSystem
 from .points import Points
 
-LOWEST_M, HIGHEST_M = -500.0, 9000.0  # the Dead Sea and Mount Everest, with what a geoid adds
+LOWEST_M, HIGHEST_M = -12_000.0, 9000.0  # the Mariana Trench and Mount Everest, with what a geoid adds
 FINEST_M, COARSEST_M = 1e-4, 1e5  # of a pixel on the ground: a scanned sample, a weather satellite's whole disk
 MARGIN = 0.05  # of the image's sides: as far beyond its border a point may be measured
 FEWEST_INSIDE = 0.5  # of the points, for a turned reading of them to be believed

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import re
 import shutil
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -28,11 +29,13 @@ PART = re.compile(r"Clips of (\d+) px a side around x ([\d.]+), y ([\d.]+), at 2
 
 
 @pytest.fixture(scope="module")
-def inspected(provider: Any, scene: Scene) -> Run:
+def inspected(provider: Any, scene: Scene) -> Iterator[Run]:
     """A sound window, a blurred one, one that is half blurred, and one that is too small."""
     words = ["", "visible", "visible", ""]
     drawn = windows(SHARP, BLURRED, (192, 0, 128, 128), (0, 0, 9, 9), observer=("string", words))
-    return run("inspectwindows", WINDOWS=drawn, MOSAIC=str(scene.mosaic), SOURCES=scene.sources)
+    made = run("inspectwindows", WINDOWS=drawn, MOSAIC=str(scene.mosaic), SOURCES=scene.sources)
+    yield made
+    made.close()
 
 
 def report(inspected: Run, path: Path, log: Log | None = None, **parameters: Any) -> Run:

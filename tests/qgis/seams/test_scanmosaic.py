@@ -1,6 +1,7 @@
 """``seaminspector:scanmosaic``: its contract, on a small mosaic of two orthoimages with a crooked seam."""
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -45,9 +46,11 @@ def feathered(tmp_path_factory: pytest.TempPathFactory) -> Files:
 
 
 @pytest.fixture(scope="module")
-def scanned(provider: None, feathered: Files, tmp_path_factory: pytest.TempPathFactory) -> Run:
+def scanned(provider: None, feathered: Files, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Run]:
     """The feathered mosaic, its seams found."""
-    return run("scanmosaic", **feathered.given(LOSS=str(tmp_path_factory.mktemp("scanned") / "loss.tif")))
+    made = run("scanmosaic", **feathered.given(LOSS=str(tmp_path_factory.mktemp("scanned") / "loss.tif")))
+    yield made
+    made.close()
 
 
 def test_parameters_and_defaults() -> None:

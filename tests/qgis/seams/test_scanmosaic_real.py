@@ -1,6 +1,7 @@
 """``seaminspector:scanmosaic`` on real mosaics: Brighton hard and feathered, PackO cut along its graph."""
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -34,9 +35,11 @@ def true_seams(brighton: Path) -> np.ndarray:
 
 
 @pytest.fixture(scope="module", params=[HARD, FEATHER])
-def found(request: pytest.FixtureRequest, provider: None, brighton: Path) -> Run:
+def found(request: pytest.FixtureRequest, provider: None, brighton: Path) -> Iterator[Run]:
     """One of the mosaics with its orthoimages, its seams found."""
-    return scanned(brighton, request.param, SOURCES=orthoimages(brighton))
+    made = scanned(brighton, request.param, SOURCES=orthoimages(brighton))
+    yield made
+    made.close()
 
 
 def orthoimages(brighton: Path) -> list[str]:
