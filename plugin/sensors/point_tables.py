@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,33 +19,44 @@ from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.adjustment import Adjustment
 from .measure.comparison import Comparison
+from .measure.models.rpc_files import PIXEL_CENTRE
 from .measure.point_files import image_coordinates, read_point_file
 from .measure.points import CHECK, CONTROL, Points
 
+_SHOWN = 5
 
-def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list[Message]]:
+
+def layer_points(
+    source: QgsProcessingFeatureSource, image_name: str = "", heights: str = ""
+) -> tuple[Points, bool, list[Message]]:
     """The points of a layer, whether they have roles, and what was left out.
 
-    Raises SensorModelError for a layer without columns and rows, without a reference system or without points.
+    A layer with the fields ``ji`` and ``filename`` is one of orthority: of it the points of the image are taken.
+    ``heights`` is the system that says what heights refer to, where the layer's own does not. Raises SensorModelError
+    for a layer without columns and rows, without a reference system or without points.
     """
     names = [name.lower() for name in source.fields().names()]
-    for needed in ("column", "row"):
-        if needed not in names:
-            raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=needed))
-    if not source.sourceCrs().isValid():
-        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
+    of_orthority = "ji" in names and not {"column", "row"} <= set(names)
+    _check_layer(source, () if of_orthority else ("column", "row"), names)
     rows: list[tuple[str, list[float], str]] = []
     notices: list[Message] = []
+    images: set[str] = set()
     for row in attributes(features(source), names):
+        if of_orthority:
+            images.add(text(row["filename"]))
+            if not _is_of(text(row["filename"]), image_name):
+                continue
         name = text(row["id"]) or str(row.feature.id())
         role = text(row["role"]).lower()
-        numbers = _numbers(row)
+        numbers = _numbers(row, _orthority_place(row["ji"]) if of_orthority else None)
         if role not in ("", CONTROL, CHECK):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_ROLE_UNKNOWN(role=role)))
         elif not all(map(math.isfinite, numbers[:4])):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_WITHOUT_PLACE()))
         else:
             rows.append((name, numbers, role))
+    if (len(images) > 1 and not image_name) or (images and not rows and not notices):
+        raise SensorModelError(messages.POINTS_OF_OTHER_IMAGES(names=", ".join(sorted(images)[:_SHOWN])))
     if not rows:
         raise SensorModelError(messages.NO_POINTS_LEFT(why=notices[0]) if notices else messages.NO_POINTS())
     values = np.array([numbers for _, numbers, _ in rows])
@@ -56,6 +68,7 @@ def layer_points(source: QgsProcessingFeatureSource) -> tuple[Points, bool, list
         system_wkt(source.sourceCrs()),
         values[:, 5],
         np.array([role == CHECK for role in roles]),
+        heights,
     )
     return points, any(roles), notices
 
@@ -80,8 +93,30 @@ def file_points(path: str, wkt: str, image: OpenRaster | None) -> tuple[Points, 
     return points, [messages.POINTS_DISABLED(count=file.disabled)] if file.disabled else []
 
 
-def _numbers(row: Attributes) -> list[float]:
-    """Column, row, x, y, z, sigma; NaN for what is missing."""
+def _check_layer(source: QgsProcessingFeatureSource, needed: Sequence[str], names: Sequence[str]) -> None:
+    missing = next((name for name in needed if name not in names), None)
+    if missing is not None:
+        raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=missing))
+    if not source.sourceCrs().isValid():
+        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
+
+
+def _is_of(named: str, image_name: str) -> bool:
+    """Whether a point that names an image is of this one; folders and endings do not count, as with orthority."""
+    return not named or not image_name or Path(named).stem.lower() == Path(image_name).stem.lower()
+
+
+def _orthority_place(value: object) -> tuple[float, float]:
+    """Column and row of orthority's ji, which counts from the middle of the first pixel; NaN where it is none."""
+    found = value if isinstance(value, (list, tuple)) else re.findall(r"[-+.\deE]+", text(value))
+    numbers = [number(one) for one in found]
+    if len(numbers) != 2 or numbers[0] is None or numbers[1] is None:
+        return math.nan, math.nan
+    return numbers[0] + PIXEL_CENTRE, numbers[1] + PIXEL_CENTRE
+
+
+def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[float]:
+    """Column, row, x, y, z, sigma; NaN for what is missing. ``place``: column and row, where no fields hold them."""
     geometry = row.feature.geometry()
     x = y = height = math.nan
     if not geometry.isNull() and not geometry.isEmpty() and geometry.type() == QgsWkbTypes.GeometryType.PointGeometry:
@@ -89,6 +124,7 @@ def _numbers(row: Attributes) -> list[float]:
         x, y, height = vertex.x(), vertex.y(), vertex.z() if vertex.is3D() else math.nan
     found = (number(row[name]) for name in ("column", "row", "z", "sigma"))
     column, line, z, sigma = (math.nan if value is None else value for value in found)
+    column, line = place or (column, line)
     return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 

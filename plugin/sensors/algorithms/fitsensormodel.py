@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -33,12 +33,11 @@ if TYPE_CHECKING:
     from ..measure.adjustment import Accuracy, Adjustment
     from ..measure.control_coverage import ImageBox
     from ..measure.models.registry import ModelRequest
-    from ..measure.models.rpc import Domain
 
 MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 
 MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
-OUTPUT, MODEL_FILE, RPC = "OUTPUT", "MODEL_FILE", "RPC"
+OUTPUT, MODEL_FILE, RPC, RPC_IMAGE, POINTS = "OUTPUT", "MODEL_FILE", "RPC", "RPC_IMAGE", "POINTS"
 CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
 BIAS_COLUMN, BIAS_ROW = "BIAS_COLUMN", "BIAS_ROW"
 _BIASES = tuple(one.name for one in registry.RPC_BIAS.variants)
@@ -86,8 +85,20 @@ class FitSensorModel(SensorAlgorithm):
             (
                 RPC,
                 tr("RPC"),
-                tr("RPC files (*.txt *.TXT)"),
-                tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT."),
+                tr("RPC files (*.txt *.TXT *.rpb *.RPB)"),
+                tr("The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB."),
+            ),
+            (
+                RPC_IMAGE,
+                tr("Image with the RPC"),
+                tr("GeoTIFF files (*.tif *.TIF)"),
+                tr("A copy of the image that carries the model as RPC in its tags, and no other georeference."),
+            ),
+            (
+                POINTS,
+                tr("Points for the georeferencer"),
+                tr("GCP files (*.points)"),
+                tr("The points with their residuals in pixels; check points and blunders are switched off."),
             ),
         ):
             self.addDescribed(
@@ -113,6 +124,7 @@ class FitSensorModel(SensorAlgorithm):
         from .. import point_tables
         from ..measure.adjustment import adjust
         from ..measure.control_coverage import control_coverage, coverage_warnings
+        from ..measure.fit_files import FitFiles
 
         image = self._image()
         request = self._request(run, image)
@@ -131,10 +143,10 @@ class FitSensorModel(SensorAlgorithm):
             crs = QgsCoordinateReferenceSystem(points.wkt)
         sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, point_tables.residual_features(done))
-        domain = self._domain(image, points)
+        files = FitFiles(done, image, box, run.is_cancelled)
 
-        def write_rpc(path: Path) -> bool:
-            notice, written = self._save_rpc(done, domain, path)
+        def write_rpc(write: Callable[[Path], tuple[Message, bool]], path: Path) -> bool:
+            notice, written = write(path)
             notices.append(notice)
             run.tell(notice)
             return written
@@ -146,8 +158,10 @@ class FitSensorModel(SensorAlgorithm):
 
         results: dict[str, Any] = {OUTPUT: output}
         for name, write in (
-            (MODEL_FILE, partial(self._save_model, done, domain)), (RPC, write_rpc), (common.REPORT, write_report)
-        ):
+            (MODEL_FILE, files.save_model), (RPC, partial(write_rpc, files.save_rpc)),
+            (RPC_IMAGE, partial(write_rpc, files.save_rpc_image)), (POINTS, files.save_points),
+            (common.REPORT, write_report),
+        ):  # fmt: skip
             results.update(run.save(name, write))
         control, check = done.control, done.check
         for group, errors in (("CHECK", check), ("CONTROL", control)):
@@ -195,52 +209,6 @@ class FitSensorModel(SensorAlgorithm):
             names = [name for name, one in zip(done.points.ids, doubted) if one]
             notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
         return notices
-
-    @staticmethod
-    def _domain(image: OpenRaster | None, points: Any) -> Domain:
-        import numpy as np
-
-        from ..measure.models.rpc import Domain
-
-        box = image_box(image, points)
-        heights = points.ground[:, 2][np.isfinite(points.ground[:, 2])]
-        low, high = (float(heights.min()), float(heights.max())) if len(heights) else (0.0, 0.0)
-        middle = points.ground[:, :2].mean(axis=0)
-        return Domain((box[0], box[2]), (box[1], box[3]), (low, high), (float(middle[0]), float(middle[1])))
-
-    @staticmethod
-    def _save_model(done: Adjustment, domain: Domain, path: Path) -> None:
-        from dataclasses import asdict
-
-        from ..measure.models.model_file import ModelFile, save_model
-
-        facts = {
-            "model": done.request.name,
-            "condition": done.fitted.condition,
-            "iterations": done.fitted.iterations,
-            "converged": done.fitted.converged,
-            "sigma_px": done.sigma_px,
-            "control": asdict(done.control),
-            "check": asdict(done.check),
-            "blunders": [name for name, one in zip(done.points.ids, done.blunder) if one],
-        }
-        save_model(ModelFile(done.fitted.model, done.points.wkt, domain, facts), path)
-
-    @staticmethod
-    def _save_rpc(done: Adjustment, domain: Domain, path: Path) -> tuple[Message, bool]:
-        """Write the RPC; what to tell of it, or why there is none, and whether there is one."""
-        from ..measure.models.rpc import rpc_heights, rpc_of
-        from ..measure.models.rpc_files import write_rpc
-
-        try:
-            made = rpc_of(done.fitted.model, done.points.wkt, domain)
-        except SensorModelError as error:
-            return messages.RPC_NOT_WRITTEN(why=error.message), False
-        write_rpc(made.rpc, path)
-        if made.exact:
-            return messages.RPC_EXACT(), True
-        low, high = rpc_heights(domain)
-        return messages.RPC_FITTED(rms=made.rms_px, largest=made.max_px, low=low, high=high), True
 
 
 class _Bias(NamedTuple):

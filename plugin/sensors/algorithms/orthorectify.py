@@ -23,6 +23,7 @@ from .sensor_parameters import SensorAlgorithm
 
 if TYPE_CHECKING:
     from ...imagery.open_raster import OpenRaster
+    from ..measure.height_datums import Datum
     from ..measure.models.rpc import Domain
     from ..measure.models.sensor_model import SensorModel
 
@@ -79,6 +80,7 @@ class Orthorectify(SensorAlgorithm):
         )
         self.addDescribed(*sensor_parameters.dem(tr("Terrain heights under the whole image, in any reference system.")))
         self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(*sensor_parameters.geoid())
         self.addDescribed(
             QgsProcessingParameterNumber(
                 HEIGHT, tr("Constant height (metres)"), QgsProcessingParameterNumber.Type.Double, None, optional=True
@@ -168,20 +170,22 @@ class Orthorectify(SensorAlgorithm):
         )
         return {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
 
-    def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, str]:
+    def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
         """The model in the image's own pixels, the system it is in, where it is used, and what the terrain model's
         heights are to be taken as."""
         from ..measure.ground_system import WGS84
         from ..measure.models.model_file import load_model
         from ..measure.orthorectification import rpc_domain
 
-        path, dem_datum = run.path(MODEL_FILE), run.text(sensor_parameters.DEM_HEIGHTS)
+        path = run.path(MODEL_FILE)
+        datums = sensor_parameters.height_datums(run, sensor_parameters.DEM_HEIGHTS, EXTERIOR_HEIGHTS)
+        dem_datum, exterior_datum = datums
         if path and run.path(RPC):
             raise SettingsError(messages.MODEL_AND_RPC())
         if run.path(INTERIOR) or run.path(EXTERIOR):
             if path or run.path(RPC):
                 raise SettingsError(messages.ORIENTATION_AND_MODEL())
-            return self._frame(run, image, dem_datum)
+            return self._frame(run, image, dem_datum, exterior_datum)
         if path:
             file = load_model(Path(path))
             return file.model, file.wkt, file.domain, dem_datum
@@ -190,14 +194,16 @@ class Orthorectify(SensorAlgorithm):
             raise SensorModelError(messages.NO_RPC())
         return rpc, WGS84, rpc_domain(rpc, image.raster), dem_datum
 
-    def _frame(self, run: Run, image: OpenRaster, dem_datum: str) -> tuple[SensorModel, str, Domain, str]:
+    def _frame(
+        self, run: Run, image: OpenRaster, dem_datum: Datum, datum: Datum
+    ) -> tuple[SensorModel, str, Domain, Datum]:
         from ...toolkit.layers import system_wkt
         from ..measure.frames.oriented_frame import FrameFiles, oriented_frame
 
         interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
         if not interior or not exterior:
             raise SettingsError(messages.ORIENTATION_INCOMPLETE())
-        wkt, datum = system_wkt(run.crs(EXTERIOR_CRS)), run.text(EXTERIOR_HEIGHTS)
+        wkt = system_wkt(run.crs(EXTERIOR_CRS))
         files = FrameFiles(Path(interior), Path(exterior), wkt, datum)
         made = oriented_frame(image, files, self._dem, dem_datum, run.real(HEIGHT))
         run.tell(*made.notices)

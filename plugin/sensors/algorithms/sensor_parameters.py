@@ -25,8 +25,10 @@ from ...toolkit.translation import tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
+    from ...imagery.message import Message
     from ...imagery.open_raster import OpenRaster
     from ..measure.control_coverage import ImageBox
+    from ..measure.height_datums import Datum
     from ..measure.models.rational import Rational
     from ..measure.models.registry import ModelRequest
     from ..measure.points import Points
@@ -38,8 +40,11 @@ ORBIT_HEIGHTS_KM = {  # by the satellite's name in the image's metadata; the ope
 }  # fmt: skip
 
 GCPS, GCPS_CRS, IMAGE, IMAGE_RPC, DEM = "GCPS", "GCPS_CRS", "IMAGE", "IMAGE_RPC", "DEM"
-HEIGHTS, DEM_HEIGHTS = "HEIGHTS", "DEM_HEIGHTS"
+HEIGHTS, DEM_HEIGHTS, GEOID = "HEIGHTS", "DEM_HEIGHTS", "GEOID"
 CHECK_SHARE, ROBUST, ORBIT_HEIGHT = "CHECK_SHARE", "ROBUST", "ORBIT_HEIGHT"
+
+POINTS_SUFFIX = ".points"
+IMAGE_SUFFIXES = (".tif", ".tiff", ".vrt", ".ntf", ".nitf", ".jp2", ".img")
 
 
 class SensorAlgorithm(SeamInspectorAlgorithm):
@@ -62,6 +67,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(*dem(tr("Gives heights to points that have none.")))
         self.addDescribed(*heights(HEIGHTS, tr("Heights of the points")))
         self.addDescribed(*heights(DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(*geoid())
         share = tr("Share of check points")
         self.addDescribed(
             number(CHECK_SHARE, share, number.Type.Double, DEFAULT_CHECK_SHARE, minValue=0, maxValue=0.9),
@@ -89,15 +95,27 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         )
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
-        # A georeferencer's file is no layer that QGIS can load, so that its own check gets one in its place.
+        # A georeferencer's file or an image is no layer that QGIS can load, so its own check gets one in its place.
         given = super().for_check(parameters)
-        if _points_path(given.get(GCPS)):
+        if _file_path(given.get(GCPS)):
             given[GCPS] = QgsVectorLayer("Point?crs=EPSG:4326", "points", "memory")
         return given
 
     def prepare(self, run: Run) -> None:
         self._image_ref = run.raster(IMAGE)
         self._dem = run.raster(DEM)
+        self._heights_wkt = self._of_heights(run)
+
+    @staticmethod
+    def _of_heights(run: Run) -> str:
+        """The system that the points' heights are in, by their layer."""
+        given = run.parameters.get(GCPS)
+        if not given or _file_path(given):
+            return ""
+        from ..layer_heights import heights_wkt
+
+        layer = run.vector_layer(GCPS)
+        return heights_wkt(layer) if layer is not None else ""
 
     def _image(self) -> OpenRaster | None:
         from ..measure.sensor_images import open_image
@@ -106,22 +124,15 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _points(self, run: Run, image: OpenRaster | None, request: ModelRequest | None = None) -> Points:
         """The points with roles, and heights where the model (None: any model) needs them."""
-        from ...toolkit.layers import system_wkt
-        from .. import point_tables
         from ..measure.plausible_points import check_plausible
         from ..measure.point_heights import with_heights
         from ..measure.points import choose_check_points
 
-        path, with_roles = _points_path(run.parameters.get(GCPS)), False
-        if path:
-            wkt = system_wkt(run.crs(GCPS_CRS))
-            points, notices = point_tables.file_points(path, wkt, image)
-        else:
-            points, with_roles, notices = point_tables.layer_points(run.source(GCPS))
+        points, with_roles, notices = self._points_given(run, image)
         run.tell(*notices)
         check_plausible(points, (image.columns, image.rows) if image is not None else None)
         if request is None or request.needs_heights:
-            datum, dem_datum = (run.text(name) for name in (HEIGHTS, DEM_HEIGHTS))
+            datum, dem_datum = height_datums(run, HEIGHTS, DEM_HEIGHTS)
             points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))
             run.tell(*notices)
         if not len(points):
@@ -137,6 +148,28 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
                 messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)
             )
         return points
+
+    def _points_given(self, run: Run, image: OpenRaster | None) -> tuple[Points, bool, list[Message]]:
+        """The points as given, whether they have roles, and what was left out."""
+        from ...imagery.rasters import RasterRef
+        from ...toolkit.layers import system_wkt
+        from .. import point_tables
+        from ..measure.image_points import image_points
+        from ..measure.sensor_images import open_image
+
+        given = run.parameters.get(GCPS)
+        path, wkt = _file_path(given), system_wkt(run.crs(GCPS_CRS))
+        if path.lower().endswith(POINTS_SUFFIX):
+            points, notices = point_tables.file_points(path, wkt, image)
+            return points, False, notices
+        if path:
+            return image_points(open_image(RasterRef(path, wkt))), False, []
+        if not given:
+            if image is None:
+                raise SettingsError(messages.NO_POINTS())
+            return image_points(image), False, []
+        name = image.ref.name if image is not None else ""
+        return point_tables.layer_points(run.source(GCPS), name, self._heights_wkt)
 
     def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
@@ -164,6 +197,20 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return next(known, limits.DEFAULT_ORBIT_HEIGHT_KM) * 1000
 
 
+def height_datums(run: Run, *names: str) -> list[Datum]:
+    """What heights refer to by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
+    from ...imagery.rasters import RasterRef
+    from ..measure.height_datums import GEOID as BY_GRID
+    from ..measure.height_datums import Geoid
+
+    words, path = [run.text(name) for name in names], run.path(GEOID)
+    if BY_GRID in words and not path:
+        raise SettingsError(messages.GEOID_MISSING())
+    if path and BY_GRID not in words:
+        raise SettingsError(messages.GEOID_UNUSED(name=Path(path).name))
+    return [Geoid(RasterRef(path)) if word == BY_GRID else word for word in words]
+
+
 def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
     """The image's rectangle, or that of the points where there is no image."""
     if image is not None:
@@ -172,9 +219,9 @@ def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
     return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
 
-def _points_path(value: object) -> str:
-    """The path of a georeferencer's file; empty for a layer."""
-    return value if isinstance(value, str) and value.lower().endswith(".points") else ""
+def _file_path(value: object) -> str:
+    """The path of a georeferencer's file or of an image that holds points; empty for a layer."""
+    return value if isinstance(value, str) and value.lower().endswith((POINTS_SUFFIX, *IMAGE_SUFFIXES)) else ""
 
 
 # --- parameters ------------------------------------------------------------------------------------------------
@@ -183,12 +230,13 @@ def _points_path(value: object) -> str:
 def gcps() -> Described:
     return (
         QgsProcessingParameterFeatureSource(
-            GCPS, tr("Ground control points"), [QgsProcessing.SourceType.TypeVectorPoint]
+            GCPS, tr("Ground control points"), [QgsProcessing.SourceType.TypeVectorPoint], None, True
         ),
         tr(
             "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left "
             "corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard "
-            "deviation in pixels); or a .points file of QGIS's georeferencer."
+            "deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or a TIFF that "
+            "holds such points. Empty: those inside the image."
         ),
     )
 
@@ -209,7 +257,15 @@ def heights(name: str, label: str) -> Described:
         common.choice(name, label, limits.HEIGHT_DATUMS),
         tr(
             "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning "
-            "where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid. "
-            "SRTM tiles are egm96."
+            "where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, "
+            "geoid by a grid file of your own. SRTM tiles are egm96."
         ),
+    )
+
+
+def geoid() -> tuple[QgsProcessingParameterFile, str, bool]:
+    return (
+        QgsProcessingParameterFile(GEOID, tr("Grid of the geoid"), optional=True),
+        tr("For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster."),
+        True,
     )

@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 WGS84_SEMI_MAJOR_M = 6378137.0
-HEIGHT_DATUMS = ("auto", "ellipsoid", "egm96", "egm2008")  # auto: what the reference system says
-EXTERIOR_DATUMS = ("as_terrain", "ellipsoid", "egm96", "egm2008")  # as_terrain: no conversion at all
+HEIGHT_DATUMS = ("auto", "ellipsoid", "egm96", "egm2008", "geoid")  # auto: what the system says; geoid: a grid file
+EXTERIOR_DATUMS = ("as_terrain", "ellipsoid", "egm96", "egm2008", "geoid")  # as_terrain: no conversion at all
 MAX_NEWTON_ITERATIONS = 30  # the inverse of a smooth model takes four or five
 MIN_SIGMA_PX = 1e-7  # rounding: no measured coordinate is better
 MAX_LINEAR_CONDITION = 1e6  # of the affine camera through the points, its columns scaled

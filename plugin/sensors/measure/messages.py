@@ -10,6 +10,13 @@ NO_POINTS_FILE = Message(
     "{name} is no points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose "
     "one, or a point layer with the fields column and row."
 )
+NO_POINTS_IN_IMAGE = Message(
+    "{name} holds no ground control points itself; choose a layer or a file of points."
+)
+IMAGE_POINTS_BROKEN = Message("A ground control point inside {name} is no number; choose a layer or a file of points.")
+POINTS_OF_OTHER_IMAGES = Message(
+    "The points are of the images {names}; choose one of them, since a file that names images is read for one."
+)
 POINTS_LINE_UNREADABLE = Message("Line {line} of {name} can't be read; correct or remove it.")
 POINTS_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system."
@@ -127,6 +134,9 @@ RPC_FITTED = Message(
     "and heights of {low:.0f} to {high:.0f} m.", INFO
 )
 RPC_EXACT = Message("The RPC is the model itself.", INFO)
+RPC_IMAGE_WITHOUT_IMAGE = Message(
+    "No image with the RPC is written: there is no image to copy; choose it.", WARNING
+)
 RPC_OF_WHOLE_SCENE = Message(
     "The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} "
     "on.", INFO
@@ -192,6 +202,17 @@ HEIGHTS_CONVERTED = Message(
     "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are "
     "added.", INFO
 )
+ANOTHER_GRID_IS_THERE = Message(
+    "PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few "
+    "metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID)."
+)
+NO_GEOID = Message(
+    "{name} is no grid of the geoid (heights of sea level above the ellipsoid, m, rows from north to south); choose "
+    "one, such as a .gtx or .tif of PROJ."
+)
+GEOID_NOT_COVERING = Message("The grid {name} has no values at some of the places; choose one that covers them.")
+GEOID_MISSING = Message("Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).")
+GEOID_UNUSED = Message("The grid file {name} is given and no heights refer to it; choose geoid for those that do.")
 NO_DEM = Message(
     "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat."
 )

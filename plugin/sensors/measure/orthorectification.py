@@ -22,10 +22,11 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
 from . import limits, messages
 from .ground_system import GEOGRAPHIC, WGS84, GroundSystem
+from .height_datums import Datum
 from .models.locating import locate
 from .models.rational import Rational
 from .models.rpc import Domain, RpcOfModel, rpc_of
-from .models.rpc_files import to_metadata
+from .models.rpc_images import image_with_rpc
 from .models.sensor_model import SensorModel
 from .sensor_images import open_image
 from .terrain import Terrain, constant_terrain, load_terrain
@@ -46,8 +47,8 @@ class OrthoRequest:
     """System of the points that the model was fitted to."""
     domain: Domain
     dem: RasterRef | None
-    datum: str
-    """What the heights of ``dem`` refer to; one of ``limits.HEIGHT_DATUMS``."""
+    datum: Datum
+    """What the heights of ``dem`` refer to."""
     height: float | None
     """Constant height above the ellipsoid, m, instead of ``dem``."""
     output: Path
@@ -110,7 +111,7 @@ def orthorectify(
     columns, rows = (max(round((extent[i + 2] - extent[i]) / size), 1) for i in (0, 1))
     if columns > 2**31 - 1 or rows > 2**31 - 1 or columns * rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=columns, height=rows))
-    source = _source(plan)
+    source = image_with_rpc(plan.image, plan.rpc.rpc)
     with _heights(plan.terrain) as heights:
         options = [
             "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
@@ -201,16 +202,6 @@ def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
 
 
 # --- GDAL ------------------------------------------------------------------------------------------------------
-
-
-def _source(plan: _Plan) -> gdal.Dataset:
-    """The image with the RPC and nothing else that could place it."""
-    with gdal_silenced():
-        source = gdal.Translate("", plan.image.dataset, format="VRT", noData=None)
-        source.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
-        source.SetProjection("")
-        source.SetMetadata(to_metadata(plan.rpc.rpc), "RPC")
-    return source
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""QGIS's georeferencer points: ``.points`` files, with the header of any version."""
+"""QGIS's georeferencer points: ``.points`` files, read with the header of any version and written with the newest."""
 from __future__ import annotations
 
 import csv
@@ -6,7 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from ...imagery import messages as imagery_messages
+from ...imagery.atomic_files import save_text
 from ...imagery.errors import SensorModelError
 from . import messages
 
@@ -72,3 +75,29 @@ def image_coordinates(
     determinant = across * down - skew_x * skew_y
     moved = [(x - left, y - top) for x, y in source]
     return [((down * x - skew_x * y) / determinant, (across * y - skew_y * x) / determinant) for x, y in moved]
+
+
+def source_coordinates(image: np.ndarray, geotransform: Sequence[float] | None) -> np.ndarray:
+    """(n, 2) source coordinates of columns and rows (n, 2): what ``image_coordinates`` takes back."""
+    if geotransform is None:
+        return image * [1, -1]
+    left, across, skew_x, top, skew_y, down = geotransform
+    if tuple(geotransform) == (0.0, 1.0, 0.0, 0.0, 0.0, 1.0):
+        return image * [1, -1]
+    column, row = image.T
+    return np.column_stack([left + across * column + skew_x * row, top + skew_y * column + down * row])
+
+
+def write_point_file(
+    path: Path, wkt: str, ground: np.ndarray, source: np.ndarray, enabled: np.ndarray, residuals_px: np.ndarray
+) -> None:
+    """Write a file that QGIS's georeferencer loads, the residuals (n, 2) in px as it writes them itself.
+
+    Raises SettingsError where no file can be.
+    """
+    lines = [f"#CRS: {' '.join(wkt.split())}", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"]
+    length = np.linalg.norm(residuals_px, axis=1)
+    for place, measured, on, residual, size in zip(ground[:, :2], source, enabled, residuals_px, length):
+        numbers = [repr(float(value)) for value in (*place, *measured)]
+        lines.append(",".join([*numbers, str(int(on)), *(repr(float(value)) for value in (*residual, size))]))
+    save_text("\n".join(lines) + "\n", path)

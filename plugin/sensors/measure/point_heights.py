@@ -7,22 +7,22 @@ import numpy as np
 
 from ...imagery.message import Message
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import heights_above_ellipsoid
 from . import messages
 from .ground_system import GroundSystem
+from .height_datums import Datum, above_ellipsoid, heights_converted, vertical_system
 from .models.least_squares import Scaling, least_squares
 from .points import Points
-from .terrain import heights_converted, load_terrain, vertical_system
+from .terrain import load_terrain
 
 FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
 
 
 def with_heights(
-    points: Points, datum: str, dem: RasterRef | None, dem_datum: str, name: str
+    points: Points, datum: Datum, dem: RasterRef | None, dem_datum: Datum, name: str
 ) -> tuple[Points, list[Message]]:
     """Points with heights above the ellipsoid, and what to say about them.
 
-    Heights that points have refer to ``datum`` (one of ``limits.HEIGHT_DATUMS``); points without get the terrain
+    Heights that points have refer to ``datum``; points without get the terrain
     model's. Those that lie off the terrain model are left out. Raises RasterError for a terrain model that can't be
     used and for heights that PROJ has no grid for.
     """
@@ -31,11 +31,12 @@ def with_heights(
     given = np.isfinite(heights)
     geographic = GroundSystem(points.wkt).to_geographic(np.nan_to_num(points.ground))
     if given.any():
-        vertical, assumed = vertical_system(points.wkt, datum, name)
+        system = points.heights_wkt or points.wkt
+        vertical, assumed = vertical_system(system, datum, name)
         notices += assumed
         if vertical:
-            moved = heights_above_ellipsoid(geographic[given], vertical)
-            notices.append(heights_converted(moved - heights[given], points.wkt, datum, name))
+            moved = above_ellipsoid(geographic[given], vertical)
+            notices.append(heights_converted(moved - heights[given], system, datum, name))
             heights[given] = moved
     if dem is not None and not given.all():
         low, high = geographic[:, :2].min(axis=0), geographic[:, :2].max(axis=0)

@@ -23,6 +23,8 @@ class Points:
     """(n,) standard deviation of a coordinate in the image; NaN where none is given."""
     check: np.ndarray
     """(n,) bool: whether a point only judges the fit."""
+    heights_wkt: str = ""
+    """Reference system that says what heights refer to, where ``wkt`` does not."""
 
     def __len__(self) -> int:
         return len(self.ids)

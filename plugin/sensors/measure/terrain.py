@@ -12,22 +12,13 @@ from ...imagery.grids import Extent, PixelWindow
 from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import (
-    extent_on,
-    heights_above_ellipsoid,
-    transform_points,
-    vertical_code,
-    vertical_part,
-)
-from . import limits, messages
+from ...imagery.reference_systems import extent_on, transform_points
+from . import messages
 from .ground_system import WGS84
+from .height_datums import Datum, above_ellipsoid, heights_converted, vertical_system
 
-EGM96, EGM2008 = "EPSG:5773", "EPSG:3855"
 MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
 UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
-
-AUTO, ELLIPSOID, _EGM96, _EGM2008 = limits.HEIGHT_DATUMS
-VERTICAL = {_EGM96: EGM96, _EGM2008: EGM2008}
 
 
 @dataclass(frozen=True)
@@ -55,10 +46,12 @@ class Terrain:
         left, top = columns.astype(int), rows.astype(int)
         right, bottom = np.minimum(left + 1, last_column), np.minimum(top + 1, last_row)
         x, y = columns - left, rows - top
-        heights = self.heights.astype(np.float64)
-        upper = _mixed(heights[top, left], heights[top, right], x)
-        lower = _mixed(heights[bottom, left], heights[bottom, right], x)
+        upper = _mixed(self._height(top, left), self._height(top, right), x)
+        lower = _mixed(self._height(bottom, left), self._height(bottom, right), x)
         return np.where(inside, _mixed(upper, lower, y), np.nan)
+
+    def _height(self, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+        return self.heights[rows, columns].astype(np.float64)  # of the places alone, which are few
 
 
 def _mixed(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
@@ -73,10 +66,10 @@ def constant_terrain(height: float, extent: Extent) -> Terrain:
     return Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
 
 
-def load_terrain(ref: RasterRef, extent: Extent, datum: str) -> Terrain:
+def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     """The heights of a raster over longitudes and latitudes (west, south, east, north), brought to the ellipsoid.
 
-    ``datum`` is one of ``limits.HEIGHT_DATUMS``. Raises RasterError where the raster lies elsewhere, is rotated,
+    Raises RasterError where the raster lies elsewhere, is rotated,
     has no reference system, is too large there, or where PROJ has no grid for its heights.
     """
     source = OpenRaster(ref)
@@ -113,7 +106,7 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: str) -> Terrain:
     return _above_ellipsoid(found, datum)
 
 
-def _above_ellipsoid(terrain: Terrain, datum: str) -> Terrain:
+def _above_ellipsoid(terrain: Terrain, datum: Datum) -> Terrain:
     vertical, notices = vertical_system(terrain.wkt, datum, terrain.name)
     if not vertical:
         return replace(terrain, notices=notices)
@@ -122,26 +115,7 @@ def _above_ellipsoid(terrain: Terrain, datum: str) -> Terrain:
     return replace(terrain, heights=terrain.heights + undulation, notices=(notice,))
 
 
-def heights_converted(added: np.ndarray, wkt: str, datum: str, name: str) -> Message:
-    """What to say of heights that were brought to the ellipsoid by adding so much."""
-    named = datum if datum in VERTICAL else vertical_part(wkt)
-    least, most = float(added.min()), float(added.max())
-    return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=least, most=most)
-
-
-def vertical_system(wkt: str, datum: str, name: str) -> tuple[str, tuple[Message, ...]]:
-    """What PROJ has to convert heights from, empty for none, and what to say about it."""
-    if datum in VERTICAL:
-        return VERTICAL[datum], ()
-    if datum == ELLIPSOID:
-        return "", ()
-    part = vertical_part(wkt)
-    if not part:
-        return "", (messages.HEIGHTS_ASSUMED(name=name),)
-    return ("" if part == "ellipsoid" else vertical_code(wkt)), ()
-
-
-def _undulation(terrain: Terrain, vertical: str) -> np.ndarray:
+def _undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
     """(rows, columns) m between the heights' reference and the ellipsoid, from a coarse grid: the geoid is smooth."""
     rows, columns = terrain.heights.shape
     step = UNDULATION_STEP_PX
@@ -150,6 +124,6 @@ def _undulation(terrain: Terrain, vertical: str) -> np.ndarray:
     x = terrain.origin[0] + (column.ravel() + 0.5) * terrain.step[0]
     y = terrain.origin[1] + (row.ravel() + 0.5) * terrain.step[1]
     places = transform_points(np.column_stack([x, y]), terrain.wkt, WGS84)
-    coarse = heights_above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
+    coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
     along = np.array([np.interp(np.arange(columns), knots[1], line) for line in coarse])
     return np.array([np.interp(np.arange(rows), knots[0], line) for line in along.T], np.float32).T

@@ -12,7 +12,6 @@ from ....imagery.message import Message
 from ....imagery.open_raster import OpenRaster
 from ....imagery.rasters import RasterRef
 from ....imagery.reference_systems import (
-    heights_above_ellipsoid,
     horizontal_wkt,
     is_geographic,
     metres_per_unit,
@@ -20,10 +19,10 @@ from ....imagery.reference_systems import (
 )
 from .. import messages
 from ..ground_system import WGS84
+from ..height_datums import ELLIPSOID, VERTICAL, Datum, Geoid, above_ellipsoid
 from ..limits import EXTERIOR_DATUMS
 from ..models.frame_camera import FrameCamera
 from ..models.rpc import Domain
-from ..terrain import ELLIPSOID, VERTICAL
 from .exterior_files import read_exterior
 from .interior_files import read_interior
 
@@ -40,8 +39,8 @@ class FrameFiles:
     exterior: Path
     wkt: str
     """Reference system of the exterior orientation, if it is stated; empty: what its file says, else the image's."""
-    datum: str
-    """What the projection centre's height refers to, one of ``limits.EXTERIOR_DATUMS``."""
+    datum: Datum
+    """What the projection centre's height refers to: one of ``limits.EXTERIOR_DATUMS``, or a grid."""
 
 
 @dataclass(frozen=True)
@@ -52,13 +51,13 @@ class OrientedFrame:
     wkt: str
     """Reference system of its position."""
     domain: Domain
-    terrain_datum: str
+    terrain_datum: Datum
     """What the terrain model's heights are to be taken as: the camera's are of the same kind then."""
     notices: tuple[Message, ...]
 
 
 def oriented_frame(
-    image: OpenRaster, files: FrameFiles, dem: RasterRef | None, dem_datum: str, height: float
+    image: OpenRaster, files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, height: float
 ) -> OrientedFrame:
     """The camera of an image; the ground's heights from ``dem``, else one ``height`` everywhere.
 
@@ -68,8 +67,9 @@ def oriented_frame(
     interior = read_interior(files.interior, exterior.camera, (image.columns, image.rows))
     wkt, notices = _system(image, files, exterior.wkt)
     camera = FrameCamera(interior, exterior.position, exterior.axes)
-    if files.datum in VERTICAL:
-        camera = replace(camera, position=_above_ellipsoid(camera.position, wkt, VERTICAL[files.datum]))
+    vertical = files.datum if isinstance(files.datum, Geoid) else VERTICAL.get(files.datum)
+    if vertical is not None:
+        camera = replace(camera, position=_above_ellipsoid(camera.position, wkt, vertical))
     low, high = (height, height) if dem is None else _range_of_heights(dem)
     _check_view(camera, image, low, high)
     middle = camera.place_at((low + high) / 2)
@@ -88,9 +88,9 @@ def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tupl
     return horizontal_wkt(wkt), () if files.wkt or named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
 
 
-def _above_ellipsoid(position: np.ndarray, wkt: str, vertical: str) -> np.ndarray:
+def _above_ellipsoid(position: np.ndarray, wkt: str, vertical: Datum) -> np.ndarray:
     place = transform_points(position[None, :2], wkt, WGS84)
-    height = heights_above_ellipsoid(np.column_stack([place, position[None, 2:]]), vertical)
+    height = above_ellipsoid(np.column_stack([place, position[None, 2:]]), vertical)
     return np.append(position[:2], height)
 
 

@@ -23,6 +23,7 @@ from .rational import Rational
 
 _OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 _COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
+_RPB_NAMES = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
 RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
 PIXEL_CENTRE = 0.5
 """An RPC counts from the centre of the first pixel, GDAL and we from its corner."""
@@ -71,8 +72,11 @@ def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> 
 
 
 def write_rpc(rpc: Rational, path: Path) -> None:
-    """A text file as GDAL reads it beside ``image.tif`` under the name ``image_RPC.TXT``."""
+    """A file as GDAL reads it beside ``image.tif``: ``image.RPB`` where the name ends so, else ``image_RPC.TXT``."""
     lines = []
+    if path.suffix.lower() == ".rpb":
+        save_text(_rpb_text(to_metadata(rpc)), path, "ascii")
+        return
     for name, value in to_metadata(rpc).items():
         if name.endswith("_COEFF"):
             lines += [f"{name}_{number}: {one}" for number, one in enumerate(value.split(), 1)]
@@ -124,13 +128,25 @@ def _dimap_items(content: bytes, name: str) -> dict[str, str]:
     return {**validity, **_coefficients(model, "{}_COEFF_{}", 1)}
 
 
+def _rpb_text(items: Mapping[str, str]) -> str:
+    """The RPB of GDAL's items; the errors of the RPC are not known and stand as 0, as GDAL writes them."""
+    lines = ['satId = "";', 'bandId = "";', 'SpecId = "RPC00B";', "BEGIN_GROUP = IMAGE"]
+    lines += ["\terrBias = 0.0;", "\terrRand = 0.0;"]
+    for kind, ending in (("OFF", "Offset"), ("SCALE", "Scale")):
+        lines += [f"\t{ours}{ending} = {items[f'{name}_{kind}']};" for ours, name in _RPB_NAMES.items()]
+    for name in _COEFFICIENTS:
+        axis, part = name.lower().split("_")
+        values = ",\n".join(f"\t\t\t{value}" for value in items[f"{name}_COEFF"].split())
+        lines.append(f"\t{axis}{part.capitalize()}Coef = (\n{values});")
+    return "\n".join([*lines, "END_GROUP = IMAGE", "END;", ""])
+
+
 def _rpb_items(text: str) -> dict[str, str]:
-    names = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
     items = {}
     for name, value in re.findall(r"(\w+)\s*=\s*([-+.\deE]+)\s*;", text):
-        for ours in names:
+        for ours in _RPB_NAMES:
             if name in (f"{ours}Offset", f"{ours}Scale"):
-                items[f"{names[ours]}_{'OFF' if name.endswith('Offset') else 'SCALE'}"] = value
+                items[f"{_RPB_NAMES[ours]}_{'OFF' if name.endswith('Offset') else 'SCALE'}"] = value
     for name, values in re.findall(r"(\w+)Coef\s*=\s*\(([^)]*)\)", text):
         ours = re.sub(r"(?=[A-Z])", "_", name).upper()
         items[f"{ours}_COEFF"] = " ".join(values.replace(",", " ").split())
