@@ -14,7 +14,7 @@ from .camera_calibration import CameraCalibration, check_calibration
 from .finding.finding_marks import find_marks
 from .finding.found_marks import FoundMarks
 from .fitting_marks import fail_misplaced_marks, fit_marks
-from .mark_templates import CutOut, MarkShape
+from .mark_templates import CutOut, MarkKind, MarkShape
 from .measuring_marks import MarkWindow, UnmeasuredMark, window_around
 from .orientation import (
     FittedTransformation,
@@ -28,6 +28,8 @@ from .photo import Photo
 from .photo_views import Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
 
+PLAIN_FIGURES = (MarkKind.DOT, MarkKind.WEDGE)  # three roofs or crossroads of a picture may lie as three marks do
+SURE_OF_PLAIN = 0.75  # mean correlation of those: three chance ones had 0.69, true ones in little grain 0.9 and more
 MIN_PICTURE_PX = 20  # half a side of the picture of a mark
 
 
@@ -50,7 +52,7 @@ def orient_photo(
         found = find_marks(photo, calibration, positions, settings, cancelled)
     marks = _without_doubles([_mark(name, place, given, found) for name, place in calibration.marks.items()])
     marks = fail_misplaced_marks(marks)
-    marks = _supported(marks, positions)
+    marks = _supported(marks, positions, found.template)
     fitted, marks, left_out = fit_marks(marks, settings.model)
     if fitted is None and not any(mark.place for mark in marks):
         _raise_nothing(photo, marks, bool(given))
@@ -108,10 +110,15 @@ def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
     return made
 
 
-def _supported(marks: Sequence[MarkResult], positions: Mapping[str, GivenPosition]) -> list[MarkResult]:
-    """Marks that nobody pointed at have to confirm each other."""
-    count = sum(mark.place is not None for mark in marks)
-    least = limits.MIN_SUPPORT
+def _supported(
+    marks: Sequence[MarkResult], positions: Mapping[str, GivenPosition], template: MarkShape | CutOut | None
+) -> list[MarkResult]:
+    """Marks that nobody pointed at have to confirm each other, one more where pictures hold such figures too."""
+    placed = [mark for mark in marks if mark.place is not None]
+    count, least = len(placed), limits.MIN_SUPPORT
+    if isinstance(template, MarkShape) and template.kind in PLAIN_FIGURES and count:
+        alike = float(np.mean([1.0 if mark.correlation is None else mark.correlation for mark in placed]))
+        least += alike < SURE_OF_PLAIN
     if count >= least:
         return list(marks)
     reason = messages.MARK_UNSUPPORTED(count=count, least=least)

@@ -135,7 +135,8 @@ def matching_dots(candidates: Sequence[Labelling], dot_counts: Mapping[str, int]
     """Those whose marks' numbers are the dots beside them; none where the dots decide nothing.
 
     ``dot_counts`` are by the names of the places. A mark's number is what its name ends with. All but one of the counts
-    must agree, three at least (two where the calibration has no more).
+    must agree, three at least (two where the calibration has no more); the one that does not may miss a dot or be no
+    mark's number at all, for a number of another mark speaks for another way to lie.
     """
     def agreeing(one: Labelling) -> int:
         return sum(mark_number(mark) == dot_counts[site] for mark, site in one.sites.items() if site in dot_counts)
@@ -146,7 +147,14 @@ def matching_dots(candidates: Sequence[Labelling], dot_counts: Mapping[str, int]
     chosen = [one for one in candidates if agreeing(one) == best]
     counted = min(sum(site in dot_counts for site in one.sites.values()) for one in chosen)
     least = max(counted - 1, min(3, min(len(one.sites) for one in chosen)))
-    return chosen if best >= least else []
+    numbers = {mark_number(mark) for mark in candidates[0].sites}
+    return [] if best < least else [
+        one for one in chosen
+        if all(
+            dot_counts[site] not in numbers or abs(dot_counts[site] - (mark_number(mark) or 0)) <= 1
+            for mark, site in one.sites.items() if site in dot_counts
+        )
+    ]
 
 
 def matching_count(candidates: Sequence[Labelling], measured: Mapping[str, Place]) -> list[Labelling]:

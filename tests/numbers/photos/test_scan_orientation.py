@@ -94,6 +94,9 @@ def test_dots_tell_when_all_but_one_of_their_counts_agree() -> None:
     assert matching_dots(every, counts) == [truth]
     assert matching_dots(every, {**counts, truth.sites["2"]: 7}) == [truth]
     assert matching_dots(every, {**counts, truth.sites["2"]: 7, truth.sites["3"]: 7}) == []
+    missed = {truth.sites[name]: count for name, count in zip("1234", (1, 1, 2, 3))}  # a dot less beside each
+    assert matching_dots(every, missed) == []  # three agree with a frame turned by a quarter
+    assert matching_dots(every, {**counts, truth.sites["4"]: 3}) == [truth]
     assert matching_dots(every, {truth.sites["1"]: 1, truth.sites["2"]: 2}) == []  # two are too few of four
     assert matching_dots(every, {truth.sites["1"]: 1}) == []
 
