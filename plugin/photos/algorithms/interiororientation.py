@@ -81,6 +81,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
         sink, destination = run.sink(photo_parameters.OUTPUT, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
+        run.style(destination, "marks")
         self._tell(made, run)
         failed = made.count(MarkStatus.FAILED)
         results: dict[str, Any] = {photo_parameters.OUTPUT: destination}

@@ -42,7 +42,10 @@ def input_parameters() -> list[Described]:
     return [
         (
             QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")),
-            tr("The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey."),
+            tr(
+                "The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey "
+                "value though the file calls it nodata."
+            ),
         ),
         (
             QgsProcessingParameterFile(CALIBRATION, tr("Calibration")),
@@ -55,9 +58,9 @@ def input_parameters() -> list[Described]:
         (
             QgsProcessingParameterRasterLayer(TEMPLATE, tr("Template"), optional=True),
             tr(
-                "A mark cut out of this photo or one like it, with some ground around; it takes the place of a drawn "
-                "one. A template that looks alike turned by 180 degrees is measured by its own centre, else by its "
-                "middle."
+                "A mark cut out of this photo or one like it, with some ground around. It is used for its own mark "
+                "first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by "
+                "180 degrees is measured by its own centre, else by its middle."
             ),
         ),
         (
@@ -70,7 +73,10 @@ def input_parameters() -> list[Described]:
         ),
         (
             QgsProcessingParameterBoolean(MEASURE, tr("Measure around the positions"), True),
-            tr("Off: the positions were measured by hand and are taken as they are; the other marks are measured."),
+            tr(
+                "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
+                "that lies off by more than a thousandth of the frame fails as a measured mark does."
+            ),
         ),
         (
             common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),

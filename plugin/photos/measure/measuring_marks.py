@@ -118,7 +118,7 @@ def measure_mark(
     row, column = _best_near(field, window, near, reach, template)
     best = float(field[row, column])
     if best < least:
-        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=best, least=least), best)
+        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=max(best, 0.0), least=least), best)
     second = _second_best(field, row, column, template.size)
     if second > MAX_SECOND_SHARE * best:
         return UnmeasuredMark(messages.MARK_AMBIGUOUS(best=best, second=second), best)
@@ -131,7 +131,7 @@ def measure_mark(
     except SurfaceError as error:
         return UnmeasuredMark(error.message, best)
     if best < least:
-        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=best, least=least), best)
+        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=max(best, 0.0), least=least), best)
     if math.dist((window.left + x, window.top + y), near) > reach + 2:
         return UnmeasuredMark(messages.MARK_WANDERS(), best)
     doubt = _halves_doubt(pixels, template, (x, y))
