@@ -45,8 +45,9 @@ def largest_shift(marks: Sequence[MarkResult]) -> float:
 
 
 def _off(mark: MarkResult, worst: float, limit: float) -> Message:
-    message = messages.GIVEN_OFF if mark.status is MarkStatus.GIVEN else messages.MARK_OFF
-    return message(worst=worst, limit=limit)
+    if mark.status is MarkStatus.GIVEN:
+        return messages.GIVEN_OFF(worst=worst, limit=limit)
+    return messages.MARK_OFF(worst=worst, limit=limit)
 
 
 def _failed(mark: MarkResult, reason: Message) -> MarkResult:

@@ -131,8 +131,9 @@ def _supported(
 
 def _raise_nothing(photo: Photo, marks: Sequence[MarkResult], given: bool) -> None:
     why = next(mark.reason for mark in marks if mark.reason is not None)
-    message = messages.NO_MARK_TRUSTED if given else messages.NO_MARK_FOUND
-    raise PhotoError(message(name=photo.ref.name, why=why))
+    if given:
+        raise PhotoError(messages.NO_MARK_TRUSTED(name=photo.ref.name, why=why))
+    raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
 
 
 def _place(fitted: FittedTransformation, calibrated: Place) -> Place:
