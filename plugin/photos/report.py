@@ -26,6 +26,7 @@ from .measure.orientation import (
 from .measure.orientation_files import orientation_parameters
 from .measure.photo import Photo
 from .measure.photo_views import Place
+from .measure.transformations import PlaneModel
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
@@ -89,6 +90,7 @@ def _row(mark: MarkResult) -> list[str | None]:
 
 
 def _transformation(fitted: FittedTransformation) -> dict[str, object]:
+    rows = 3 if fitted.to_mm.model is PlaneModel.PROJECTIVE else 2  # the others' third is 0 0 1
     return {
         "model": sentence(messages.WORDS[fitted.to_mm.model.value]),
         "marks": fitted.marks,
@@ -96,7 +98,7 @@ def _transformation(fitted: FittedTransformation) -> dict[str, object]:
         "elements": [
             (f"m{row + 1}{column + 1}", f"{fitted.to_mm.matrix[row, column]:.9g}",
              f"{fitted.to_pixels.matrix[row, column]:.9g}")
-            for row in range(3) for column in range(3)
+            for row in range(rows) for column in range(3)
         ],
     }
 
@@ -170,4 +172,4 @@ def marked(status: MarkStatus, place: Place, view: MarkWindow) -> np.ndarray:
 
 
 def _number(value: float | None, digits: int) -> str | None:
-    return None if value is None else f"{value:.{digits}f}"
+    return None if value is None else f"{round(value, digits) + 0.0:.{digits}f}"  # no -0.0

@@ -242,6 +242,19 @@ def test_bad_positions(scene: PhotoScene) -> None:
         assert_sentence(complaint(scene, POSITIONS=given), words)
 
 
+def test_the_report_shows_where_a_failed_mark_should_be(blotted: PhotoScene, tmp_path: Path) -> None:
+    report = tmp_path / "report.html"
+    outcome = run("interiororientation", **blotted.inputs, **CROSS, REPORT=str(report))
+    assert outcome.column("status").count("failed") == 1
+    page = report.read_text(encoding="utf-8")
+    assert page.count("<img") == 4
+    column, row = blotted.frame.places["2"]
+    (said,) = set(re.findall(r"2: ([\d.]+), ([\d.]+), failed; it should be here", page))
+    assert math.dist([float(value) for value in said], (column, row)) < 1
+    for words in ("pixel size", "rotation", "principal point", str(blotted.calibration), "0.212 mm"):
+        assert words in page
+
+
 def test_too_few_marks_found_keep_what_was_measured(blotted: PhotoScene, tmp_path: Path) -> None:
     pixels = blotted.frame.pixels.copy()
     for name in ("2", "3"):
