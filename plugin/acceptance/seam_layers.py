@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +32,9 @@ from ..imagery.message import Message
 from ..toolkit import layers
 from ..toolkit.attribute_values import Attributes, attributes, number, text, whole_number
 from .measure import messages
-from .measure.delivery import DeliveredPiece, Delivery
+from .measure.delivery import DeliveredPiece, Delivery, in_order
+from .measure.layer_doubts import LayerDoubts
+from .measure.overlaps import overlap, without_copies
 
 _OF_SCAN_FILE = "seams"  # the table of a scan's file with several
 _SHEET_FIELDS = ("sheet", "layer")  # planinspection's; that of QGIS's own Merge vector layers
@@ -96,21 +98,27 @@ def read_delivery(
     told: list[Message] = []
     lots: set[int] = set()
     for layer in seams:
-        before, left_out = len(pieces), 0
-        for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS):
+        before, left_out, doubts = len(pieces), 0, LayerDoubts(layer.sheet)
+        for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS, doubts):
             if piece is None:
                 left_out += 1
                 continue
-            pieces.append(replace(piece, number=len(pieces)))
+            pieces.append(piece)
             lots.add(whole_number(row["lot_size"]) or 0)
+        told += doubts.told()
         if left_out:
             told.append(messages.PIECES_WITHOUT_LENGTH(name=layer.sheet, count=left_out))
         if len(pieces) == before and not left_out:
             told.append(messages.LAYER_EMPTY(name=layer.sheet))
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
+    once, copies = without_copies(in_order(pieces))
+    if copies:
+        told.append(messages.PIECES_TWICE(count=copies))
+    if doubled := overlap(once, metres_in_unit(crs)):
+        told.append(messages.SEAMS_OVERLAP(metres=doubled.metres, sheets=", ".join(doubled.sheets)))
     size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
-    return Delivery(tuple(pieces), layers.system_wkt(crs), metres_in_unit(crs), lot_size=size), told
+    return Delivery(in_order(once), layers.system_wkt(crs), metres_in_unit(crs), lot_size=size), told
 
 
 def metres_in_unit(crs: QgsCoordinateReferenceSystem) -> float:
@@ -181,7 +189,7 @@ def common_system(
 
 def _pieces(
     layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext,
-    sheet_fields: Sequence[str],
+    sheet_fields: Sequence[str], doubts: LayerDoubts,
 ) -> Iterator[tuple[Attributes, DeliveredPiece | None]]:
     """Each row with its piece; None for one without a line or a length."""
     transform = QgsCoordinateTransform(layer.crs, crs, transforms)
@@ -191,20 +199,22 @@ def _pieces(
         ruler.setEllipsoid(layer.crs.ellipsoidAcronym() or "EPSG:7030")
     for row in attributes(layer.source.getFeatures(QgsFeatureRequest()), layer.fields):
         line = QgsGeometry(row.feature.geometry())
-        length = number(row["length"])
-        if length is None and not line.isEmpty():
-            length = line.length()
-            if layer.crs.isValid():
-                length = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
+        length, drawn = number(row["length"]), 0.0 if line.isEmpty() else line.length()
+        if layer.crs.isValid() and not line.isEmpty():
+            drawn = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
+        if length is None or length <= 0:
+            length = drawn
+        else:
+            doubts.see_length(length, drawn)
         try:
             line.transform(transform)
         except QgsCsException:
             raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
         vertices = _vertices(line)
         usable = len(vertices) > 1 and bool(np.isfinite(vertices).all())
-        known = length is not None and math.isfinite(length) and length > 0
+        known = math.isfinite(length) and length > 0
         sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
-        yield row, _piece(row, sheet, float(length or 0), vertices) if usable and known else None
+        yield row, _piece(row, sheet, length, vertices, doubts) if usable and known else None
 
 
 def _vertices(line: QgsGeometry) -> np.ndarray:
@@ -216,10 +226,11 @@ def _vertices(line: QgsGeometry) -> np.ndarray:
     return np.array([(point.x(), point.y()) for part in parts for point in part], float).reshape(-1, 2)
 
 
-def _piece(row: Attributes, sheet: str, length: float, vertices: np.ndarray) -> DeliveredPiece:
+def _piece(row: Attributes, sheet: str, length: float, vertices: np.ndarray, doubts: LayerDoubts) -> DeliveredPiece:
+    kept = doubts.see_kept(text(row["kept_1"]), number(row["kept_1"]))
     return DeliveredPiece(
         0, sheet, text(row["seam_id"]), number(row["station"]), length,
-        number(row["kept_1"]), number(row["kept_low"]), number(row["kept_high"]), number(row["band_width"]),
+        kept, number(row["kept_low"]), number(row["kept_high"]), number(row["band_width"]),
         text(row["verdict"]), text(row["reason"]), vertices,
         text(row["left_source"]), text(row["right_source"]), text(row["left_date"]), text(row["right_date"]),
         whole_number(row["sample"]),

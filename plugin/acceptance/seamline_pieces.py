@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -16,7 +15,7 @@ from ..imagery.lines.seamlines import find_seams
 from ..imagery.message import Message
 from ..toolkit import layers
 from .measure import messages
-from .measure.delivery import DeliveredPiece, Delivery
+from .measure.delivery import DeliveredPiece, Delivery, in_order
 from .measure.inspection_plan import cut_pieces
 from .seam_layers import SeamLayer, common_system, metres_in_unit, read_delivery
 
@@ -48,8 +47,7 @@ def with_cut_seamlines(
             pieces += cut
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
-    numbered = tuple(replace(piece, number=number) for number, piece in enumerate(pieces))
-    return Delivery(numbered, layers.system_wkt(crs), metres_in_unit(crs), lot_size=lot_size), told
+    return Delivery(in_order(pieces), layers.system_wkt(crs), metres_in_unit(crs), lot_size=lot_size), told
 
 
 def _cut(

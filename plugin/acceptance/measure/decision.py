@@ -137,7 +137,7 @@ class Decision:
     """Of the rules that decide."""
     whole: MetreFigures
     sheets: tuple[MetreFigures, ...]
-    """In the order in which they were given."""
+    """In the order of the delivery."""
     failed_share: Interval | None
     """Of the measured metres, with its 95 % interval; None where nothing was measured."""
     pieces: tuple[DecidedPiece, ...]

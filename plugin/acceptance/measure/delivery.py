@@ -1,7 +1,9 @@
 """What is delivered: the pieces of seam of all sheets, and the windows that somebody looked at."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -59,6 +61,21 @@ class DeliveredPiece:
         return float(np.interp(along[-1] / 2, along, x)), float(np.interp(along[-1] / 2, along, y))
 
 
+def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
+    """By sheet, seam and station, whatever the order in which layers were given, and numbered so."""
+    ordered = sorted(pieces, key=lambda piece: (
+        _in_words(piece.sheet), _in_words(piece.seam_id), -1.0 if piece.station_m is None else piece.station_m,
+        *np.round(piece.vertices[0], 3).tolist(),
+    ))  # fmt: skip
+    return tuple(replace(piece, number=number) for number, piece in enumerate(ordered))
+
+
+def _in_words(name: str) -> tuple[tuple[int, int, str], ...]:
+    """For sorting: sheet_2 before sheet_10."""
+    parts = re.split(r"([0-9]+)", name)
+    return tuple((1, int(part), part) if part.isdecimal() else (0, 0, part.casefold()) for part in parts if part)
+
+
 @dataclass(frozen=True)
 class SeenWindow:
     """A window that was inspected, and judged perhaps."""
@@ -101,5 +118,5 @@ class Delivery:
 
     @property
     def sheets(self) -> tuple[str, ...]:
-        """Their names, in the order in which they were given."""
+        """Their names, in the order of the pieces."""
         return tuple(dict.fromkeys(piece.sheet for piece in self.pieces))

@@ -134,7 +134,29 @@ LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
 LAYER_TWICE = Message("{name} is given twice and counts once.", WARNING)
 LAYERS_EMPTY = Message("The layers of seams are empty; choose those of a scan that found seams.")
 LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
-PIECES_WITHOUT_LENGTH = Message("{count} features of {name} have no line and no length; they are left out.", WARNING)
+PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
+PIECES_TWICE = Message(
+    "{count} pieces of seam are given twice, the same line that kept the same; they count once.", WARNING
+)
+SEAMS_OVERLAP = Message(
+    "{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.", WARNING
+)
+KEPT_NO_SHARES = Message(
+    "kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86."
+)
+KEPT_NO_NUMBERS = Message(
+    "kept_1 of {count} pieces of {name} is no number ('{value}', say; a decimal point is a point); they count as not "
+    "measured.", WARNING
+)
+KEPT_NEGATIVE = Message("kept_1 of {count} pieces of {name} is below 0; they count as not measured.", WARNING)
+KEPT_LARGE = Message(
+    "kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); check whether they are shares.",
+    WARNING,
+)
+LENGTHS_DIFFER = Message(
+    "The field length of {count} pieces of {name} says something else than their lines (at worst {length:g} m, and "
+    "{line:.1f} m along the line); the field counts, so check whether it holds metres.", WARNING
+)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both."
 )

@@ -289,7 +289,7 @@ def test_features_without_a_line_are_told() -> None:
     )
     outcome = decide(made)
     assert outcome.results["TOTAL_METRES"] == pytest.approx(25, rel=1e-3)
-    assert_sentence(outcome.log.warnings[0], "2 features of made have no line")
+    assert_sentence(outcome.log.warnings[0], r"made: features without a line are left out \(2\)")
 
 
 @pytest.mark.parametrize("kept", ["nan", "inf", "-inf"])

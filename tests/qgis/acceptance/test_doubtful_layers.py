@@ -1,0 +1,93 @@
+"""Layers of seams that say what can't be meant: a sentence, and no decision on a guess."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis.core import QgsVectorLayer
+
+from tests.qgis.acceptance.seam_scenes import UTM33, file, seams, straight
+from tests.qgis.runs import Run, assert_refused, run
+from tests.qgis.scenes import layer
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+F, P = 0.5, 0.95
+
+
+def decide(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
+    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, **parameters}
+    return run("acceptmosaic", SEAMS=list(layers), **wanted)
+
+
+def pieces(count: int = 10, **fields: tuple[str, list[Any]]) -> QgsVectorLayer:
+    made = layer("LineString", [straight(25 * place, 25) for place in range(count)], UTM33, **fields)
+    made.setName("s")
+    return made
+
+
+def warned(outcome: Run, words: str) -> bool:
+    return any(words in said for said in outcome.log.warnings)
+
+
+def test_percent_is_no_share() -> None:
+    given = pieces(3, kept_1=("double", [86.0, 50.0, 30.0]))
+    assert_refused("acceptmosaic", "kept_1 in s is 50 in the middle.* write 86 % as 0.86", SEAMS=[given])
+
+
+def test_shares_that_can_not_be_are_told() -> None:
+    outcome = decide(pieces(kept_1=("double", [-1.0, 7.5] + [P] * 8)))
+    assert warned(outcome, "kept_1 of 1 pieces of s is below 0")
+    assert warned(outcome, "more than a seam can keep (up to 7.5)")
+    assert outcome.results["MEASURED_METRES"] == pytest.approx(225, rel=1e-3)
+    assert outcome.results["FAILED_METRES"] == 0
+    comma = decide(pieces(kept_1=("string", ["1,0", "0,5"] + ["0.9"] * 8)))
+    assert warned(comma, "kept_1 of 2 pieces of s is no number ('1,0', say")
+    assert comma.results["ACCEPTED"] == 0
+
+
+def test_a_length_that_the_line_does_not_have_is_told() -> None:
+    outcome = decide(pieces(kept_1=("double", [P] * 10), length=("double", [1e9] + [25.0] * 9)))
+    assert warned(outcome, "length of 1 pieces of s says something else than their lines (at worst 1e+09 m")
+    assert not warned(decide(seams([P] * 10)), "says something else")
+
+
+@pytest.mark.parametrize("length", [0.0, -3.0, None])
+def test_a_piece_without_a_length_has_that_of_its_line(length: float | None) -> None:
+    lengths = [25.0] * 3 + [length] + [25.0] * 6
+    outcome = decide(pieces(kept_1=("double", [P] * 3 + [F] + [P] * 6), length=("double", lengths)))
+    assert outcome.results["TOTAL_METRES"] == pytest.approx(250, rel=1e-3)
+    assert outcome.results["FAILED_METRES"] == pytest.approx(25, rel=1e-3)
+
+
+def test_a_sheet_under_two_names_counts_once(tmp_path: Path) -> None:
+    made = seams([P] * 6 + [F] * 2 + [P] * 2)
+    twice = [file(made, tmp_path / name) for name in ("a.gpkg", "b.gpkg")]
+    outcome = decide(*twice)
+    assert warned(outcome, "10 pieces of seam are given twice")
+    assert (outcome.results["TOTAL_METRES"], outcome.results["LONGEST_FAILURE"]) == (250, 50)
+
+
+def test_sheets_that_were_scanned_with_overlap_are_told() -> None:
+    west = seams([P] * 10, name="west")
+    east = seams([P] * 10, start=187, y=0.03, name="east")
+    outcome = decide(west, east)
+    (said,) = (text for text in outcome.log.warnings if "lie on other seams" in text)
+    assert "in east, west" in said
+    assert float(said.split()[0]) == pytest.approx(63, abs=6)
+    assert not warned(decide(west, seams([P] * 10, start=250, name="east")), "lie on other seams")
+    assert not warned(decide(west, seams([P] * 10, y=3, name="beside")), "lie on other seams")
+
+
+def test_the_order_of_layers_decides_nothing() -> None:
+    one, other = seams([F] * 6 + [P] * 144, name="one"), seams([P] * 150, y=500, name="other")
+    for seed in range(8):
+        found = [decide(*given, PLAN="iso2859", SEED=seed).log.infos[0] for given in ((one, other), (other, one))]
+        assert found[0] == found[1]
+    planned = [
+        run("planinspection", SEAMS=given, PLAN="count", COUNT=41, OUTPUT="TEMPORARY_OUTPUT").rows()
+        for given in ([one, other], [other, one])
+    ]
+    drawn = [[(row["sheet"], row["station"]) for row in rows] for rows in planned]
+    assert drawn[0] == drawn[1]
