@@ -13,6 +13,7 @@ from .bars import BarReading, PlainPlace
 MAX_CONTRAST_ERROR = 0.15  # relative: bars that say less of the target's contrast are not asked
 MIN_GROUP_ERROR = 0.02  # relative, of an amplitude: a blur is not quite a Gaussian one, and phases differ
 
+_COARSE = 3  # groups that say the middle: in finer ones saturation and a blur's far reach shift it
 _WIDTHS = np.geomspace(1.2, 40.0, 240)  # of the coarsest group's cycle, in standard deviations of the blur
 
 
@@ -66,7 +67,7 @@ def target_levels(groups: Sequence[tuple[float, BarReading]]) -> TargetLevels | 
     )
     heights = tops - bottoms
     errors = np.hypot([one.amplitude_error or 0.0 for one in used], MIN_GROUP_ERROR * heights)
-    middle = float(np.average((tops + bottoms) / 2, weights=1 / errors**2))
+    middle = float(np.mean((tops + bottoms)[:_COARSE]) / 2)
     contrast, error = _contrast(cycles, heights, errors)
     beside = [2 * (middle - sign * value) for one in used for value in one.grounds]
     ground = max(beside, default=0.0)  # the contrast, if the darkest ground beside the bars is the target's own

@@ -306,7 +306,7 @@ def test_the_photograph_of_usaf_1951(data_folder: Path, provider: QgsProcessingP
     (warning,) = log.warnings  # no other one: the spacings of its bars are those of its steps
     assert "differ by a factor of 2.2 and the method asks for 5" in warning
     resolved = {(row["group"], row["direction"]) for row in made.rows() if row["resolved"]}
-    assert resolved == {key for key in keys if key[0] <= (10 if key[1] == "across" else 12)}
+    assert resolved == {key for key in keys if key[0] <= (9 if key[1] == "across" else 11)}
     assert not any(row["spurious"] for row in made.rows())
-    assert made.results["GRD_ACROSS"] == pytest.approx(17.5 * PIXEL * 100 / STEP**9)
-    assert made.results["GRD_ALONG"] == pytest.approx(17.5 * PIXEL * 100 / STEP**11)
+    assert made.results["GRD_ACROSS"] == pytest.approx(17.5 * PIXEL * 100 / STEP**8)
+    assert made.results["GRD_ALONG"] == pytest.approx(17.5 * PIXEL * 100 / STEP**10)
