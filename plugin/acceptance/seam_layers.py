@@ -117,6 +117,8 @@ def read_delivery(
         told.append(messages.PIECES_TWICE(count=copies))
     if doubled := overlap(once, metres_in_unit(crs)):
         told.append(messages.SEAMS_OVERLAP(metres=doubled.metres, sheets=", ".join(doubled.sheets)))
+    if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():
+        told.append(messages.PLACES_IN(system=crs.description()))
     size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
     return Delivery(in_order(once), layers.system_wkt(crs), metres_in_unit(crs), lot_size=size), told
 

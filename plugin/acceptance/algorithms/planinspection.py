@@ -145,7 +145,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         return {
             OUTPUT: destination,
             SAMPLE_SIZE: len(sample),
-            ACCEPTANCE_NUMBER: None if counted is None else counted.plan.acceptance_number,
+            ACCEPTANCE_NUMBER: None if counted is None else counted.plan.rejection_number - 1,
             LOT_SIZE: size,
             CODE_LETTER: (counted.plan.code_letter if counted is not None else "") or None,
         }
@@ -193,7 +193,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         if plan == BY_COUNT and run.whole(COUNT) < 1:
             raise SettingsError(messages.COUNT_NOT_POSITIVE(count=run.whole(COUNT)))
         if stated.known_word(run, UNIT, (PIECES, WINDOWS)) == WINDOWS and not run.parameters.get(common.MOSAIC):
-            raise SettingsError(messages.NO_MOSAIC())
+            raise SettingsError(messages.WINDOWS_WITHOUT_MOSAIC())
 
     @staticmethod
     def _risk(run: Run) -> StatedRisk:
@@ -249,6 +249,7 @@ class PlanInspection(SeamInspectorAlgorithm):
     @staticmethod
     def _tell_plan(run: Run, counted: CountedPlan | None, drawn: int, size: int) -> None:
         from ..measure.inspection_plan import risks_of
+        from ..measure.sampling.characteristic import allowed_at_aql
 
         if counted is None:
             run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
@@ -263,7 +264,8 @@ class PlanInspection(SeamInspectorAlgorithm):
         else:
             run.tell(messages.PLANNED_BY_STANDARD(
                 size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
-                aql=stated.standard_aql(run), letter=plan.code_letter, producers=producers, limiting=limiting,
+                aql=stated.standard_aql(run), letter=plan.code_letter, allowed=allowed_at_aql(plan),
+                producers=producers, limiting=limiting,
             ))  # fmt: skip
         if drawn < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=drawn))

@@ -2,6 +2,7 @@
 """
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from .limits import STANDARD_MEASURED_SHARE
@@ -45,8 +46,8 @@ class AcceptanceRule:
         return KEY_OF_LIMIT[self.check] == "least"
 
     def passes(self, value: float) -> bool:
-        """Whether a value is within the limit."""
-        return value >= self.limit if self.is_least else value <= self.limit
+        """Whether a value is within the limit; the last digits of a sum decide nothing."""
+        return (value >= self.limit if self.is_least else value <= self.limit) or math.isclose(value, self.limit)
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ...imagery.errors import SettingsError
 from ...imagery.message import Exceeding, Message
 from ...imagery.statistics.intervals import Interval
 from . import messages
@@ -31,6 +32,8 @@ from .observing import observers, windows_over
 from .sampled_lot import sampled_lot
 from .share_interval import failed_share_interval
 
+_WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
+
 
 def decide(
     delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0, by_observer: bool = False
@@ -41,6 +44,9 @@ def decide(
     is drawn then. ``by_observer``: pieces fail by what operators saw in their windows, not by what they kept. Raises
     SettingsError for a lot size that can't be.
     """
+    seen = observers(delivery.windows)
+    if by_observer and seen is None:
+        raise SettingsError(messages.NO_WINDOW_JUDGED(count=len(delivery.windows)))
     windows = _windows(delivery)
     states = [
         seen_state(over) if by_observer else piece_state(piece, rules.least_kept)
@@ -57,13 +63,12 @@ def decide(
         plan, sampled, told = lot.outcome, lot.pieces, list(lot.notices)
         outcomes.insert(0, lot.rule_outcome)
     interval = _interval(delivery, states)
-    seen = observers(delivery.windows)
     accepted = all(outcome.passed is True for outcome in outcomes)
     sentences = (
         _decision_sentence(rules, outcomes, accepted),
         *_figures(whole, interval, runs, rules, delivery.sampled_numbers is not None),
         *told,
-        *((messages.BY_OBSERVER(),) if by_observer else ()),
+        *(_by_observer(delivery) if by_observer else ()),
         *_observers_sentences(seen),
     )
     pieces = _decided(delivery, states, unclear, runs, sampled, windows)
@@ -157,6 +162,15 @@ def _figures(
         yield messages.NOTHING_IS_ASKED()
     if is_sample and rules.sampling is None:
         yield messages.SAMPLE_ONLY()
+
+
+def _by_observer(delivery: Delivery) -> Iterator[Message]:
+    yield messages.BY_OBSERVER()
+    left, bottom, right, top = np.array([window.extent for window in delivery.windows]).T * delivery.unit_m
+    side = float(np.median(np.minimum(right - left, top - bottom)))
+    piece = float(np.median([piece.length_m for piece in delivery.pieces]))
+    if side > _WIDE * piece:
+        yield messages.WINDOWS_WIDER_THAN_PIECES(side=side, piece=piece)
 
 
 def _observers_sentences(seen: Observers | None) -> Iterator[Message]:

@@ -12,7 +12,7 @@ SHEETS_ELSEWHERE = Message(
 )
 PIECES_OFF_SHEETS = Message("{count} pieces of seam lie in none of the sheets and keep their layer's name.", WARNING)
 # a file with rules
-RULES_CHECK_TWICE = Message("{name} has two rules for '{check}' ({place} is the second); leave one.")
+TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); leave one.")
 RULES_WITHOUT_KEPT = Message("{name} says nowhere what a piece must keep; add a rule with the check 'kept'.")
 RULES_DECIDE_NOTHING = Message(
     "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'."
@@ -43,14 +43,14 @@ QUALITIES_TOO_NEAR = Message(
     "No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks."
 )
 COUNT_NOT_POSITIVE = Message("A sample of {count} pieces was asked for; give 1 or more.")
-NO_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
+WINDOWS_WITHOUT_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
 MOSAIC_SMALLER_THAN_WINDOW = Message("The mosaic is smaller than a window of {side:.1f} m; give a shorter SIDE.")
 PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are no part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
 PLANNED_BY_STANDARD = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail (ISO 2859-1, level {level}, AQL {aql}, code "
-    "letter {letter}): a lot at the AQL is rejected with {producers:.1%}, one with {limiting:.1%} failing pieces is "
-    "accepted with 10 %.", INFO
+    "letter {letter}): with {allowed} failing pieces in it, which is the AQL, a lot is rejected with {producers:.1%}, "
+    "with {limiting:.1%} of them accepted with 10 %.", INFO
 )
 PLANNED_BY_RISK = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail; pieces of one seam are alike by "
@@ -75,12 +75,17 @@ MEASURED_TOO_LITTLE = Message(
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be told", INFO)
 PLAN_KEPT = Message(
     "{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, code letter "
-    "{letter}; a lot at the AQL of {aql} is rejected with {producers:.1%}, one with {limiting:.1%} failing pieces "
-    "accepted with 10 %)", INFO
+    "{letter}; with {allowed} failing pieces in it, which is the AQL of {aql}, a lot is rejected with "
+    "{producers:.1%}, with {limiting:.1%} of them accepted with 10 %)", INFO
 )
 PLAN_EXCEEDED = Message(
     "{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, code "
-    "letter {letter}; a lot at the AQL of {aql} is rejected with {producers:.1%})", INFO
+    "letter {letter}; with {allowed} failing pieces in it, which is the AQL of {aql}, a lot is rejected with "
+    "{producers:.1%})", INFO
+)
+PLAN_BETWEEN = Message(
+    "As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is "
+    "accepted, and the next one is inspected normally.", WARNING
 )
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be told", INFO
@@ -109,6 +114,18 @@ SAMPLE_ONLY = Message(
 # observers
 BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
 NO_JUDGED_WINDOWS = Message("The operators' words are in the windows; give WINDOWS, or judge by the tool.")
+NO_WINDOW_JUDGED = Message(
+    "None of the {count} windows was judged; judge them in the dock and save the edits of their layer, or judge by the "
+    "tool."
+)
+WINDOWS_NO_POLYGONS = Message("{name} holds no windows; choose polygons that were inspected or judged.")
+WINDOWS_SAY_NOTHING = Message(
+    "The windows in {name} were neither inspected nor judged: they lend the failures no cause and no remark.", WARNING
+)
+WINDOWS_WIDER_THAN_PIECES = Message(
+    "The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen "
+    "beside it, too; plan windows with a SIDE of a piece.", WARNING
+)
 OBSERVERS_AGREE = Message(
     "Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to "
     "{high:.2f}.", INFO
@@ -157,6 +174,7 @@ LENGTHS_DIFFER = Message(
     "The field length of {count} pieces of {name} says something else than their lines (at worst {length:g} m, and "
     "{line:.1f} m along the line); the field counts, so check whether it holds metres.", WARNING
 )
+PLACES_IN = Message("The layers are in degrees; places and lengths are told in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both."
 )

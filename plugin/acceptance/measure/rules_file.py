@@ -58,7 +58,7 @@ def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> Accep
     for one in objects:
         check = one.word("check", CHECKS)
         if check in by_check:
-            raise SettingsError(messages.RULES_CHECK_TWICE(place=one.place, name=one.file, check=check))
+            raise SettingsError(messages.TWO_RULES_FOR_CHECK(place=one.place, name=one.file, check=check))
         by_check[check] = one
     if KEPT not in by_check:
         raise SettingsError(messages.RULES_WITHOUT_KEPT(name=whole.file))

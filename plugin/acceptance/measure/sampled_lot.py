@@ -10,7 +10,7 @@ from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PieceState, PlanOutcome, RuleOutcome
 from .delivery import Delivery
-from .sampling.characteristic import operating_characteristic
+from .sampling.characteristic import allowed_at_aql, operating_characteristic
 from .sampling.drawing import stratified_sample
 from .sampling.iso2859 import single_sampling_plan
 from .sampling.sampling_plan import SamplingPlan
@@ -55,7 +55,10 @@ def sampled_lot(
     needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
     outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
     ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
-    return SampledLot(outcome, ruled, set(sample), tuple(_notices(plan, used_seed, len(measured), given)))
+    told = list(_notices(plan, used_seed, len(measured), given))
+    if ruled.passed and failed > plan.acceptance_number:
+        told.append(messages.PLAN_BETWEEN(acceptance=plan.acceptance_number, rejection=plan.rejection_number))
+    return SampledLot(outcome, ruled, set(sample), tuple(told))
 
 
 def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> RuleOutcome:
@@ -67,14 +70,15 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     if passed:
         sentence = messages.PLAN_KEPT(
             nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=rule.aql,
-            letter=plan.code_letter, producers=curve.producers_risk, limiting=curve.limiting_quality,
+            letter=plan.code_letter, allowed=allowed_at_aql(plan), producers=curve.producers_risk,
+            limiting=curve.limiting_quality,
         )  # fmt: skip
     elif passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
     else:
         sentence = messages.PLAN_EXCEEDED(
             nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=rule.aql,
-            letter=plan.code_letter, producers=curve.producers_risk,
+            letter=plan.code_letter, allowed=allowed_at_aql(plan), producers=curve.producers_risk,
         )  # fmt: skip
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
 

@@ -7,7 +7,7 @@ DEFECTS_NOT_WRITTEN = Message(
     "The layer of failures can't be written; choose another folder, and close the file where it is open."
 )
 PICTURES_NOT_WRITTEN = Message(
-    "The folder {folder} can't be written ({error}), so the layer of failures has no pictures.", WARNING
+    "The folder {folder} can't be written ({error}), so the layer of failures has no pictures."
 )
 PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING

@@ -241,6 +241,7 @@ def test_degrees_and_mixed_systems() -> None:
     outcome = decide(degrees)
     assert outcome.results["TOTAL_METRES"] == pytest.approx(75, rel=1e-3)
     assert outcome.results["LONGEST_FAILURE"] == pytest.approx(50, rel=1e-3)
+    assert "The layers are in degrees; places and lengths are told in WGS 84 / UTM zone 33N." in outcome.log.infos
     mixed = decide(degrees, seams([F, P], start=75, epsg=25833, name="other"))
     assert mixed.results["LONGEST_FAILURE"] == pytest.approx(75, rel=1e-3)
     feet = decide(seams([F, F, P], epsg=2264, with_length=False, name="feet"))

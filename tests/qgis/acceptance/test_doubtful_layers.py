@@ -80,6 +80,48 @@ def test_sheets_that_were_scanned_with_overlap_are_told() -> None:
     assert not warned(decide(west, seams([P] * 10, y=3, name="beside")), "lie on other seams")
 
 
+def boxes(side: float = 25, **fields: tuple[str, list[Any]]) -> QgsVectorLayer:
+    count = len(next(iter(fields.values()))[1])
+    made = layer("Polygon", [straight(25 * place, 25).buffer(side / 2, 1).orientedMinimumBoundingBox()[0]
+                             for place in range(count)], UTM33, **fields)
+    made.setName("w")
+    return made
+
+
+def test_windows_that_nobody_judged_decide_nothing() -> None:
+    given = {"SEAMS": [seams([P] * 4)], "JUDGE": "observer"}
+    outcome = run("acceptmosaic", WINDOWS=boxes(window_id=("integer", [1, 2, 3, 4])), REPORT=None, **given)
+    assert outcome.complaint is not None
+    assert "None of the 4 windows was judged; judge them in the dock and save the edits" in outcome.complaint
+
+
+def test_windows_that_say_nothing_are_told() -> None:
+    made = seams([P, F] * 4)
+    assert warned(decide(made, WINDOWS=boxes(name=("string", ["a", "b"]))), "windows in w were neither inspected")
+    outcome = decide(made, WINDOWS=made)
+    assert "seams holds no windows" in str(outcome.complaint)
+
+
+def test_windows_much_wider_than_the_pieces_are_told() -> None:
+    for side, told in ((100, True), (20, False)):
+        outcome = decide(seams([P] * 4), WINDOWS=boxes(side, observer=("string", ["invisible"] * 4)), JUDGE="observer")
+        assert warned(outcome, "a piece fails by what was seen beside it") == told
+
+
+def test_reduced_inspection_between_its_two_numbers_says_what_comes_next() -> None:
+    given = {"PLAN": "iso2859", "LOT_SIZE": 300, "SEVERITY": "reduced"}
+    outcome = decide(seams([F] + [P] * 19), **given)
+    assert outcome.results["ACCEPTED"] == 1
+    assert warned(outcome, "between Ac 0 and Re 2 of reduced inspection: this lot is accepted, and the next one")
+    planned = run("planinspection", SEAMS=[seams([P] * 300)], OUTPUT="TEMPORARY_OUTPUT", **given)
+    assert planned.results["ACCEPTANCE_NUMBER"] == 1
+
+
+def test_a_share_that_is_the_limit_but_for_its_last_digits_passes() -> None:
+    assert decide(seams([F, P] + [P] * 98, length=24.99999), MAX_SHARE=1).results["ACCEPTED"] == 1
+    assert decide(seams(([F] + [P] * 49) * 60, length=0.1)).results["ACCEPTED"] == 1
+
+
 def test_the_order_of_layers_decides_nothing() -> None:
     one, other = seams([F] * 6 + [P] * 144, name="one"), seams([P] * 150, y=500, name="other")
     for seed in range(8):

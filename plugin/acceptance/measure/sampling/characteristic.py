@@ -39,11 +39,14 @@ def acceptance_probability(plan: SamplingPlan, shares: np.ndarray, of_series: bo
     return stats.hypergeom.cdf(most, plan.lot_size, np.rint(shares * plan.lot_size), plan.sample_size)
 
 
+def allowed_at_aql(plan: SamplingPlan) -> int:
+    """How many items of the lot are nonconforming where it is as good as the AQL."""
+    return int(np.floor(plan.aql / 100 * plan.lot_size + 1e-9))
+
+
 def producers_risk(plan: SamplingPlan, of_series: bool = False) -> float:
     """The probability that a lot with as many nonconforming items as the AQL allows is rejected."""
-    share = plan.aql / 100
-    if not of_series:
-        share = np.floor(share * plan.lot_size + 1e-9) / plan.lot_size
+    share = plan.aql / 100 if of_series else allowed_at_aql(plan) / plan.lot_size
     return float(1 - acceptance_probability(plan, np.array([share]), of_series)[0])
 
 
