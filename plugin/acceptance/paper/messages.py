@@ -13,4 +13,8 @@ PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING
 )
 PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
+LOSS_NOT_OF_SCAN = Message(
+    "{name} was not written by a scan as its picture of losses and is left out; choose the scan's LOSS.", WARNING
+)
+MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, no mosaic; no picture is cut from it.", WARNING)
 PAPER_STOPPED = Message("The pictures of the failures were stopped; nothing was written.", WARNING)

@@ -137,20 +137,26 @@ def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, 
     if ref is None:
         return None, {}
     try:
-        return describe_placed(ref), scan_settings(ref)
+        if settings := scan_settings(ref):
+            return describe_placed(ref), settings
+        run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
     except RasterError as error:
         run.tell(error.message.as_warning())
-        return None, {}
+    return None, {}
 
 
 def _maker(run: Run, inputs: PaperInputs, decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:
     """What cuts the pictures, and the mosaics that it can cut them from."""
     from ...imagery.open_raster import describe_mosaic
     from .defect_pictures import DefectPictures
+    from .inspection_record import scan_settings
 
     mosaics = []
     for ref in inputs.mosaics:
         try:
+            if scan_settings(ref):
+                run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
+                continue
             mosaics.append(describe_mosaic(ref))
         except RasterError as error:
             run.tell(error.message.as_warning())

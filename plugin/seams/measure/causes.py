@@ -21,6 +21,7 @@ MAX_BLURRED_TRANSFER = 0.93  # of fine detail that comes over; a hard cut has 0.
 MIN_SHARPENED_TRANSFER = 1.07
 MAX_BLURRED_COMPRESSED = 0.5  # compression alone lets 0.67 and more of it pass at quality 65
 MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, and certainly less than all of it
+MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no ground to tell kept_1 from
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
 MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
@@ -110,6 +111,11 @@ class CauseEvidence:
         return self.mixed >= MIN_MOSTLY_MIXED
 
     @property
+    def is_smoothed_seam(self) -> bool:
+        """Whether less is left along the seam than any mixture of images leaves: somebody softened it."""
+        return self.kept_high is not None and self.kept_high < MIN_BLENDED_KEPT and self.mixed < MIN_MIXED
+
+    @property
     def least_transfer(self) -> float:
         """Of fine detail, by the source of which least comes over; by the whole window where none is unmixed."""
         if self.texture is not None:
@@ -157,14 +163,18 @@ def _misregistration(found: CauseEvidence) -> float:
 
 def _feathering(found: CauseEvidence) -> float:
     kept, high = found.kept, found.kept_high
+    if found.is_smoothed_seam:
+        return 0.0
     if kept is not None and high is not None and kept <= MAX_FEATHERED_KEPT and high < 1:
         return 2 - kept
     return 1.2 if found.mixed >= MIN_MIXED else 0.0
 
 
 def _blur(found: CauseEvidence) -> float:
-    if found.is_resampled:
+    if found.is_resampled and not found.is_smoothed_seam:
         return 0.0
+    if found.is_smoothed_seam and found.kept is not None:
+        return 2 - found.kept
     least = found.least_transfer
     most = MAX_BLURRED_COMPRESSED if found.is_compressed else MAX_BLURRED_TRANSFER
     return 1 - least**2 if least <= most else 0.0

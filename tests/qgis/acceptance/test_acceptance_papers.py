@@ -35,6 +35,17 @@ def mosaic(tmp_path_factory: pytest.TempPathFactory) -> str:
     return write_raster(path, pixels, 0.25, (X - 25, Y + 75), system=UTM33)
 
 
+@pytest.fixture(scope="module")
+def loss(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """As a scan writes it."""
+    path = tmp_path_factory.mktemp("loss") / "loss.tif"
+    made = write_raster(path, np.ones((5, 20, 31), np.float32), 8.0, (X - 25, Y + 75), system=UTM33)
+    dataset = gdal.Open(made, gdal.GA_Update)
+    dataset.SetMetadata({"wavelet": "coif3", "levels": "3", "density": "seams", "piece_m": "25"}, "SEAM_INSPECTOR")
+    del dataset
+    return made
+
+
 def accept(*layers: QgsVectorLayer, **parameters: Any) -> Run:
     wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, **parameters}
     outcome = run("acceptmosaic", SEAMS=list(layers) or [seams(KEPT)], **wanted)
@@ -119,10 +130,19 @@ def test_a_second_run_leaves_no_picture_of_the_first(tmp_path: Path, mosaic: str
     assert sorted(one.name for one in (tmp_path / "failures_pictures").iterdir()) == ["defect_001.jpg", "mine.jpg"]
 
 
-def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str) -> None:
+def test_wrong_rasters_are_told_and_left_out(tmp_path: Path, mosaic: str, loss: str) -> None:
+    given = {"DEFECTS": str(tmp_path / "d.gpkg"), "REPORT": None, "QUALITY": str(tmp_path / "q.xml")}
+    outcome = accept(**given, MOSAIC=[loss], LOSS=mosaic)
+    assert any("loss.tif is a scan's picture of losses, no mosaic" in said for said in outcome.log.warnings)
+    assert any("was not written by a scan as its picture of losses" in said for said in outcome.log.warnings)
+    assert "QE_CoverageResult" not in (tmp_path / "q.xml").read_text(encoding="utf-8")
+    assert outcome.column("picture", "DEFECTS").count(None) == 2
+
+
+def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str, loss: str) -> None:
     outcome = accept(
         DEFECTS=str(tmp_path / "failures.gpkg"), REPORT=str(tmp_path / "decision.html"),
-        QUALITY=str(tmp_path / "quality.xml"), MOSAIC=[mosaic], LOSS=mosaic,
+        QUALITY=str(tmp_path / "quality.xml"), MOSAIC=[mosaic], LOSS=loss,
     )  # fmt: skip
     page = (tmp_path / "decision.html").read_text(encoding="utf-8")
     document = (tmp_path / "quality.xml").read_text(encoding="utf-8")

@@ -60,6 +60,12 @@ def test_the_documentation_lists_the_causes_in_their_order(repository: Path) -> 
     assert re.findall(r"^\| `([a-z ]+)` \|", table, re.MULTILINE) == [cause.value for cause in Cause]
 
 
+def test_less_than_a_mixture_leaves_is_blur_along_the_seam() -> None:
+    assert find_causes(evidence(kept=0.1, kept_high=rules.MIN_BLENDED_KEPT - LITTLE)) == (Cause.BLUR,)
+    assert find_causes(evidence(kept=0.1, kept_high=rules.MIN_BLENDED_KEPT)) == (Cause.FEATHERING,)
+    assert find_causes(evidence(kept=0.1, kept_high=0.15, mixed=rules.MIN_MIXED)) == (Cause.FEATHERING,)
+
+
 # --- limits ----------------------------------------------------------------------------------------------------
 
 AT_LIMITS: list[tuple[str, float, int, dict[str, Any], Cause]] = [
