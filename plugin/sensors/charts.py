@@ -19,7 +19,7 @@ _ARROW_SHARE = 0.08  # of the image's longer side, for a residual of usual size
 
 def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -> Figure:
     """The residuals as arrows in the image, enlarged; the outline of the control points is what is not extrapolated."""
-    width, height = box[2] - box[0], box[3] - box[1]
+    width, height = max(box[2] - box[0], 1.0), max(box[3] - box[1], 1.0)  # points may all lie at one place
     figure = new_figure(6.4, min(max(6.4 * height / width, 3.6), 7.5))
     axes = figure.add_subplot()
     axes.set_aspect("equal")

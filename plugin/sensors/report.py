@@ -62,7 +62,7 @@ def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Mes
         HowMeasured(),
         recommendation=sentence(result.reason),
         notices=sentences_once(notices),
-        chart=svg_text(comparison_chart(result)),
+        chart=svg_text(comparison_chart(result)) if any(row.errors and row.errors.count for row in result.rows) else "",
         models=[
             (_unbroken(row.request.name), *_errors(row.errors)[1:5], row.control_count, row.errors.count)
             for row in result.rows

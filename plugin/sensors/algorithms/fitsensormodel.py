@@ -76,6 +76,7 @@ class FitSensorModel(SensorAlgorithm):
             tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
         )
         self.addFittingParameters()
+        self.addDescribed(*sensor_parameters.terrain_error())
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Residuals"), QgsProcessing.SourceType.TypeVectorPoint),
             tr("The points with residuals, model minus measured: in pixels, and in metres at the point's height."),
@@ -112,6 +113,7 @@ class FitSensorModel(SensorAlgorithm):
                 kind = tr("Root mean square") if error.startswith("RMSE") else tr("Largest error")
                 words = tr("{kind} in {axis}, {group} (m)").format(kind=kind, axis=error[-1], group=label)
                 self.addNumbers({f"{group}_{error}": words})
+        self.addViewNumbers()
         self.addNumbers({
             CONTROL_COUNT: tr("Control points used"),
             CHECK_COUNT: tr("Check points used"),
@@ -136,6 +138,10 @@ class FitSensorModel(SensorAlgorithm):
         notices = self._notices(done) + coverage_warnings(coverage)
         if bias is not None:
             notices.append(messages.RPC_BIAS_FOUND(columns=bias.column, rows=bias.row, most=bias.most))
+        files = FitFiles(done, image, box, run.is_cancelled)
+        view = files.view
+        if view is not None:
+            notices.append(view.told(run.real(sensor_parameters.TERRAIN_ERROR)))
         run.tell(*notices)
         run.progress(0.6)
         crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
@@ -143,7 +149,6 @@ class FitSensorModel(SensorAlgorithm):
             crs = QgsCoordinateReferenceSystem(points.wkt)
         sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, point_tables.residual_features(done))
-        files = FitFiles(done, image, box, run.is_cancelled)
 
         def write_rpc(write: Callable[[Path], tuple[Message, bool]], path: Path) -> bool:
             notice, written = write(path)
@@ -172,6 +177,7 @@ class FitSensorModel(SensorAlgorithm):
         condition = done.fitted.condition
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
+        results.update(sensor_parameters.view_numbers(run, view))
         results.update({BIAS_COLUMN: bias and bias.column, BIAS_ROW: bias and bias.row})
         return results
 
@@ -194,12 +200,16 @@ class FitSensorModel(SensorAlgorithm):
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
         from ..measure.adjustment import suspects
+        from ..measure.models.chosen_terms import terms_told
+        from ..measure.models.rational import Rational
 
         notices: list[Message] = []
         if not done.fitted.converged:
             notices.append(messages.NOT_CONVERGED(iterations=done.fitted.iterations))
         if done.fitted.condition > MAX_CONDITION:
             notices.append(messages.ILL_CONDITIONED(condition=done.fitted.condition))
+        if done.request.kind is registry.RATIONAL_TERMS and isinstance(done.fitted.model, Rational):
+            notices.append(messages.TERMS_KEPT(terms=terms_told(done.fitted.model)))
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
         if done.blunder.any():

@@ -81,6 +81,7 @@ class Orthorectify(SensorAlgorithm):
         self.addDescribed(*sensor_parameters.dem(tr("Terrain heights under the whole image, in any reference system.")))
         self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
         self.addDescribed(*sensor_parameters.geoid())
+        self.addDescribed(*sensor_parameters.terrain_error())
         self.addDescribed(
             QgsProcessingParameterNumber(
                 HEIGHT, tr("Constant height (metres)"), QgsProcessingParameterNumber.Type.Double, None, optional=True
@@ -112,6 +113,7 @@ class Orthorectify(SensorAlgorithm):
             QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage")),
             tr("A GeoTIFF; empty where the image or the terrain model ends."),
         )
+        self.addViewNumbers()
         self.addNumbers({
             ERROR_RMS: tr("Root mean square against the exact model (px)"),
             ERROR_MAX: tr("Largest error against the exact model (px)"),
@@ -129,6 +131,7 @@ class Orthorectify(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit.layers import box_extent, system_wkt
         from ..measure.orthorectification import OrthoRequest, orthorectify
+        from ..measure.view_direction import view_direction
 
         self.check(run)
         assert self._image_ref is not None
@@ -168,7 +171,11 @@ class Orthorectify(SensorAlgorithm):
                 "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."
             ).format(columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px)
         )
-        return {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
+        results = {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
+        view = view_direction(model, wkt, domain)
+        if view is not None:
+            run.tell(view.told(run.real(sensor_parameters.TERRAIN_ERROR)))
+        return {**results, **sensor_parameters.view_numbers(run, view)}
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
         """The model in the image's own pixels, the system it is in, where it is used, and what the terrain model's

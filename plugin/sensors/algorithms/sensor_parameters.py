@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ..measure.models.rational import Rational
     from ..measure.models.registry import ModelRequest
     from ..measure.points import Points
+    from ..measure.view_direction import ViewDirection
 
 DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
 ORBIT_HEIGHTS_KM = {  # by the satellite's name in the image's metadata; the operators' data sheets
@@ -40,7 +41,8 @@ ORBIT_HEIGHTS_KM = {  # by the satellite's name in the image's metadata; the ope
 }  # fmt: skip
 
 GCPS, GCPS_CRS, IMAGE, IMAGE_RPC, DEM = "GCPS", "GCPS_CRS", "IMAGE", "IMAGE_RPC", "DEM"
-HEIGHTS, DEM_HEIGHTS, GEOID = "HEIGHTS", "DEM_HEIGHTS", "GEOID"
+HEIGHTS, DEM_HEIGHTS, GEOID, TERRAIN_ERROR = "HEIGHTS", "DEM_HEIGHTS", "GEOID", "TERRAIN_ERROR"
+VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT = "VIEW_ANGLE", "VIEW_AZIMUTH", "TERRAIN_SHIFT"
 CHECK_SHARE, ROBUST, ORBIT_HEIGHT = "CHECK_SHARE", "ROBUST", "ORBIT_HEIGHT"
 
 POINTS_SUFFIX = ".points"
@@ -93,6 +95,14 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             ),
             advanced=True,
         )
+
+    def addViewNumbers(self) -> None:
+        """How obliquely the image was taken."""
+        self.addNumbers({
+            VIEW_ANGLE: tr("Angle of the view from the vertical, in the middle of the image (degrees)"),
+            VIEW_AZIMUTH: tr("Azimuth that the image was taken from (degrees)"),
+            TERRAIN_SHIFT: tr("What the error of terrain heights moves the middle of the image by (m)"),
+        })
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         # A georeferencer's file or an image is no layer that QGIS can load, so its own check gets one in its place.
@@ -197,6 +207,14 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return next(known, limits.DEFAULT_ORBIT_HEIGHT_KM) * 1000
 
 
+def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
+    """What is told of a view; nothing for a plane model."""
+    if view is None:
+        return dict.fromkeys((VIEW_ANGLE, VIEW_AZIMUTH, TERRAIN_SHIFT))
+    shift = view.shift_m(run.real(TERRAIN_ERROR))
+    return {VIEW_ANGLE: view.angle, VIEW_AZIMUTH: view.azimuth, TERRAIN_SHIFT: shift}
+
+
 def height_datums(run: Run, *names: str) -> list[Datum]:
     """What heights refer to by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
     from ...imagery.rasters import RasterRef
@@ -260,6 +278,15 @@ def heights(name: str, label: str) -> Described:
             "where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, "
             "geoid by a grid file of your own. SRTM tiles are egm96."
         ),
+    )
+
+
+def terrain_error() -> tuple[QgsProcessingParameterNumber, str, bool]:
+    number = QgsProcessingParameterNumber
+    return (
+        number(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), number.Type.Double, 1.0, minValue=0),
+        tr("What an error of this size moves the orthoimage by is told, from the angle that the image was taken at."),
+        True,
     )
 
 

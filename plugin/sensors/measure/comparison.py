@@ -116,7 +116,7 @@ def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | No
 
     Of the models whose error is at most a quarter larger than the smallest one, the one that the paper prefers.
     """
-    judged = [row for row in rows if row.errors is not None and row.errors.rmse is not None and row.reason is None]
+    judged = [row for row in rows if row.errors is not None and _is_number(row.errors.rmse) and row.reason is None]
     sound = [row for row in judged if flat or row.request.needs_heights] or judged
     if not sound:
         return None, messages.NOTHING_TO_RECOMMEND()
@@ -126,3 +126,7 @@ def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | No
     chosen = min(near, key=lambda row: (row.request.variant.rank, row.request.variant.unknowns, error[id(row)]))
     why = chosen.request.kind.recommendation
     return chosen, why(model=chosen.request.name, rmse=error[id(chosen)], best=smallest)
+
+
+def _is_number(error: float | None) -> bool:
+    return error is not None and bool(np.isfinite(error))

@@ -19,6 +19,7 @@ from .models.rpc import Domain, RpcOfModel, rpc_heights, rpc_of
 from .models.rpc_files import write_rpc
 from .models.rpc_images import write_image_with_rpc
 from .point_files import source_coordinates, write_point_file
+from .view_direction import ViewDirection, view_direction
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,14 @@ class FitFiles:
     @cached_property
     def _rpc(self) -> RpcOfModel:
         return rpc_of(self.done.fitted.model, self.done.points.wkt, self.domain)
+
+    @property
+    def view(self) -> ViewDirection | None:
+        """The line of sight; None for a model that knows none, or that is too bent to be inverted."""
+        try:
+            return view_direction(self.done.fitted.model, self.done.points.wkt, self.domain)
+        except SensorModelError:
+            return None
 
     def save_model(self, path: Path) -> None:
         """The model file."""

@@ -106,6 +106,11 @@ ILL_CONDITIONED = Message(
     "The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check "
     "points only or choose a lower order.", WARNING
 )
+TERMS_KEPT = Message("Terms kept, numerator / denominator of scaled coordinates: {terms}.", INFO)
+FIT_DIVERGED = Message(
+    "The fit to these points runs away from them all; check for interchanged coordinates, or choose a model with fewer "
+    "unknowns."
+)
 LINE_NOT_FOUND = Message(
     "No line of the image sees one of the points; check the points' places, heights and reference system."
 )
@@ -217,6 +222,11 @@ NO_DEM = Message(
     "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat."
 )
 DEM_AND_HEIGHT = Message("Both a terrain model and a constant height are given; choose one of them.")
+HEIGHT_IMPLAUSIBLE = Message("The constant height is {height:.6g} m, as no place on earth has; give it in metres.")
+DEM_HEIGHTS_IMPLAUSIBLE = Message(
+    "The terrain model {name} has heights of {low:.6g} to {high:.6g} m, as no place on earth has; set its nodata "
+    "value, or choose another one."
+)
 DEM_NOT_COVERING = Message(
     "The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, "
     "{south:.4f} to {north:.4f} degrees north; choose one that does."
@@ -228,6 +238,18 @@ DEM_PARTLY_COVERING = Message(
 DEM_TOO_LARGE = Message(
     "The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, "
     "meshes of 10 to 30 m serve best."
+)
+MESH_COARSE = Message(
+    "The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced "
+    "there; meshes of 10 to 30 m serve best.", WARNING
+)
+MESH_FINE = Message(
+    "The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines "
+    "such as roads; meshes of 10 to 30 m serve best.", WARNING
+)
+VIEW_TOLD = Message(
+    "The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth "
+    "{azimuth:.0f}; an error of {error:g} m in the terrain's heights moves its middle by {shift:.2f} m.", INFO
 )
 # orthorectification
 PIXEL_SIZE_NOT_POSITIVE = Message("The pixel size is {size}; give a positive number of map units.")

@@ -23,17 +23,22 @@ from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_po
 from . import limits, messages
 from .ground_system import GEOGRAPHIC, WGS84, GroundSystem
 from .height_datums import Datum
+from .models.frame_camera import FrameCamera
 from .models.locating import locate
 from .models.rational import Rational
 from .models.rpc import Domain, RpcOfModel, rpc_of
 from .models.rpc_images import image_with_rpc
 from .models.sensor_model import SensorModel
+from .plausible_points import HIGHEST_M, LOWEST_M
 from .sensor_images import open_image
 from .terrain import Terrain, constant_terrain, load_terrain
+from .terrain_fitness import mesh_warnings, uncovered_share
 
 ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
 
+
 _NO_HEIGHT = -32768.0
+_STRIP_ROWS = 256
 
 
 @dataclass(frozen=True)
@@ -106,22 +111,27 @@ def orthorectify(
     """
     if (request.dem is None) == (request.height is None):
         raise SettingsError(messages.NO_DEM() if request.dem is None else messages.DEM_AND_HEIGHT())
+    if request.height is not None and not LOWEST_M <= request.height <= HIGHEST_M:
+        raise SettingsError(messages.HEIGHT_IMPLAUSIBLE(height=request.height))
     plan = _plan(request)
     wkt, extent, size = _target(request, plan)
     columns, rows = (max(round((extent[i + 2] - extent[i]) / size), 1) for i in (0, 1))
     if columns > 2**31 - 1 or rows > 2**31 - 1 or columns * rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=columns, height=rows))
     source = image_with_rpc(plan.image, plan.rpc.rpc)
+    meshes = mesh_warnings(plan.terrain, isinstance(request.model, FrameCamera))
+    name, notices = plan.terrain.name, [*plan.terrain.notices, *meshes]
+    uncovered = plan.uncovered
+    if uncovered > 0:
+        notices.append(messages.DEM_PARTLY_COVERING(name=name, share=uncovered))
     with _heights(plan.terrain) as heights:
         options = [
             "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
         ]  # fmt: skip
         rms, most = _error(request, plan, source, options, wkt, extent, size)
+        del plan  # GDAL has the terrain now
         _warp(request, source, options, (wkt, extent, columns, rows), progress, cancelled)
-    notices = list(plan.terrain.notices)
-    if plan.uncovered > 0:
-        notices.append(messages.DEM_PARTLY_COVERING(name=plan.terrain.name, share=plan.uncovered))
-    return Ortho(request.output, wkt, extent, size, columns, rows, rms, most, plan.uncovered, tuple(notices))
+    return Ortho(request.output, wkt, extent, size, columns, rows, rms, most, uncovered, tuple(notices))
 
 
 def rpc_domain(rpc: Rational, image: Raster) -> Domain:
@@ -169,7 +179,8 @@ def _plan(request: OrthoRequest) -> _Plan:
     rpc_heights = (float(heights.min()), float(heights.max()))
     if rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
         rpc = rpc_of(request.model, request.wkt, replace(domain, heights=rpc_heights))
-    return _Plan(image, rpc, terrain, np.column_stack([ground, heights]), float(missing.mean()))
+    footprint = np.column_stack([ground, heights])
+    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, rpc.rpc, terrain, footprint))
 
 
 def _on_ground(rpc: Rational, image: np.ndarray, heights: np.ndarray, middle: np.ndarray) -> np.ndarray:
@@ -188,7 +199,7 @@ def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
         steps = [np.median(np.linalg.norm(np.diff(grid, axis=axis), axis=2)) for axis in (1, 0)]
         cells = ORTHO_GRID - 1
         size = float(f"{min(steps[0] * cells / plan.image.columns, steps[1] * cells / plan.image.rows):.2g}")
-    if size <= 0:
+    if not 0 < size < np.inf:
         raise SettingsError(messages.PIXEL_SIZE_NOT_POSITIVE(size=size))
     bounds = (*places.min(axis=0), *places.max(axis=0))
     if request.extent is not None:
@@ -214,8 +225,11 @@ def _heights(terrain: Terrain) -> Iterator[str]:
         file.SetGeoTransform((terrain.origin[0], terrain.step[0], 0.0, terrain.origin[1], 0.0, terrain.step[1]))
         file.SetProjection(horizontal_wkt(terrain.wkt))
         file.GetRasterBand(1).SetNoDataValue(_NO_HEIGHT)
-        file.GetRasterBand(1).WriteArray(np.where(np.isfinite(terrain.heights), terrain.heights, _NO_HEIGHT))
+        for first in range(0, rows, _STRIP_ROWS):  # strips: a second copy of the whole costs as much as GDAL's own
+            strip = terrain.heights[first : first + _STRIP_ROWS]
+            file.GetRasterBand(1).WriteArray(np.where(np.isfinite(strip), strip, np.float32(_NO_HEIGHT)), 0, first)
         file = None
+    del terrain
     try:
         yield path
     finally:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 CONTROL, CHECK = "control", "check"
+SIGMAS_PX = 1e-7, 1e7  # smaller and larger ones say nothing more, and squares of theirs are no numbers
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ class Points:
         """(n,) 1 / standard deviation; where some points have none they get the median of the others, or 1."""
         known = np.isfinite(self.sigma_px) & (self.sigma_px > 0)
         usual = float(np.median(self.sigma_px[known])) if known.any() else 1.0
-        return 1 / np.where(known, self.sigma_px, usual)
+        return 1 / np.clip(np.where(known, self.sigma_px, usual), *SIGMAS_PX)
 
     @property
     def sigma_known(self) -> bool:

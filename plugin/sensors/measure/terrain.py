@@ -12,12 +12,13 @@ from ...imagery.grids import Extent, PixelWindow
 from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import extent_on, transform_points
+from ...imagery.reference_systems import extent_on, metres_per_unit, transform_points
 from . import messages
 from .ground_system import WGS84
 from .height_datums import Datum, above_ellipsoid, heights_converted, vertical_system
 
 MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
+LOWEST_M, HIGHEST_M = -12_000.0, 10_000.0  # the deepest sea, the highest mountain
 UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
 
 
@@ -34,6 +35,12 @@ class Terrain:
     heights: np.ndarray
     """(rows, columns) float32, m; NaN where there are none."""
     notices: tuple[Message, ...]
+
+    def mesh_m(self) -> tuple[float, float]:
+        """The shorter and the longer side of a mesh on the ground, m."""
+        middle = self.origin[1] + self.step[1] * self.heights.shape[0] / 2
+        sides = np.abs(np.multiply(self.step, metres_per_unit(self.wkt, middle)))
+        return float(sides.min()), float(sides.max())
 
     def at(self, geographic: np.ndarray) -> np.ndarray:
         """Bilinear heights (n,) at longitudes and latitudes (n, 2 or more); NaN where there are none."""
@@ -97,10 +104,15 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     heights_alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])  # whatever the other bands are
     block = OpenRaster(ref, heights_alone).read(PixelWindow(left, top, right - left, bottom - top))
     band = source.dataset.GetRasterBand(1)
-    heights = block.bands[0].astype(np.float32) * np.float32(band.GetScale() or 1) + np.float32(band.GetOffset() or 0)
+    heights = block.bands[0].astype(np.float32)
+    heights *= np.float32(band.GetScale() or 1)
+    heights += np.float32(band.GetOffset() or 0)
     heights[~block.valid] = np.nan
     if not block.valid.any():
         raise RasterError(elsewhere)
+    low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
+    if low < LOWEST_M or high > HIGHEST_M:
+        raise RasterError(messages.DEM_HEIGHTS_IMPLAUSIBLE(name=ref.name, low=low, high=high))
     origin = (transform[0] + left * transform[1], transform[3] + top * transform[5])
     found = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, ())
     return _above_ellipsoid(found, datum)
@@ -110,13 +122,12 @@ def _above_ellipsoid(terrain: Terrain, datum: Datum) -> Terrain:
     vertical, notices = vertical_system(terrain.wkt, datum, terrain.name)
     if not vertical:
         return replace(terrain, notices=notices)
-    undulation = _undulation(terrain, vertical)
-    notice = heights_converted(undulation, terrain.wkt, datum, terrain.name)
-    return replace(terrain, heights=terrain.heights + undulation, notices=(notice,))
+    added = _add_undulation(terrain, vertical)
+    return replace(terrain, notices=(heights_converted(added, terrain.wkt, datum, terrain.name),))
 
 
-def _undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
-    """(rows, columns) m between the heights' reference and the ellipsoid, from a coarse grid: the geoid is smooth."""
+def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
+    """Bring heights to the ellipsoid where they stand, by a coarse grid, since the geoid is smooth; that grid, m."""
     rows, columns = terrain.heights.shape
     step = UNDULATION_STEP_PX
     knots = [np.unique(np.append(np.arange(0, size, step), size - 1)) for size in (rows, columns)]
@@ -125,5 +136,10 @@ def _undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
     y = terrain.origin[1] + (row.ravel() + 0.5) * terrain.step[1]
     places = transform_points(np.column_stack([x, y]), terrain.wkt, WGS84)
     coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
-    along = np.array([np.interp(np.arange(columns), knots[1], line) for line in coarse])
-    return np.array([np.interp(np.arange(rows), knots[0], line) for line in along.T], np.float32).T
+    along = np.array([np.interp(np.arange(columns), knots[1], line) for line in coarse], np.float32)
+    for number in range(rows):
+        upper = max(int(np.searchsorted(knots[0], number, "right")) - 1, 0)
+        lower = min(upper + 1, len(knots[0]) - 1)
+        share = (number - knots[0][upper]) / max(knots[0][lower] - knots[0][upper], 1)
+        terrain.heights[number] += along[upper] + np.float32(share) * (along[lower] - along[upper])
+    return coarse

@@ -50,6 +50,7 @@ _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the f
     ".mif": (".mid",),
     **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
 }
+_WITHOUT_SIDECARS = (".csv", ".gpkg", ".html", ".json", ".points", ".shp", ".txt", ".xml")
 _SIDECARS = {".aux", ".aux.xml", ".geom", ".hdr", ".msk", ".ovr", ".prj", ".rpb", ".rpc", "_rpc.txt", ".wld"}
 
 _Identity = Union[tuple[int, int], str]
@@ -78,6 +79,8 @@ class _Output(NamedTuple):
         same = self.files.get(_identity(other.path))
         if same is not None:
             return same if "" in tables or len(tables) == 1 else ""
+        if other.path.lower().endswith(_WITHOUT_SIDECARS):
+            return ""
         beside = (file for file in self.files.values() if os.path.exists(file) and _is_sidecar(file, other.path))
         return next(beside, "")
 

@@ -242,3 +242,56 @@ def _with_heights(places: np.ndarray, dem: Path) -> np.ndarray:
     at = [(on_dem[:, 1] - origin_y) / step_y - 0.5, (on_dem[:, 0] - origin_x) / step_x - 0.5]
     heights = map_coordinates(dataset.ReadAsArray().astype(float), at, order=1)
     return np.column_stack([geographic[:, :2], heights])
+
+
+def test_uncovered_is_the_share_of_the_images_own_pixels(
+    job: Callable[..., Ortho], tmp_path: Path, make_raster: MakeRaster
+) -> None:
+    """A hole between the places of the plan's grid counts, and what the image leaves empty does not."""
+    dem = terrain_file(tmp_path / "dem.tif")
+    dataset = gdal.Open(dem, gdal.GA_Update)
+    west, step, *_ = dataset.GetGeoTransform()
+    dataset.GetRasterBand(1).WriteArray(np.full((120, int((7.18 - west) / step)), -9999, np.float32))  # the west half
+    dataset = None
+    half = job(dem=dem).uncovered
+    assert 0.2 < half < 0.8
+    kept = RAMP.copy()
+    kept[:, :, :200] = 0
+    image = make_raster("half.tif", kept, geotransform=(0.0, 1.0, 0.0, 0.0, 0.0, 1.0), system=None, nodata=0)
+    assert abs(job(dem=dem, image=RasterRef(image)).uncovered - half) > 0.2
+
+
+@pytest.mark.parametrize(
+    ("step", "words"), [(0.0008, "meshes of 89 m"), (0.00005, "bend straight lines"), (0.0002, "")]
+)
+def test_meshes_beyond_10_to_30_m_are_told(
+    job: Callable[..., Ortho], tmp_path: Path, step: float, words: str
+) -> None:
+    dem = str(tmp_path / "dem.tif")
+    gdal.Warp(dem, terrain_file(tmp_path / "fine.tif"), xRes=step, yRes=step, resampleAlg="average")
+    notices = " ".join(map(str, job(dem=dem).notices))
+    assert words in notices
+    assert bool(words) == ("10 to 30 m" in notices)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"height": float("nan")}, "as no place on earth has"),
+        ({"height": float("inf")}, "as no place on earth has"),
+        ({"height": 600.0, "pixel_size": float("nan")}, "give a positive number"),
+        ({"height": 600.0, "pixel_size": float("inf")}, "give a positive number"),
+    ],
+)
+def test_numbers_that_are_none_get_a_sentence(job: Callable[..., Ortho], given: dict[str, Any], words: str) -> None:
+    with pytest.raises(SettingsError, match=words):
+        job(**given)
+
+
+def test_heights_of_no_place_on_earth_are_refused(job: Callable[..., Ortho], tmp_path: Path) -> None:
+    dem = terrain_file(tmp_path / "dem.tif")
+    dataset = gdal.Open(dem, gdal.GA_Update)
+    dataset.GetRasterBand(1).Fill(1e30)
+    dataset = None
+    with pytest.raises(RasterError, match="set its nodata value"):
+        job(dem=dem)

@@ -146,7 +146,7 @@ def test_comparison_gives_the_table_and_a_reason(data_folder: Path, tmp_path: Pa
     )
     assert outcome.complaint is None
     rows = {(row["model"], row["order"], row["variant"]): row for row in outcome.rows()}
-    assert len(rows) == 15
+    assert len(rows) == 16
     assert {row["method"] for row in rows.values()} == {"leave_one_out"}
     assert outcome.results["RECOMMENDED"] == "rpc_bias shift"
     assert rows["rpc_bias", None, "shift"]["recommended"] == 1

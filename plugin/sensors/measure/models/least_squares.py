@@ -5,6 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ....imagery.errors import SensorModelError
+from .. import messages
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -21,10 +24,13 @@ def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
     """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), the columns brought to length 1 before.
 
     Singular values below machine precision times the larger side are taken as zero, nothing is added to the others.
+    Raises SensorModelError where an iteration has run away into numbers that are none.
     """
     lengths = np.linalg.norm(design, axis=0)
     lengths[lengths == 0] = 1.0
     scaled = design / lengths
+    if not (np.isfinite(scaled).all() and np.isfinite(target).all()):
+        raise SensorModelError(messages.FIT_DIVERGED())
     values, _, rank, singular = np.linalg.lstsq(scaled, target, rcond=np.finfo(float).eps * max(design.shape))
     condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
     return Solution((values.T / lengths).T, condition, int(rank))

@@ -96,7 +96,7 @@ def _fit_quotient(
     for iteration in range(1, MAX_RATIONAL_ITERATIONS + 1):
         row_weights = weights / denominator
         solution = least_squares(whole * row_weights[:, None], wanted * row_weights)
-        denominator = _off_poles(1 + terms[:, 1:] @ solution.values[count:])
+        denominator = off_poles(1 + terms[:, 1:] @ solution.values[count:])
         seen = (terms @ solution.values[:count]) / denominator
         change = float(np.abs(seen - last).max()) * scale_px
         last = seen
@@ -105,7 +105,8 @@ def _fit_quotient(
     return solution.values, solution.condition, MAX_RATIONAL_ITERATIONS, False
 
 
-def _off_poles(denominator: np.ndarray) -> np.ndarray:
+def off_poles(denominator: np.ndarray) -> np.ndarray:
+    """Denominators kept away from zero while a fit is iterated."""
     return np.where(np.abs(denominator) < MIN_DENOMINATOR, MIN_DENOMINATOR, denominator)
 
 
@@ -130,7 +131,7 @@ def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy:
         coefficients = np.zeros(12)
         coefficients[: len(solution.values)] = solution.values
         model = Dlt(scale_g, scale_i, coefficients)
-        denominator = _off_poles(1 + terms[:, 1:] @ coefficients[8:11])
+        denominator = off_poles(1 + terms[:, 1:] @ coefficients[8:11])
         bend = 1 - coefficients[11] * x[:, 0]
         seen = model.project(ground)
         change = float(np.abs(seen - last).max())

@@ -117,6 +117,13 @@ POLYNOMIAL_3D = ModelKind(
     (".polynomials", "Polynomial3D", "fit_polynomial_3d"),
     messages.RECOMMEND_POLYNOMIAL_3D,
 )
+RATIONAL_TERMS = ModelKind(
+    "rational_terms",
+    (Variant("", 8, 12, 3),),  # it starts from 8 unknowns; fewer points have none to spare for more
+    (".chosen_terms", "Rational", "fit_chosen_terms"),
+    messages.RECOMMEND_RATIONAL,
+    lambda request, points: (),
+)
 RATIONAL = ModelKind(
     "rational",
     tuple(Variant(str(order), 4 * terms - 2, 2 * terms - 1, 1 + order) for order, terms in _TERMS_3D.items()),
@@ -146,5 +153,5 @@ RPC_BIAS = ModelKind(
     corrects_rpc=True,
 )
 
-KINDS = {kind.name: kind for kind in (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL, DLT, PUSHBROOM, RPC_BIAS)}
+KINDS = {kind.name: kind for kind in (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL, RATIONAL_TERMS, DLT, PUSHBROOM, RPC_BIAS)}
 """In the paper's order."""

@@ -58,10 +58,10 @@ def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
         return RpcOfModel(exact.padded(), 0.0, 0.0)
     columns, rows, heights = RPC_GRID
     fitted_to, judged_on = _grid(domain, RPC_GRID, 0.0), _grid(domain, (columns - 1, rows - 1, heights - 1), 0.5)
-    ground = _located(model, frame, wkt, fitted_to, domain)
+    ground = located(model, wkt, fitted_to, domain)
     rational = fit_rational(ground, fitted_to[:, :2], np.ones(len(ground)), 3).model
     assert isinstance(rational, Rational)
-    misses = rational.project(_located(model, frame, wkt, judged_on, domain)) - judged_on[:, :2]
+    misses = rational.project(located(model, wkt, judged_on, domain)) - judged_on[:, :2]
     distance = np.linalg.norm(misses, axis=1)
     return RpcOfModel(rational, float(np.sqrt(np.mean(distance**2))), float(distance.max()))
 
@@ -82,8 +82,12 @@ def rpc_heights(domain: Domain) -> tuple[float, float]:
     return (low + high) / 2 - half, (low + high) / 2 + half
 
 
-def _located(model: SensorModel, frame: GroundSystem, wkt: str, grid: np.ndarray, domain: Domain) -> np.ndarray:
-    """(n, 3) longitude, latitude, height of grid places (n, 3) column, row, height."""
+def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> np.ndarray:
+    """(n, 3) longitude, latitude, height of grid places (n, 3) column, row, height.
+
+    Raises SensorModelError where the model can't be inverted.
+    """
+    frame = GEOGRAPHIC if model.GEOGRAPHIC else GroundSystem(wkt)
     middle = np.array([[*domain.middle, float(np.mean(domain.heights))]])
     if model.GEOGRAPHIC:
         middle = GroundSystem(wkt).to_geographic(middle)

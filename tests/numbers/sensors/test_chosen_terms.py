@@ -1,0 +1,54 @@
+"""Quotients with terms left out: those that are there are found, others stay away, and fewer points do."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.stats import f as f_distribution
+from seam_inspector.plugin.sensors.measure.models.chosen_terms import f_limit, fit_chosen_terms, terms_told
+from seam_inspector.plugin.sensors.measure.models.rational import Rational, fit_rational
+
+from tests.numbers.sensors.sensor_scenes import made_rational, places
+
+
+def sparse() -> Rational:
+    """Quotients with three terms beyond the linear ones of the column and none of the row."""
+    made = made_rational(2, 3)
+    numerators, denominators = made.numerators.copy(), np.zeros((10, 2))
+    numerators[4:] = 0
+    numerators[5, 0], numerators[8, 0] = 0.02, -0.01
+    denominators[0], denominators[2, 0] = 1, 0.015
+    return replace(made, numerators=numerators, denominators=denominators)
+
+
+@pytest.mark.parametrize(("probability", "freedom"), [(0.01, 3), (1e-3, 12), (5e-4, 40)])
+def test_the_limit_is_that_of_f(probability: float, freedom: int) -> None:
+    assert f_limit(probability, freedom) == pytest.approx(f_distribution.isf(probability, 1, freedom), rel=1e-2)
+
+
+def test_fifteen_points_see_a_scene_that_order_two_needs_nineteen_for() -> None:
+    """Fifteen noisy points: the terms that are there, and an error over the scene far below that of order 1."""
+    truth, ground, everywhere = sparse(), places(15, 8), places(400, 9)
+    image = truth.project(ground) + np.random.default_rng(1).normal(0, 0.3, (15, 2))
+    chosen = fit_chosen_terms(ground, image, np.ones(15))
+    assert isinstance(chosen.model, Rational)
+    plain = fit_rational(ground, image, np.ones(15), 1).model
+    misses = [np.sqrt(np.mean((model.project(everywhere) - truth.project(everywhere)) ** 2))
+              for model in (chosen.model, plain)]
+    assert misses[0] < 2
+    assert misses[0] < misses[1] / 20
+    assert chosen.unknowns <= 12
+    assert "row: 1 x y z / 1" in terms_told(chosen.model)
+
+
+def test_noise_brings_no_terms_in() -> None:
+    """Of an affine image one fit in a hundred and an axis takes a term that is not there; here three draws of 60."""
+    truth, extra = sparse(), 0
+    numerators, denominators = truth.numerators.copy(), truth.denominators.copy()
+    numerators[4:], denominators[1:] = 0, 0
+    affine, ground = replace(truth, numerators=numerators, denominators=denominators), places(15, 8)
+    for seed in range(60):
+        image = affine.project(ground) + np.random.default_rng(seed).normal(0, 0.5, (15, 2))
+        extra += fit_chosen_terms(ground, image, np.ones(15)).unknowns > 8
+    assert extra <= 4

@@ -1,0 +1,52 @@
+"""The angle an image was taken at, and what errors of the terrain make of it."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery.reference_systems import metres_per_unit
+from seam_inspector.plugin.sensors.measure.models.earth import geocentric
+from seam_inspector.plugin.sensors.measure.models.polynomials import fit_polynomial_2d
+from seam_inspector.plugin.sensors.measure.models.pushbroom import SIGMAS
+from seam_inspector.plugin.sensors.measure.models.rpc import Domain, located
+from seam_inspector.plugin.sensors.measure.models.rpc_files import to_metadata
+from seam_inspector.plugin.sensors.measure.view_direction import view_direction
+
+from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, WGS84, made_pushbroom, made_rational, places
+
+DOMAIN = Domain((0, COLUMNS), (0, ROWS), (0, 1200), (float(MIDDLE[0]), float(MIDDLE[1])))
+
+
+def test_the_angle_is_that_of_gdals_lines_of_sight() -> None:
+    """GDAL's RPC transformer puts the middle of the image at two heights; 45 degrees would move it by as much."""
+    rpc = made_rational(3, 4)
+    view = view_direction(rpc, WGS84, DOMAIN)
+    assert view is not None
+    image = gdal.GetDriverByName("MEM").Create("", int(COLUMNS), int(ROWS), 1)
+    image.SetMetadata(to_metadata(rpc), "RPC")
+    transformer = gdal.Transformer(image, None, ["METHOD=RPC", "RPC_PIXEL_ERROR_THRESHOLD=1e-6"])
+    low, high = (np.array(transformer.TransformPoint(0, COLUMNS / 2, ROWS / 2, z)[1][:2]) for z in (550, 650))
+    east, north = (high - low) * metres_per_unit(WGS84, low[1])
+    assert np.tan(np.radians(view.angle)) == pytest.approx(np.hypot(east, north) / 100, rel=1e-3)
+    assert view.azimuth == pytest.approx(np.degrees(np.arctan2(east, north)) % 360, abs=0.1)
+    assert view.shift_m(7) == pytest.approx(7 * np.hypot(east, north) / 100, rel=1e-3)
+    assert view.largest >= view.angle - 1e-9
+
+
+def test_the_parametric_model_looks_towards_its_orbit() -> None:
+    """Straight from the projection centre, without any slope of the model."""
+    model = made_pushbroom()
+    view = view_direction(model, WGS84, DOMAIN)
+    assert view is not None
+    centre = model.orbit.position + (model.unknowns * SIGMAS)[:3] @ model.orbit.track
+    place = located(model, WGS84, np.array([[COLUMNS / 2, model.orbit.centre[1], 600.0]]), DOMAIN)
+    longitude, latitude = np.radians(place[0, :2])
+    up = np.array([np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)])
+    sight = centre - geocentric(place)[0]
+    assert view.angle == pytest.approx(np.degrees(np.arccos(sight @ up / np.linalg.norm(sight))), abs=0.05)
+
+
+def test_a_plane_model_has_no_view() -> None:
+    ground = places(12, 1)
+    plane = fit_polynomial_2d(ground, made_rational(1, 2).project(ground), np.ones(12), 1).model
+    assert view_direction(plane, WGS84, DOMAIN) is None
