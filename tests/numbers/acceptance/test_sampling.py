@@ -143,6 +143,34 @@ def test_the_interval_of_the_share_holds_it(seams: int, share: float, correlatio
     assert held / 400 >= 0.90
 
 
+@pytest.mark.parametrize(("sizes", "share", "correlation"), [
+    ([5] * 10 + [60] * 10, 0.05, 0.4), ([5] * 10 + [60] * 10, 0.05, 0.2), ([2] * 15 + [40] * 5, 0.1, 0.3),
+    ([10] * 9 + [100], 0.05, 0.3), ([20] * 10, 0.1, 0.5),
+])  # fmt: skip
+def test_the_interval_holds_the_share_where_seams_are_unequal_or_few(
+    sizes: list[int], share: float, correlation: float
+) -> None:
+    random, held = np.random.default_rng(4), 0
+    spread = (1 - correlation) / correlation
+    cluster = np.repeat(np.arange(len(sizes)), sizes)
+    for _ in range(400):
+        own = random.beta(share * spread, (1 - share) * spread, len(sizes))
+        failed = random.random(len(cluster)) < own[cluster]
+        interval = failed_share_interval([25.0] * len(cluster), failed.tolist(), cluster.tolist())
+        held += interval is not None and interval.low <= share <= interval.high
+    assert held / 400 >= 0.90
+
+
+def test_few_failures_on_one_seam_do_not_make_a_narrow_interval() -> None:
+    sizes = [5] * 10 + [60] * 10
+    cluster = np.repeat(np.arange(20), sizes).tolist()
+    few = failed_share_interval([25.0] * 650, [False] * 647 + [True] * 3, cluster)
+    none = failed_share_interval([25.0] * 650, [False] * 650, cluster)
+    assert few is not None
+    assert none is not None
+    assert few.high >= none.high > 0.05
+
+
 def test_the_interval_of_independent_pieces_is_that_of_clopper_and_pearson() -> None:
     failed = [True] * 6 + [False] * 94
     found = failed_share_interval([10.0] * 100, failed, range(100))
