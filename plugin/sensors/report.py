@@ -62,7 +62,7 @@ def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Mes
         HowMeasured(),
         recommendation=sentence(result.reason),
         notices=sentences_once(notices),
-        chart=svg_text(comparison_chart(result)) if any(row.errors and row.errors.count for row in result.rows) else "",
+        chart=svg_text(comparison_chart(result)) if _can_be_drawn(result) else "",
         models=[
             (_unbroken(row.request.name), *_errors(row.errors)[1:5], row.control_count, row.errors.count)
             for row in result.rows
@@ -71,6 +71,12 @@ def save_comparison_report(path: Path, result: Comparison, notices: Sequence[Mes
         is_leave_one_out=result.method == LEAVE_ONE_OUT,
         doubtful=[(_unbroken(row.request.name), sentence(row.reason)) for row in result.rows if row.reason is not None],
     )
+
+
+def _can_be_drawn(result: Comparison) -> bool:
+    """Whether any error is a positive number, which a logarithmic scale needs."""
+    errors = [row.errors.rmse or 0.0 for row in result.rows if row.errors is not None]
+    return any(math.isfinite(error) and error > 0 for error in errors)
 
 
 def _unknowns(variant: Variant) -> str:
