@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..imagery import limits
 from ..imagery.errors import RasterError, SettingsError
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
 from ..imagery.rasters import Raster
@@ -29,7 +30,9 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
     grid = mosaic.grid
     side = standard_side_px(grid, side_m)
     if side > min(grid.columns, grid.rows):
-        raise SettingsError(messages.MOSAIC_SMALLER_THAN_WINDOW(side=side * grid.ground_sample_distance))
+        raise SettingsError(messages.MOSAIC_SMALLER_THAN_WINDOW(pixels=side, side=side_m))
+    if side < limits.MIN_SIDE_PX:
+        raise SettingsError(messages.SIDE_TOO_SHORT(side=side_m, pixels=side, least=limits.MIN_SIDE_PX))
     place = middle_on(mosaic, piece, wkt)
     if place is None:
         return None

@@ -197,7 +197,7 @@ def _pieces(
     transform = QgsCoordinateTransform(layer.crs, crs, transforms)
     ruler = QgsDistanceArea()
     ruler.setSourceCrs(layer.crs, transforms)
-    if layer.crs.isGeographic():
+    if layer.crs.isValid():  # Web Mercator's metres are none
         ruler.setEllipsoid(layer.crs.ellipsoidAcronym() or "EPSG:7030")
     for row in attributes(layer.source.getFeatures(QgsFeatureRequest()), layer.fields):
         line = QgsGeometry(row.feature.geometry())

@@ -126,6 +126,9 @@ class PlanInspection(SeamInspectorAlgorithm):
 
         self._check(run)
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context)
+        field = run.text(SHEET_FIELD)
+        if field and not any(field in layer.fields for layer in self._seams):
+            raise SettingsError(messages.SHEET_FIELD_MISSING(field=field))
         self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
 
     def execute(self, run: Run) -> dict[str, Any]:
@@ -248,14 +251,13 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     @staticmethod
     def _tell_plan(run: Run, counted: CountedPlan | None, drawn: int, size: int) -> None:
-        from ..measure.inspection_plan import risks_of
-        from ..measure.sampling.characteristic import allowed_at_aql
+        from ..measure.sampling.characteristic import allowed_at_aql, operating_characteristic
 
         if counted is None:
             run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
             return
         plan = counted.plan
-        producers, limiting = risks_of(plan)
+        risks = operating_characteristic(plan)
         if counted.correlation is not None and counted.design_effect is not None:
             run.tell(messages.PLANNED_BY_RISK(
                 size=plan.sample_size, lot=size, acceptance=plan.acceptance_number, correlation=counted.correlation,
@@ -265,7 +267,8 @@ class PlanInspection(SeamInspectorAlgorithm):
             run.tell(messages.PLANNED_BY_STANDARD(
                 size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
                 aql=stated.standard_aql(run), letter=plan.code_letter, allowed=allowed_at_aql(plan),
-                producers=producers, limiting=limiting,
+                producers=risks.producers_risk, bad=round(risks.limiting_quality * plan.lot_size),
+                limiting=risks.limiting_quality, consumers=risks.consumers_risk,
             ))  # fmt: skip
         if drawn < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=drawn))

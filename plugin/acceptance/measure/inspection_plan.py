@@ -11,7 +11,6 @@ from ...imagery.lines.paths import points_at, vertex_stations
 from ...imagery.lines.seamlines import Seam
 from . import messages
 from .delivery import DeliveredPiece
-from .sampling.characteristic import limiting_quality, producers_risk
 from .sampling.clustering import intraclass_correlation
 from .sampling.drawing import stratified_sample
 from .sampling.iso2859 import single_sampling_plan
@@ -80,8 +79,3 @@ def check_count(count: int, lot_size: int) -> None:
         raise SettingsError(messages.COUNT_NOT_POSITIVE(count=count))
     if lot_size < 1:
         raise SettingsError(messages.LOT_EMPTY())
-
-
-def risks_of(plan: SamplingPlan) -> tuple[float, float]:
-    """The producer's risk at the good quality, and the quality that is accepted with 10 %."""
-    return producers_risk(plan), limiting_quality(plan)

@@ -44,13 +44,17 @@ QUALITIES_TOO_NEAR = Message(
 )
 COUNT_NOT_POSITIVE = Message("A sample of {count} pieces was asked for; give 1 or more.")
 WINDOWS_WITHOUT_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
-MOSAIC_SMALLER_THAN_WINDOW = Message("The mosaic is smaller than a window of {side:.1f} m; give a shorter SIDE.")
+MOSAIC_SMALLER_THAN_WINDOW = Message(
+    "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE."
+)
+SIDE_TOO_SHORT = Message("A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
+SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose one that says which sheet it is.")
 PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are no part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
 PLANNED_BY_STANDARD = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail (ISO 2859-1, level {level}, AQL {aql}, code "
-    "letter {letter}): with {allowed} failing pieces in it, which is the AQL, a lot is rejected with {producers:.1%}, "
-    "with {limiting:.1%} of them accepted with 10 %.", INFO
+    "letter {letter}): of lots with {allowed} failing pieces, the AQL, {producers:.1%} are rejected, of those with "
+    "{bad} ({limiting:.1%}) {consumers:.1%} are accepted.", INFO
 )
 PLANNED_BY_RISK = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail; pieces of one seam are alike by "
@@ -75,13 +79,12 @@ MEASURED_TOO_LITTLE = Message(
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be told", INFO)
 PLAN_KEPT = Message(
     "{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, code letter "
-    "{letter}; with {allowed} failing pieces in it, which is the AQL of {aql}, a lot is rejected with "
-    "{producers:.1%}, with {limiting:.1%} of them accepted with 10 %)", INFO
+    "{letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with "
+    "{bad} ({limiting:.1%}) {consumers:.1%} are accepted)", INFO
 )
 PLAN_EXCEEDED = Message(
     "{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, code "
-    "letter {letter}; with {allowed} failing pieces in it, which is the AQL of {aql}, a lot is rejected with "
-    "{producers:.1%})", INFO
+    "letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected)", INFO
 )
 PLAN_BETWEEN = Message(
     "As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is "

@@ -71,7 +71,8 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
         sentence = messages.PLAN_KEPT(
             nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=rule.aql,
             letter=plan.code_letter, allowed=allowed_at_aql(plan), producers=curve.producers_risk,
-            limiting=curve.limiting_quality,
+            bad=round(curve.limiting_quality * plan.lot_size), limiting=curve.limiting_quality,
+            consumers=curve.consumers_risk,
         )  # fmt: skip
     elif passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)

@@ -169,7 +169,7 @@ def test_bad_input_is_refused(scene: Scene) -> None:
     assert_sentence(plan(seams([P])).complaint, "at least 2")
     assert_sentence(plan(layer("LineString", [])).complaint, "layers of seams are empty")
     wide = plan(layer("LineString", [line((200, 0), (300, 256))]), UNIT="windows", MOSAIC=str(scene.mosaic), PIECE=5)
-    assert_sentence(wide.complaint, "smaller than a window of 102.4 m")
+    assert_sentence(wide.complaint, "smaller than a window of 1024 px, the power of two that spans 100 m")
 
 
 def test_a_sample_larger_than_what_is_given_is_told() -> None:

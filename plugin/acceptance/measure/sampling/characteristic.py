@@ -21,13 +21,15 @@ def operating_characteristic(plan: SamplingPlan, of_series: bool = False) -> Ope
     """Of the lot itself, or ``of_series``: of a production that many such lots come from."""
     distribution = BINOMIAL if of_series else HYPERGEOMETRIC
     limiting = limiting_quality(plan, CONSUMERS_RISK, of_series)
+    consumers = float(acceptance_probability(plan, np.array([limiting]), of_series)[0])
     end = min(1.0, _REACH * max(limiting, plan.aql / 100))
     shares = np.linspace(0, end, CURVE_POINTS)
     if not of_series:
         shares = np.unique(np.rint(shares * plan.lot_size)) / plan.lot_size
     accepted = acceptance_probability(plan, shares, of_series)
     return OperatingCharacteristic(
-        tuple(shares.tolist()), tuple(accepted.tolist()), producers_risk(plan, of_series), limiting, distribution
+        tuple(shares.tolist()), tuple(accepted.tolist()), producers_risk(plan, of_series), limiting, consumers,
+        distribution,
     )
 
 

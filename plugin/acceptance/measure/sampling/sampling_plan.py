@@ -41,6 +41,8 @@ class OperatingCharacteristic:
     producers_risk: float
     """Probability that a lot as good as the AQL is rejected."""
     limiting_quality: float
-    """The share of nonconforming items at which a lot is accepted with a probability of 10 % (LQ, LTPD)."""
+    """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD)."""
+    consumers_risk: float
+    """With which it is then: 10 %, or what whole items of a lot leave below."""
     distribution: str
     """``hypergeometric`` for a lot of known size, ``binomial`` for a series of lots."""
