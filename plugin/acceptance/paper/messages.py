@@ -16,5 +16,9 @@ PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count}
 LOSS_NOT_OF_SCAN = Message(
     "{name} was not written by a scan as its picture of losses and is left out; choose the scan's LOSS.", WARNING
 )
+SCAN_UNEXPLAINED = Message(
+    "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless "
+    "seamlines were given; scan again with the orthoimages that are missing.", WARNING
+)
 MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, no mosaic; no picture is cut from it.", WARNING)
 PAPER_STOPPED = Message("The pictures of the failures were stopped; nothing was written.", WARNING)

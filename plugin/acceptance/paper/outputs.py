@@ -25,7 +25,7 @@ from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from . import messages
-from .limits import MOST_PICTURES
+from .limits import MOST_PICTURES, TOLD_UNEXPLAINED
 
 if TYPE_CHECKING:
     from ...imagery.rasters import Raster, RasterRef
@@ -138,6 +138,8 @@ def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, 
         return None, {}
     try:
         if settings := scan_settings(ref):
+            if float(settings.get("unexplained", 0)) >= TOLD_UNEXPLAINED:
+                run.tell(messages.SCAN_UNEXPLAINED(name=ref.name, share=float(settings["unexplained"])))
             return describe_placed(ref), settings
         run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
     except RasterError as error:

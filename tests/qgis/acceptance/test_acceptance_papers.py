@@ -139,6 +139,17 @@ def test_wrong_rasters_are_told_and_left_out(tmp_path: Path, mosaic: str, loss: 
     assert outcome.column("picture", "DEFECTS").count(None) == 2
 
 
+def test_a_scan_without_some_orthoimages_is_told(tmp_path: Path, loss: str) -> None:
+    poor = tmp_path / "poor.tif"
+    gdal.Translate(str(poor), loss)
+    dataset = gdal.Open(str(poor), gdal.GA_Update)
+    dataset.SetMetadata({"wavelet": "coif3", "unexplained": "0.1386"}, "SEAM_INSPECTOR")
+    del dataset
+    outcome = accept(LOSS=str(poor))
+    assert any("found no orthoimage behind 14% of the mosaic" in said for said in outcome.log.warnings)
+    assert accept(LOSS=loss).log.warnings == []
+
+
 def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str, loss: str) -> None:
     outcome = accept(
         DEFECTS=str(tmp_path / "failures.gpkg"), REPORT=str(tmp_path / "decision.html"),

@@ -158,6 +158,8 @@ class Gathering:
                 raster.write(row, column, loss_cells(scan, table[labels], ground, settings.cell_px))
                 if not column and not goes_on(row / self._grid.rows):
                     return None
+            if (share := self._share_unexplained) is not None:
+                raster.add_setting("unexplained", f"{share:.4f}")
             raster.close([self._request.sources[number].ref.name for number in names])
         return sums
 
@@ -179,10 +181,14 @@ class Gathering:
         self._units += int(np.count_nonzero(~scan.outside))
         self._unexplained += int(np.count_nonzero(~scan.outside & ~followed))
 
+    @property
+    def _share_unexplained(self) -> float | None:
+        """Of the mosaic, that follows no source; None where not all of it was looked at."""
+        return None if self._request.seam_squares is not None else self._unexplained / max(self._units, 1)
+
     def _notices(self) -> tuple[Message, ...]:
-        """What no source explains, where all of the mosaic was looked at."""
-        share = self._unexplained / max(self._units, 1)
-        if self._request.seam_squares is not None or share < LEAST_UNEXPLAINED:
+        share = self._share_unexplained
+        if share is None or share < LEAST_UNEXPLAINED:
             return ()
         return (messages.MOSAIC_UNEXPLAINED(share=100 * share),)
 

@@ -81,6 +81,11 @@ class LossRaster:
         with gdal_writing(self._failure):
             self._dataset.WriteArray(np.ascontiguousarray(cells[:, :height, :width]), left, top)
 
+    def add_setting(self, name: str, value: str) -> None:
+        """What only the whole scan knows, beside its settings."""
+        with gdal_writing(self._failure):
+            self._dataset.SetMetadataItem(name, value, SETTINGS_DOMAIN)
+
     def close(self, names: Sequence[str]) -> None:
         """Overviews, statistics and the names of the sources, which their numbers from 1 on mean."""
         with gdal_writing(self._failure):
