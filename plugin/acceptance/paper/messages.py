@@ -20,5 +20,9 @@ SCAN_UNEXPLAINED = Message(
     "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless "
     "seamlines were given; scan again with the orthoimages that are missing.", WARNING
 )
+SEAMS_FOUND = Message(
+    "{name}: the scan found the seams in the pixels, not all of which show theirs where a feather is wide. With the "
+    "producer's SEAMLINES metres and lengths are those of all seams.", WARNING
+)
 MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, no mosaic; no picture is cut from it.", WARNING)
 PAPER_STOPPED = Message("The pictures of the failures were stopped; nothing was written.", WARNING)

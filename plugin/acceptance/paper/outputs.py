@@ -140,6 +140,8 @@ def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, 
         if settings := scan_settings(ref):
             if float(settings.get("unexplained", 0)) >= TOLD_UNEXPLAINED:
                 run.tell(messages.SCAN_UNEXPLAINED(name=ref.name, share=float(settings["unexplained"])))
+            if settings.get("seams") == "found":
+                run.tell(messages.SEAMS_FOUND(name=ref.name))
             return describe_placed(ref), settings
         run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
     except RasterError as error:

@@ -143,10 +143,11 @@ def test_a_scan_without_some_orthoimages_is_told(tmp_path: Path, loss: str) -> N
     poor = tmp_path / "poor.tif"
     gdal.Translate(str(poor), loss)
     dataset = gdal.Open(str(poor), gdal.GA_Update)
-    dataset.SetMetadata({"wavelet": "coif3", "unexplained": "0.1386"}, "SEAM_INSPECTOR")
+    dataset.SetMetadata({"wavelet": "coif3", "seams": "found", "unexplained": "0.1386"}, "SEAM_INSPECTOR")
     del dataset
     outcome = accept(LOSS=str(poor))
     assert any("found no orthoimage behind 14% of the mosaic" in said for said in outcome.log.warnings)
+    assert any("the scan found the seams in the pixels" in said for said in outcome.log.warnings)
     assert accept(LOSS=loss).log.warnings == []
 
 

@@ -158,6 +158,7 @@ class Gathering:
                 raster.write(row, column, loss_cells(scan, table[labels], ground, settings.cell_px))
                 if not column and not goes_on(row / self._grid.rows):
                     return None
+            raster.add_setting("seams", "given" if self._request.seams else "found")
             if (share := self._share_unexplained) is not None:
                 raster.add_setting("unexplained", f"{share:.4f}")
             raster.close([self._request.sources[number].ref.name for number in names])
