@@ -251,19 +251,17 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     @staticmethod
     def _tell_plan(run: Run, counted: CountedPlan | None, drawn: int, size: int) -> None:
+        from ..measure.inspection_plan import risk_sentences
         from ..measure.sampling.characteristic import allowed_at_aql, operating_characteristic
 
         if counted is None:
             run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
             return
         plan = counted.plan
-        risks = operating_characteristic(plan)
-        if counted.correlation is not None and counted.design_effect is not None:
-            run.tell(messages.PLANNED_BY_RISK(
-                size=plan.sample_size, lot=size, acceptance=plan.acceptance_number, correlation=counted.correlation,
-                effect=counted.design_effect,
-            ))  # fmt: skip
+        if counted.by_risk is not None:
+            run.tell(*risk_sentences(counted.by_risk, PlanInspection._risk(run), counted.correlation or 0.0))
         else:
+            risks = operating_characteristic(plan)
             run.tell(messages.PLANNED_BY_STANDARD(
                 size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
                 aql=stated.standard_aql(run), letter=plan.code_letter, allowed=allowed_at_aql(plan),

@@ -1,7 +1,7 @@
 """Planning an inspection: how many pieces of a lot, and which."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,12 +9,13 @@ import numpy as np
 from ...imagery.errors import SettingsError
 from ...imagery.lines.paths import points_at, vertex_stations
 from ...imagery.lines.seamlines import Seam
+from ...imagery.message import Message
 from . import messages
 from .delivery import DeliveredPiece
-from .sampling.clustering import intraclass_correlation
+from .sampling.clustering import intraclass_correlation, typical_cluster_size
 from .sampling.drawing import stratified_sample
 from .sampling.iso2859 import single_sampling_plan
-from .sampling.sample_size import StatedRisk, plan_by_risk
+from .sampling.sample_size import RiskPlan, StatedRisk, plan_by_risk
 from .sampling.sampling_plan import SamplingPlan
 
 STANDARD_CORRELATION = 0.3  # where no scan says it: what software does to a seam it does along much of it
@@ -27,8 +28,8 @@ class CountedPlan:
     plan: SamplingPlan
     correlation: float | None = None
     """How much alike pieces of one seam were taken to be; None where that plays no part."""
-    design_effect: float | None = None
-    """By how much the sample grew for it."""
+    by_risk: RiskPlan | None = None
+    """With the risks that it keeps, where these were stated."""
 
 
 def plan_of_standard(lot_size: int, aql: str, inspection_level: str, severity: str) -> CountedPlan:
@@ -45,8 +46,8 @@ def plan_of_risk(
         known = [(piece.kept_1 < least_kept, seam) for piece, seam in zip(pieces, seams) if piece.kept_1 is not None]
         correlation = intraclass_correlation(*zip(*known)) if known else None
         correlation = STANDARD_CORRELATION if correlation is None else correlation
-    found = plan_by_risk(lot_size, risk, correlation, len(set(seams)))
-    return CountedPlan(found.plan, correlation, found.design_effect)
+    found = plan_by_risk(lot_size, risk, correlation, typical_cluster_size(seams))
+    return CountedPlan(found.plan, correlation, found)
 
 
 def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> list[DeliveredPiece]:
@@ -79,3 +80,18 @@ def check_count(count: int, lot_size: int) -> None:
         raise SettingsError(messages.COUNT_NOT_POSITIVE(count=count))
     if lot_size < 1:
         raise SettingsError(messages.LOT_EMPTY())
+
+
+def risk_sentences(found: RiskPlan, risk: StatedRisk, correlation: float) -> Iterator[Message]:
+    """The plan with the risks that it keeps, and whether these are larger than what was stated."""
+    plan = found.plan
+    yield messages.PLANNED_BY_RISK(
+        size=plan.sample_size, lot=plan.lot_size, acceptance=plan.acceptance_number, good=risk.good_share,
+        producers=found.producers_risk, bad=risk.bad_share, consumers=found.consumers_risk,
+    )
+    if correlation > 0:
+        yield messages.PLANNED_FOR_LIKENESS(correlation=correlation, effect=found.design_effect)
+    if found.producers_risk > risk.producers_risk or found.consumers_risk > risk.consumers_risk:
+        yield messages.RISKS_NOT_KEPT(
+            lot=plan.lot_size, producers=risk.producers_risk, consumers=risk.consumers_risk
+        )

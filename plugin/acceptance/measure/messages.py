@@ -57,8 +57,16 @@ PLANNED_BY_STANDARD = Message(
     "{bad} ({limiting:.1%}) {consumers:.1%} are accepted.", INFO
 )
 PLANNED_BY_RISK = Message(
-    "{size} of {lot} pieces are inspected and up to {acceptance} may fail; pieces of one seam are alike by "
-    "{correlation:.2f}, which makes the sample {effect:.2f} times as large.", INFO
+    "{size} of {lot} pieces are inspected and up to {acceptance} may fail: with {good:.2%} failing pieces a lot is "
+    "rejected with {producers:.1%}, with {bad:.2%} accepted with {consumers:.1%}.", INFO
+)
+PLANNED_FOR_LIKENESS = Message(
+    "Pieces of one seam are alike by {correlation:.2f}, which makes the sample {effect:.2f} times as large; the risks "
+    "are those of a production that such lots come from.", INFO
+)
+RISKS_NOT_KEPT = Message(
+    "The lot is too small for risks of {producers:.1%} and {consumers:.1%}: not even all {lot} pieces keep both, since "
+    "pieces of one seam are alike and there are few seams; plan for more seams at once, or take larger risks.", WARNING
 )
 SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING

@@ -96,31 +96,72 @@ def test_each_item_is_drawn_as_often_as_any_other() -> None:
     assert stats.chisquare(counts).pvalue > 1e-3
 
 
-def test_a_plan_for_stated_risks_keeps_both_and_is_the_smallest() -> None:
-    found = plan_by_risk(100_000, RISK)
-    size, number = found.plan.sample_size, found.plan.acceptance_number
-    assert stats.binom.cdf(number, size, RISK.good_share) >= 0.95
-    assert stats.binom.cdf(number, size, RISK.bad_share) <= 0.10
-    smaller = [  # no smaller sample keeps both with any number
-        n for n in range(1, size) for c in range(n)
-        if stats.binom.cdf(c, n, 0.01) >= 0.95 and stats.binom.cdf(c, n, 0.08) <= 0.10
-    ]  # fmt: skip
-    assert smaller == []
+@pytest.mark.parametrize("lot", [1000, 5000])
+def test_a_plan_for_stated_risks_keeps_both_and_is_the_smallest(lot: int) -> None:
+    found = plan_by_risk(lot, RISK)
+    good, bad = lot // 100, 8 * lot // 100
+
+    def keeps(number: int, size: int) -> bool:
+        accepted = stats.hypergeom.cdf(number, lot, [good, bad], size)
+        return bool(accepted[0] >= 0.95 and accepted[1] <= 0.10)
+
+    size = found.plan.sample_size
+    assert keeps(found.plan.acceptance_number, size)
+    assert not any(keeps(c, n) for n in range(1, size) for c in range(min(n, 8)))
+    kept = stats.hypergeom.cdf(found.plan.acceptance_number, lot, [good, bad], size)
+    assert (1 - found.producers_risk, found.consumers_risk) == pytest.approx(tuple(kept))
+
+
+def test_a_plan_for_a_large_lot_is_that_of_the_binomial_distribution() -> None:
+    found = plan_by_risk(10**7, RISK)
+    size = next(
+        n for n in range(1, 300)
+        if any(stats.binom.cdf(c, n, 0.01) >= 0.95 and stats.binom.cdf(c, n, 0.08) <= 0.10 for c in range(8))
+    )  # fmt: skip
+    assert found.plan.sample_size == size
+
+
+@pytest.mark.parametrize(("sizes", "correlation"), [
+    ([20] * 50, 0.1), ([20] * 50, 0.3), ([10] * 100, 0.4), ([5, 60] * 200, 0.3), ([100] * 10, 0.3),
+])  # fmt: skip
+def test_the_risks_of_a_plan_are_those_of_simulated_lots(sizes: list[int], correlation: float) -> None:
+    random, members, lots = np.random.default_rng(8), np.array(sizes), 4000
+    stated = StatedRisk(0.01, 0.05, 0.05, 0.10)
+    found = plan_by_risk(int(members.sum()), stated, correlation, float((members**2).sum() / members.sum()))
+    near = 0.015 if len(sizes) > 10 else 0.035  # of so few seams two moments do not tell all
+    accepted = []
+    for share in (0.01, 0.05):
+        spread = (1 - correlation) / correlation
+        own = random.beta(share * spread, (1 - share) * spread, (lots, len(sizes)))
+        failing = random.binomial(members, own).sum(1)
+        drawn = random.hypergeometric(failing, members.sum() - failing, found.plan.sample_size)
+        accepted.append(float((drawn <= found.plan.acceptance_number).mean()))
+    assert (found.producers_risk, found.consumers_risk) == pytest.approx((1 - accepted[0], accepted[1]), abs=near)
+    if not found.plan.is_whole_lot:
+        assert found.producers_risk <= 0.05
+        assert found.consumers_risk <= 0.10
 
 
 def test_clustering_makes_the_sample_larger() -> None:
-    plain, clustered = plan_by_risk(5000, RISK), plan_by_risk(5000, RISK, 0.3, 20)
+    plain, clustered = plan_by_risk(1000, RISK), plan_by_risk(1000, RISK, 0.3, 20)
     assert clustered.independent_size == plain.plan.sample_size
-    assert clustered.design_effect == pytest.approx(1 + (clustered.plan.sample_size / 20 - 1) * 0.3, rel=0.02)
-    assert clustered.plan.sample_size > 1.5 * plain.plan.sample_size
-    assert plan_by_risk(60, RISK, 0.9, 2).plan.is_whole_lot
+    assert clustered.plan.sample_size > 1.3 * plain.plan.sample_size
+    assert clustered.design_effect == pytest.approx(clustered.plan.sample_size / plain.plan.sample_size)
+
+
+def test_a_lot_that_is_too_small_is_inspected_whole_and_says_what_it_keeps() -> None:
+    found = plan_by_risk(60, RISK, 0.9, 30)
+    assert found.plan.is_whole_lot
+    assert found.producers_risk > RISK.producers_risk or found.consumers_risk > RISK.consumers_risk
+    assert plan_by_risk(1, RISK, 1.0, 1).plan.is_whole_lot
+    assert plan_by_risk(30, RISK, 1.0, 30).plan.is_whole_lot
 
 
 @pytest.mark.parametrize("risk", [StatedRisk(0.08, 0.05, 0.01, 0.1), StatedRisk(0.01, 0, 0.08, 0.1),
                                   StatedRisk(0.01, 0.05, 1.5, 0.1), StatedRisk(0.02, 1e-4, 0.0201, 1e-4)])
 def test_risks_that_make_no_plan_are_refused(risk: StatedRisk) -> None:
     with pytest.raises(SettingsError):
-        plan_by_risk(1000, risk)
+        plan_by_risk(10**7, risk)
 
 
 def clustered_pieces(random: np.random.Generator, seams: int, share: float, correlation: float) -> tuple:

@@ -103,6 +103,18 @@ def test_a_sample_for_stated_risks() -> None:
     assert any("alike by 1.00" in text for text in told.log.infos)
 
 
+def test_the_risks_that_a_plan_keeps_are_told() -> None:
+    made = [seams([P] * 100, y=10 * number, name=str(number)) for number in range(10)]
+    risks = {"GOOD_SHARE": 1, "PRODUCERS_RISK": 5, "BAD_SHARE": 5, "CONSUMERS_RISK": 10}
+    plain = plan(*made, PLAN="risk", CORRELATION=0, **risks)
+    assert numbers(plain)[:3] == (128, 3, 1000)  # hypergeometric; the binomial asks for 132
+    assert any("rejected with 2.9%, with 5.00% accepted with 9.7%" in text for text in plain.log.infos)
+    assert plain.log.warnings == []
+    few = plan(*made, PLAN="risk", **risks)
+    assert few.results["SAMPLE_SIZE"] == 1000
+    assert_sentence(few.log.warnings[0], "not even all 1000 pieces keep both")
+
+
 def test_plain_seamlines_are_cut() -> None:
     made = layer("LineString", [straight(0, 1000), straight(0, 250, 30)])
     outcome = plan(made, PLAN="count", COUNT=1000, PIECE=25)

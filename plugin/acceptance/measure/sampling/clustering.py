@@ -26,11 +26,6 @@ def intraclass_correlation(failed: Sequence[bool], clusters: Sequence[Hashable])
     return float(np.clip((between - within) / spread, 0.0, 1.0)) if spread > 0 else None
 
 
-def design_effect(cluster_size: float, correlation: float) -> float:
-    """By how much clustering raises the variance of a share (Kish 1965, Survey sampling, 5.4): 1 + (m - 1) rho."""
-    return 1 + (max(cluster_size, 1.0) - 1) * correlation
-
-
 def typical_cluster_size(clusters: Sequence[Hashable]) -> float:
     """The size of the cluster that a piece lies in, on average over pieces: sum m^2 / sum m (Kish 1965, 8.2)."""
     _, _, sizes = _grouped([False] * len(clusters), clusters)

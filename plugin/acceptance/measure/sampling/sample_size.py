@@ -1,17 +1,19 @@
 """How many items make a plan whose risks are given, also where items come in clusters."""
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from scipy import stats
 
 from ....imagery.errors import SettingsError
 from .. import messages
-from .clustering import design_effect
 from .sampling_plan import SamplingPlan
 
 MOST_NUMBER = 300  # of the acceptance number: beyond it the two qualities are as good as one
 BY_RISK = "risk"
+_LAST_DIGITS = 1e-9
+_MOST_ALIKE = 1 - 1e-6
 
 
 @dataclass(frozen=True)
@@ -44,56 +46,102 @@ class RiskPlan:
     plan: SamplingPlan
     independent_size: int
     """How many items it would take if they had nothing to do with each other."""
-    design_effect: float
+    producers_risk: float
+    """That it keeps."""
+    consumers_risk: float
+    """That it keeps; one of the two is larger than was asked for where the lot is too small."""
+
+    @property
+    def design_effect(self) -> float:
+        """By how much the sample grew since items are alike."""
+        return self.plan.sample_size / self.independent_size
 
 
-def plan_by_risk(lot_size: int, risk: StatedRisk, correlation: float = 0.0, clusters: int = 1) -> RiskPlan:
-    """The smallest plan that keeps both risks.
+@dataclass(frozen=True)
+class _Lots:
+    """Lots of a size, the items of which are alike by ``correlation``, any two of them."""
 
-    The two-point plan of the binomial distribution (Hald 1981, Statistical theory of sampling inspection by attributes,
-    2.3), from quantiles of the beta distribution. Items of one of ``clusters`` are alike by ``correlation``: the sample
-    and its acceptance number grow by the design effect, counts divided by which are as good as binomial (Rao and Scott
-    1992, Biometrics 48, 577-585). A sample cannot be larger than the lot: then all of it is inspected, and the lot is
-    accepted up to the share between the two qualities that the plan would take.
+    size: int
+    correlation: float
+
+    def accepted(self, number: int, sample: int, share: float, is_bad: bool) -> float:
+        """How often at most ``number`` of a sample are nonconforming.
+
+        Of items that are not alike it is this lot that has the share, in whole items. Of others it is the production:
+        the count is beta-binomial, in the sample as in the lot, as all counts of items that are alike in pairs.
+        """
+        if self.correlation <= 0:
+            exact = share * self.size
+            items = math.ceil(exact - _LAST_DIGITS) if is_bad else math.floor(exact + _LAST_DIGITS)
+            return float(stats.hypergeom.cdf(number, self.size, items, sample))
+        if share in (0.0, 1.0):
+            return float(number >= share * sample)
+        spread = (1 - self.correlation) / self.correlation
+        return float(stats.betabinom.cdf(number, sample, share * spread, (1 - share) * spread))
+
+    def risks(self, number: int, sample: int, risk: StatedRisk) -> tuple[float, float]:
+        """The producer's and the consumer's."""
+        rejected = 1 - self.accepted(number, sample, risk.good_share, is_bad=False)
+        return max(rejected, 0.0), self.accepted(number, sample, risk.bad_share, is_bad=True)
+
+
+def plan_by_risk(lot_size: int, risk: StatedRisk, correlation: float = 0.0, cluster_size: float = 1.0) -> RiskPlan:
+    """The smallest plan that keeps both risks (Hald 1981, Statistical theory of sampling inspection, 2.3).
+
+    Items of one cluster are alike by ``correlation``, and ``cluster_size`` is that of the cluster an item lies in, on
+    average over items. A sample cannot be larger than the lot: where not even all of it keeps both risks all of it is
+    inspected, against the number that comes nearest to both.
     """
     risk.check()
     if lot_size < 1:
         raise SettingsError(messages.LOT_EMPTY())
-    number, size = _two_point_plan(risk)
-    effect, items = 1.0, float(size)
-    for _ in range(100):  # more items are more of each cluster
-        effect = design_effect(items / max(clusters, 1), correlation)
-        if size * effect >= lot_size or abs(size * effect - items) < 0.5:
-            break
-        items = size * effect
-    wanted = -int(-size * effect // 1)
-    if wanted >= lot_size:
-        acceptance, wanted = int(lot_size * (number + 0.5) / size), lot_size
-    else:
-        acceptance = int(number * effect)
-    plan = SamplingPlan(
-        lot_size, wanted, acceptance, acceptance + 1, 100 * risk.good_share, "", BY_RISK, "", ""
-    )
-    return RiskPlan(plan, size, effect)
+    independent = _smallest(_Lots(lot_size, 0.0), risk)
+    # of two items drawn at random from the lot: that they are of one cluster, times how much alike these are
+    alike = correlation * (min(cluster_size, lot_size) - 1) / max(lot_size - 1, 1)
+    lots = _Lots(lot_size, min(alike, _MOST_ALIKE))
+    found = _smallest(lots, risk)
+    number, size = found or (_fairest(lots, risk), lot_size)
+    producers, consumers = lots.risks(number, size, risk)
+    plan = SamplingPlan(lot_size, size, number, number + 1, 100 * risk.good_share, "", BY_RISK, "", "")
+    return RiskPlan(plan, independent[1] if independent else lot_size, producers, consumers)
 
 
-def _two_point_plan(risk: StatedRisk) -> tuple[int, int]:
-    """Acceptance number and sample size."""
+def _smallest(lots: _Lots, risk: StatedRisk) -> tuple[int, int] | None:
+    """Acceptance number and sample size; None where the lot is too small."""
+    size = 0
     for number in range(MOST_NUMBER):
-        size = _fewest(number, risk)
-        if stats.binom.cdf(number, size, risk.good_share) >= 1 - risk.producers_risk:
+        fewest = _fewest(lots, number, max(size, number), risk)
+        if fewest is None:
+            return None
+        size = fewest
+        if lots.risks(number, size, risk)[0] <= risk.producers_risk:
             return number, size
     raise SettingsError(messages.QUALITIES_TOO_NEAR(good=100 * risk.good_share, bad=100 * risk.bad_share))
 
 
-def _fewest(number: int, risk: StatedRisk) -> int:
-    """The smallest sample in which as few as ``number`` of a bad lot are rare enough."""
-    few, many = number, number + 1
-    while stats.binom.cdf(number, many, risk.bad_share) > risk.consumers_risk:
-        few, many = many, 2 * many
+def _fewest(lots: _Lots, number: int, too_few: int, risk: StatedRisk) -> int | None:
+    """The smallest sample in which as few as ``number`` of a bad lot are rare enough, more than ``too_few``."""
+    def is_rare(sample: int) -> bool:
+        return lots.accepted(number, sample, risk.bad_share, is_bad=True) <= risk.consumers_risk
+
+    few, many = too_few, min(2 * too_few + 1, lots.size)
+    while not is_rare(many):
+        if many == lots.size:
+            return None
+        few, many = many, min(2 * many, lots.size)
     while many - few > 1:
         middle = (few + many) // 2
-        if stats.binom.cdf(number, middle, risk.bad_share) > risk.consumers_risk:
+        few, many = (few, middle) if is_rare(middle) else (middle, many)
+    return many
+
+
+def _fairest(lots: _Lots, risk: StatedRisk) -> int:
+    """The acceptance number with which all of a lot comes nearest to both risks."""
+    few, many = -1, lots.size  # the producer's risk falls with the number, the consumer's grows
+    while many - few > 1:
+        middle = (few + many) // 2
+        producers, consumers = lots.risks(middle, lots.size, risk)
+        if producers / risk.producers_risk > consumers / risk.consumers_risk:
             few = middle
         else:
             many = middle
