@@ -49,7 +49,7 @@ class SeamLayer:
     sheet: str
     """Its name; each layer has one of its own."""
     address: str
-    """What it was read from."""
+    """What it was read from, in words for people."""
     source: QgsVectorLayerFeatureSource
     crs: QgsCoordinateReferenceSystem
     fields: tuple[str, ...]
@@ -78,7 +78,10 @@ def seam_layers(
     if any(systems) and not all(systems):
         raise SettingsError(messages.LAYER_WITHOUT_CRS(name=found[systems.index(False)].name()))
     made = [
-        SeamLayer(name, layer.source(), QgsVectorLayerFeatureSource(layer), layer.crs(), tuple(layer.fields().names()))
+        SeamLayer(
+            name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), layer.crs(),
+            tuple(layer.fields().names()),
+        )
         for name, layer in zip(_names(found), found)
     ]
     return made, told

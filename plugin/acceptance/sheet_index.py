@@ -22,7 +22,7 @@ from ..toolkit.translation import tr
 from .measure import messages
 
 if TYPE_CHECKING:
-    from .measure.delivery import Delivery
+    from .measure.delivery import Delivery, SheetOutline
 
 SHEETS = "SHEETS"
 _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
@@ -43,7 +43,9 @@ def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
 
 
 def with_sheets(delivery: Delivery, run: Run) -> Delivery:
-    """The pieces with the sheets that their middles lie in, where SHEETS is given; others keep theirs, which is told.
+    """The pieces with the sheets that their middles lie in, and all outlines, where SHEETS is given.
+
+    Pieces in no sheet keep theirs, which is told.
 
     Raises SettingsError where the polygons have no names, or none holds a piece.
     """
@@ -74,7 +76,23 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
     pieces = tuple(
         replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0]) for piece, sheet in zip(delivery.pieces, found)
     )
-    return replace(delivery, pieces=pieces)
+    return replace(delivery, pieces=pieces, outlines=_sheet_outlines(outlines))
+
+
+def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutline, ...]:
+    """One for each name; a name may have several polygons."""
+    import numpy as np
+
+    from .measure.delivery import SheetOutline
+
+    rings: dict[str, list[np.ndarray]] = {}
+    for name, outline in outlines:
+        own = rings.setdefault(name, [])
+        if outline.isEmpty():
+            continue
+        polygons = outline.asMultiPolygon() if outline.isMultipart() else [outline.asPolygon()]
+        own += [np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon]
+    return tuple(SheetOutline(name, tuple(own)) for name, own in rings.items())
 
 
 def _sheet_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float]) -> str | None:

@@ -27,6 +27,7 @@ from ..imagery.errors import RasterError, WindowError
 from ..imagery.grids import Extent
 from ..imagery.rasters import Raster, RasterRef
 from . import messages
+from .translation import tr
 
 
 def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
@@ -68,6 +69,11 @@ def layer_path(layer: QgsVectorLayer) -> str:
     if layer.providerType() != "ogr":
         return ""
     return QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("path") or ""
+
+
+def layer_address(layer: QgsVectorLayer) -> str:
+    """What a vector layer is read from, for people: no passwords, and no fields of one in memory."""
+    return tr("temporary layer") if layer.providerType() == "memory" else str(layer.publicSource())
 
 
 def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:

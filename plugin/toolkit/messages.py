@@ -40,4 +40,5 @@ OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belong
 OUTPUTS_ARE_ONE = Message(
     "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
 )
+FILE_FORMAT_OTHER = Message("What is written is {filters}, and {name} says something else; give it that ending.")
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")

@@ -125,12 +125,13 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         return stated.with_standard_aql(super().for_check(parameters))
 
     def prepare(self, run: Run) -> None:
+        from ...toolkit.layers import layer_address
         from ..seam_layers import seam_layers
 
         needed = "" if self._by_observer(run) else "kept_1"
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, needed)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
-        self._windows = "" if windows is None else windows.source()
+        self._windows = "" if windows is None else layer_address(windows)
         self._paper = paper.prepare(run)
 
     def execute(self, run: Run) -> dict[str, Any]:

@@ -74,8 +74,9 @@ def decide(
     pieces = _decided(delivery, states, unclear, runs, sampled, windows)
     sheets = sheet_figures(delivery, states, unclear)
     return Decision(
-        accepted, sentences, rules, delivery, tuple(outcomes), whole, sheets, interval, pieces, runs, plan, seen
-    )
+        accepted, sentences, rules, delivery, tuple(outcomes), whole, sheets, interval, pieces, runs, plan, seen,
+        by_observer,
+    )  # fmt: skip
 
 
 def _value(check: str, whole: MetreFigures) -> float | None:

@@ -137,7 +137,7 @@ class Decision:
     """Of the rules that decide."""
     whole: MetreFigures
     sheets: tuple[MetreFigures, ...]
-    """In the order of the delivery."""
+    """In the order of ``Delivery.sheets``; one without seams has no pieces."""
     failed_share: Interval | None
     """Of the measured metres, with its 95 % interval; None where nothing was measured."""
     pieces: tuple[DecidedPiece, ...]
@@ -148,6 +148,8 @@ class Decision:
     """None with all inspected."""
     observers: Observers | None = None
     """None without windows."""
+    by_observer: bool = False
+    """Whether pieces failed by what operators saw, whatever they kept."""
 
     @property
     def failed(self) -> tuple[DecidedPiece, ...]:

@@ -64,13 +64,13 @@ class DeliveredPiece:
 def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
     """By sheet, seam and station, whatever the order in which layers were given, and numbered so."""
     ordered = sorted(pieces, key=lambda piece: (
-        _in_words(piece.sheet), _in_words(piece.seam_id), -1.0 if piece.station_m is None else piece.station_m,
+        in_words(piece.sheet), in_words(piece.seam_id), -1.0 if piece.station_m is None else piece.station_m,
         *np.round(piece.vertices[0], 3).tolist(),
     ))  # fmt: skip
     return tuple(replace(piece, number=number) for number, piece in enumerate(ordered))
 
 
-def _in_words(name: str) -> tuple[tuple[int, int, str], ...]:
+def in_words(name: str) -> tuple[tuple[int, int, str], ...]:
     """For sorting: sheet_2 before sheet_10."""
     parts = re.split(r"([0-9]+)", name)
     return tuple((1, int(part), part) if part.isdecimal() else (0, 0, part.casefold()) for part in parts if part)
@@ -97,6 +97,15 @@ class SeenWindow:
     remark_2: str = ""
 
 
+@dataclass(frozen=True, eq=False)
+class SheetOutline:
+    """Where a sheet lies, of which there may be no seam."""
+
+    name: str
+    rings: tuple[np.ndarray, ...]
+    """(n, 2) x and y each, in the delivery's reference system."""
+
+
 @dataclass(frozen=True)
 class Delivery:
     """All that is judged together."""
@@ -109,6 +118,8 @@ class Delivery:
     windows: tuple[SeenWindow, ...] = ()
     lot_size: int | None = None
     """Pieces of the lot that the pieces are a sample of; None where they are no sample."""
+    outlines: tuple[SheetOutline, ...] = ()
+    """Of the sheets where they were given."""
 
     @property
     def sampled_numbers(self) -> tuple[int, ...] | None:
@@ -118,5 +129,5 @@ class Delivery:
 
     @property
     def sheets(self) -> tuple[str, ...]:
-        """Their names, in the order of the pieces."""
-        return tuple(dict.fromkeys(piece.sheet for piece in self.pieces))
+        """Their names in order: those with seams, and those whose outlines were given."""
+        return tuple(sorted({one.sheet for one in self.pieces} | {one.name for one in self.outlines}, key=in_words))

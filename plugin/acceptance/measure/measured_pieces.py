@@ -56,12 +56,13 @@ def metre_figures(
 def sheet_figures(
     delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool]
 ) -> tuple[MetreFigures, ...]:
-    """Of each sheet by itself."""
+    """Of each sheet by itself, of one without seams too."""
     found = []
     members: dict[str, list[int]] = {}
     for place, piece in enumerate(delivery.pieces):
         members.setdefault(piece.sheet, []).append(place)
-    for sheet, places in members.items():
+    for sheet in delivery.sheets:
+        places = members.get(sheet, [])
         pieces, own = [delivery.pieces[place] for place in places], [states[place] for place in places]
         runs = failure_runs(pieces, own, delivery.unit_m)
         longest = runs[0].length_m if runs else 0.0

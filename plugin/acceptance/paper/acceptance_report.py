@@ -17,7 +17,9 @@ from .charts import STATE_COLOURS, oc_figure, seams_figure
 from .defect_pictures import DefectPicture
 from .inspection_record import InspectionRecord
 from .words import (
+    NOTHING,
     check_word,
+    failing_sentence,
     metres,
     outcome_limit,
     outcome_value,
@@ -44,7 +46,7 @@ class RuleRow:
     is_reason: bool
     """Whether the delivery is rejected for it."""
     source: int
-    """Which of the notes says where the limit comes from."""
+    """Which of the notes says where the limit comes from; 0 for none."""
 
 
 @dataclass(frozen=True)
@@ -66,8 +68,10 @@ class DefectText:
 def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> None:
     """Write the page; ``pictures`` by the failures' numbers. Raises SettingsError where no file can be."""
     decision, defects = record.decision, record.defects
-    sources = list(dict.fromkeys([decision.rules.kept_source, *(one.source for one in decision.outcomes)]))
-    figure = seams_figure(decision, defects)
+    kept = () if decision.by_observer else (decision.rules.kept_source,)
+    sources = list(dict.fromkeys([*kept, *(one.source for one in decision.outcomes)]))
+    is_sample = decision.delivery.sampled_numbers is not None
+    figure = seams_figure(decision, defects[:MOST_ROWS])
     save_page(
         path,
         "acceptance",
@@ -77,10 +81,12 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sentences=[sentence(one) for one in decision.sentences[1:]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
-        sheets=[_sheet_row(one) for one in decision.sheets],
-        whole=_sheet_row(decision.whole) if len(decision.sheets) > 1 else None,
+        sheets=[_sheet_row(one, decision.by_observer) for one in decision.sheets],
+        whole=_sheet_row(decision.whole, decision.by_observer) if len(decision.sheets) > 1 else None,
         map=None if figure is None else svg_text(figure),
         map_legend=_legend(decision),
+        is_sample=is_sample,
+        by_observer=decision.by_observer,
         defects=[_defect_text(one) for one in defects[:MOST_ROWS]],
         defect_count=len(defects),
         has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
@@ -104,7 +110,7 @@ def _how(record: InspectionRecord) -> HowMeasured:
     settings = [
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
-        (tr("a piece fails where it keeps less than"), whole_share(decision.rules.least_kept)),
+        (tr("which pieces fail"), failing_sentence(decision)),
         *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
         (tr("layer of windows"), record.windows),
         (tr("reference system"), system_name(decision.delivery.wkt)),
@@ -126,7 +132,8 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
     if interval is not None:
         failed += f" ({shown_number(100 * interval.low)} - {shown_number(100 * interval.high)}\u00a0%)"
     return [
-        (metres(whole.total_m), tr("of seam")),
+        (metres(whole.total_m), tr("of seam") if decision.delivery.sampled_numbers is None else (
+            tr("of seam in the sample"))),
         (share(whole.measured_share, 1), tr("of it measured")),
         (metres(whole.failed_m), tr("failed")),
         (failed, tr("of what was measured failed (95 % interval)")),
@@ -136,12 +143,16 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
 
 def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[RuleRow]:
     """The limit of a piece first, then the rules that decide."""
-    kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
-    yield RuleRow(
-        check_word(KEPT), whole_share(min(kept, default=None)), tr("at least {least} in each piece").format(
-            least=whole_share(decision.rules.least_kept)
-        ), tr("says which pieces fail"), False, 1 + sources.index(decision.rules.kept_source),
-    )  # fmt: skip
+    which = tr("says which pieces fail")
+    if decision.by_observer:
+        yield RuleRow(tr("what the operator saw"), "", tr("no loss in the window of a piece"), which, False, 0)
+    else:
+        kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
+        yield RuleRow(
+            check_word(KEPT), whole_share(min(kept, default=None)), tr("at least {least} in each piece").format(
+                least=whole_share(decision.rules.least_kept)
+            ), which, False, 1 + sources.index(decision.rules.kept_source),
+        )  # fmt: skip
     for one in decision.outcomes:
         yield RuleRow(
             check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one.passed),
@@ -149,11 +160,14 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[RuleRow]:
         )  # fmt: skip
 
 
-def _sheet_row(one: MetreFigures) -> list[str]:
+def _sheet_row(one: MetreFigures, by_observer: bool) -> list[str]:
+    if not one.piece_count:
+        name = tr("{sheet} (no seams)").format(sheet=one.name)
+        return [name, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
     return [
         one.name or tr("all"), metres(one.total_m), share(one.measured_share, 1), metres(one.failed_m),
         share(one.failed_share), metres(one.longest_failure_m), f"{one.failed_count} / {one.piece_count}",
-        metres(one.unclear_m),
+        "" if by_observer else metres(one.unclear_m),
     ]  # fmt: skip
 
 

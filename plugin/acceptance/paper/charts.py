@@ -2,8 +2,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 
 import numpy as np
+from matplotlib import patheffects
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -14,14 +16,20 @@ from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.translation import shown_number, tr
 from ..measure.decision import Decision, PieceState, PlanOutcome
 from ..measure.defects import Defect
+from ..measure.sampling.characteristic import acceptance_probability
 
 STATE_COLOURS = {PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9", PieceState.FAILED: "#d55e00"}
 """In the order in which they are drawn."""
 _WIDTHS = {PieceState.PASSED: 0.7, PieceState.NOT_MEASURED: 1.0, PieceState.FAILED: 2.2}
 _WIDTH, _MOST_HEIGHT, _LEAST_HEIGHT = 6.7, 6.2, 1.6  # inches on paper
+_STRIP = 0.35  # inches: below the map, for scale bar and north
 _MARGIN = 0.04  # of the longer side
 _FINEST_PT = 0.25  # lines are thinned to it
 _MOST_SHEET_NAMES = 60
+_NAME_PT, _LETTER_PT = 6.0, 3.6  # a sheet's name, and how wide a letter of it is about
+_HALO = [patheffects.withStroke(linewidth=1.6, foreground="white")]
+_NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
+_MOST_STEPS = 4000
 _CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures nearer to each other than that are left out
 
 
@@ -29,12 +37,13 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
     """A sketch map: sheets, seams by what became of them, the numbers of failures. None without seams."""
     if not decision.pieces:
         return None
-    xmin, ymin, xmax, ymax = _extent(one.piece.vertices for one in decision.pieces)
+    outlines = _outlines(decision)
+    xmin, ymin, xmax, ymax = _extent([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())])
     metres_x, metres_y = metres_per_unit(decision.delivery.wkt, (ymin + ymax) / 2)
     margin = max((xmax - xmin) * metres_x, (ymax - ymin) * metres_y, 1.0) * _MARGIN
     across, down = (xmax - xmin) * metres_x + 2 * margin, (ymax - ymin) * metres_y + 2 * margin
     height = min(max(_WIDTH * down / across, _LEAST_HEIGHT), _MOST_HEIGHT)
-    figure = Figure(figsize=(_WIDTH, height))
+    figure = Figure(figsize=(_WIDTH, height + _STRIP))
     axes = figure.add_axes((0, 0, 1, 1))
     axes.set_axis_off()
     scale = min(72 * _WIDTH / across, 72 * height / down)  # points per metre
@@ -43,13 +52,13 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
         middle = np.array([(xmin + xmax) / 2, (ymin + ymax) / 2])
         return (points - middle) * (metres_x * scale, metres_y * scale)
 
-    for name in decision.delivery.sheets:
-        own = [one.vertices for one in decision.delivery.pieces if one.sheet == name]
-        left, bottom, right, top = _extent(map(placed, own))
-        axes.plot([left, right, right, left, left], [bottom, bottom, top, top, bottom], color=PAPER.grid, linewidth=0.8)
-        if 1 < len(decision.delivery.sheets) <= _MOST_SHEET_NAMES:
-            axes.text((left + right) / 2, (bottom + top) / 2, _short(name), color="#8c959f", fontsize=6, ha="center",
-                      va="center", parse_math=False)
+    for name, rings in outlines.items():
+        for ring in rings:
+            axes.plot(*placed(ring).T, color=PAPER.grid, linewidth=0.8)
+        left, _, right, top = _extent(map(placed, rings))
+        if 1 < len(outlines) <= _MOST_SHEET_NAMES:
+            axes.text(left + 2, top - 2, _short(name, (right - left - 4) / _LETTER_PT), color=_NAME_COLOUR,
+                      fontsize=_NAME_PT, ha="left", va="top", parse_math=False, path_effects=_HALO, zorder=3)
     for state, colour in STATE_COLOURS.items():
         lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]
         if lines:
@@ -62,20 +71,34 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
         if all((abs(place - other) > _CROWDED_PT).any() for other in taken):
             taken.append(place)
             axes.annotate(str(defect.number), place, (3, 3), textcoords="offset points", fontsize=7, fontweight="bold",
-                          color=PAPER.text)
+                          color=PAPER.text, path_effects=_HALO, zorder=4)
     axes.set_xlim(-36 * _WIDTH, 36 * _WIDTH)
-    axes.set_ylim(-36 * height, 36 * height)
-    _draw_scale_bar(axes, scale, height)
+    axes.set_ylim(-36 * height - 72 * _STRIP, 36 * height)
+    _draw_scale_bar(axes, scale, -36 * height - 72 * _STRIP)
     return figure
+
+
+def _outlines(decision: Decision) -> dict[str, list[np.ndarray]]:
+    """The closed rings of each sheet: as given, or the box around its seams."""
+    rings = {one.name: [*one.rings] for one in decision.delivery.outlines if one.rings}
+    boxed: dict[str, list[np.ndarray]] = {}
+    for piece in decision.delivery.pieces:
+        boxed.setdefault(piece.sheet, []).append(piece.vertices)
+    for name in decision.delivery.sheets:
+        if name not in rings and name in boxed:
+            left, bottom, right, top = _extent(boxed[name])
+            corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
+            rings[name] = [np.array(corners)]
+    return rings
 
 
 def oc_figure(found: PlanOutcome) -> Figure:
     """The operating characteristic of a plan: how likely a delivery is accepted by how good it is."""
     plan, characteristic = found.plan, found.characteristic
-    shares = 100 * np.array(characteristic.nonconforming_shares)
     figure = new_figure(6.2, 3.2)
     axes = figure.subplots()
-    axes.plot(shares, 100 * np.array(characteristic.accepted), color=PAPER.text, linewidth=1.6)
+    shares, accepted = _steps(found)
+    axes.step(100 * shares, 100 * accepted, where="post", color=PAPER.text, linewidth=1.6)
     aql, quality = float(plan.aql), 100 * characteristic.limiting_quality
     for x, y, colour, words in (
         (aql, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
@@ -86,7 +109,7 @@ def oc_figure(found: PlanOutcome) -> Figure:
     ):
         axes.plot([x, x, 0], [0, y, y], color=colour, linewidth=0.9, linestyle="--")
         axes.plot([x], [y], "o", color=colour, markersize=5, label=words)
-    far = shares[np.array(characteristic.accepted) > 0.002]
+    far = 100 * shares[accepted > 0.002]
     axes.set_xlim(0, max(float(far[-1]) if len(far) else 0.0, 1.3 * quality, 2 * aql))
     axes.set_ylim(0, 102)
     axes.set_xlabel(tr("failed pieces in the delivery (%)"))
@@ -98,12 +121,26 @@ def oc_figure(found: PlanOutcome) -> Figure:
     return figure
 
 
+def _steps(found: PlanOutcome) -> tuple[np.ndarray, np.ndarray]:
+    """Shares and probabilities: failed pieces are whole ones, so between two shares nothing changes."""
+    plan = found.plan
+    last = int(np.ceil(max(found.characteristic.nonconforming_shares) * plan.lot_size))
+    counts = np.unique(np.linspace(0, last, min(last, _MOST_STEPS) + 1).astype(int))
+    shares = counts / plan.lot_size
+    return shares, acceptance_probability(plan, shares)
+
+
 def _plain(value: float) -> str:
     return shown_number(value, 2 if value < 1 else 1)
 
 
-def _short(name: str) -> str:
-    return name if len(name) <= 18 else name[:8] + "…" + name[-9:]
+def _short(name: str, most: float) -> str:
+    """A name in so many letters, though not fewer than tell it from others."""
+    letters = max(int(most), _LEAST_LETTERS)
+    if len(name) <= letters:
+        return name
+    begin = (letters - 1) // 2
+    return name[:begin] + "…" + name[begin + 1 - letters :]
 
 
 def _extent(lines: Iterable[np.ndarray]) -> Extent:
@@ -121,12 +158,12 @@ def _thinned(path: np.ndarray) -> np.ndarray:
     return path[kept]
 
 
-def _draw_scale_bar(axes: Axes, scale: float, height: float) -> None:
-    """A round length in the lower left corner, north up in the lower right one."""
+def _draw_scale_bar(axes: Axes, scale: float, foot: float) -> None:
+    """A round length in the lower left corner, north up in the lower right one; ``foot``: of the strip for them."""
     most = 0.25 * 72 * _WIDTH / scale
     decade = 10.0 ** np.floor(np.log10(most))
     metres = max(digit * decade for digit in (1, 2, 5) if digit * decade <= most)
-    left, bottom = -36 * _WIDTH + 6, -36 * height + 8
+    left, bottom = -36 * _WIDTH + 6, foot + 6
     axes.plot([left, left + metres * scale], [bottom, bottom], color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
     words = f"{metres / 1000:g} km" if metres >= 1000 else f"{metres:g} m"
     axes.text(left, bottom + 4, words, fontsize=7, color=PAPER.text)

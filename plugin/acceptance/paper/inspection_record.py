@@ -30,6 +30,8 @@ class InspectionRecord:
     """The picture of losses of the scan."""
     scan: Mapping[str, str] = field(default_factory=dict)
     """How the seams were measured: ``scan_settings`` of the picture of losses."""
+    loss_bands: tuple[str, ...] = ()
+    """What the picture of losses holds: ``described_bands`` of it."""
     report: str = ""
     """The page that is written beside the XML; empty for none."""
     made_at: datetime = field(default_factory=lambda: datetime.now(timezone.utc).replace(microsecond=0))
@@ -48,3 +50,12 @@ def scan_settings(loss: RasterRef) -> dict[str, str]:
     Empty where it is another raster's. Raises RasterError when it can't be opened.
     """
     return dict(OpenRaster(loss).dataset.GetMetadata(_SETTINGS_DOMAIN))
+
+
+def described_bands(raster: RasterRef) -> tuple[str, ...]:
+    """What a raster's bands are called in its file, not by their colours; those without a name by their number.
+
+    Raises RasterError when it can't be opened.
+    """
+    dataset = OpenRaster(raster).dataset
+    return tuple(dataset.GetRasterBand(one).GetDescription() or str(one) for one in range(1, dataset.RasterCount + 1))

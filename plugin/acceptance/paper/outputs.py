@@ -116,12 +116,12 @@ def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom
     from .inspection_record import InspectionRecord
     from .quality_document import save_quality_document
 
-    loss, settings = _loss(run, inputs.loss)
+    loss, settings, bands = _loss(run, inputs.loss)
     report = run.file_path(REPORT)
     maker, mosaics = _maker(run, inputs, decision) if run.parameters.get(DEFECTS) or report else (None, ())
     seams = tuple((sheet, whole_path(address)) for sheet, address in origin.seams)
     windows, rules = whole_path(origin.windows), whole_path(origin.rules)
-    record = InspectionRecord(decision, seams, windows, rules, mosaics, loss, settings, str(report or ""))
+    record = InspectionRecord(decision, seams, windows, rules, mosaics, loss, settings, bands, str(report or ""))
     defects = record.defects
     pictures = _Pictures()
     results = _write_defects(run, decision, defects, maker, pictures)
@@ -130,23 +130,23 @@ def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom
     return results
 
 
-def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, str]]:
+def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, str], tuple[str, ...]]:
     from ...imagery.open_raster import describe_placed
-    from .inspection_record import scan_settings
+    from .inspection_record import described_bands, scan_settings
 
     if ref is None:
-        return None, {}
+        return None, {}, ()
     try:
         if settings := scan_settings(ref):
             if float(settings.get("unexplained", 0)) >= TOLD_UNEXPLAINED:
                 run.tell(messages.SCAN_UNEXPLAINED(name=ref.name, share=float(settings["unexplained"])))
             if settings.get("seams") == "found":
                 run.tell(messages.SEAMS_FOUND(name=ref.name))
-            return describe_placed(ref), settings
+            return describe_placed(ref), settings, described_bands(ref)
         run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
     except RasterError as error:
         run.tell(error.message.as_warning())
-    return None, {}
+    return None, {}, ()
 
 
 def _maker(run: Run, inputs: PaperInputs, decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:

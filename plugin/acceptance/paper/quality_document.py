@@ -23,7 +23,7 @@ from ...toolkit.translation import language, sentence, tr
 from ..measure.decision import Decision
 from .inspection_record import InspectionRecord
 from .quality_elements import quality_elements
-from .words import whole_share
+from .words import failing_sentence
 
 _NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """What XML 1.0 has no place for, escaped or not."""
@@ -54,6 +54,7 @@ def quality_document(record: InspectionRecord) -> str:
         report=Path(record.report).name if record.report else "",
         elements=list(quality_elements(record)),
         loss=record.loss,
+        loss_bands=record.loss_bands,
         loss_path=whole_path(record.loss.ref.path) if record.loss else "",
         software=HowMeasured().software,
         steps=list(_steps(record)),
@@ -63,8 +64,9 @@ def quality_document(record: InspectionRecord) -> str:
 
 
 def _in_degrees(decision: Decision) -> Extent | None:
-    """The bounding box of all seams in longitude and latitude; None where that can't be told."""
+    """The bounding box of all sheets and seams in longitude and latitude; None where that can't be told."""
     vertices = [one.vertices for one in decision.delivery.pieces]
+    vertices += [ring for one in decision.delivery.outlines for ring in one.rings]
     if not vertices or not decision.delivery.wkt:
         return None
     xmin, ymin = np.min([one.min(axis=0) for one in vertices], axis=0).tolist()
@@ -80,10 +82,8 @@ def _steps(record: InspectionRecord) -> Iterator[str]:
         settings = ", ".join(f"{name} {value}" for name, value in record.scan.items())
         yield tr("The seams were measured (scanmosaic): {settings}.").format(settings=settings)
     rules = record.decision.rules
-    yield tr(
-        "The delivery was decided on (acceptmosaic) by the rules '{rules}': a piece of seam fails where it keeps less "
-        "than {kept} of the detail."
-    ).format(rules=rules.name, kept=whole_share(rules.least_kept))
+    yield tr("The delivery was decided on (acceptmosaic) by the rules '{rules}'.").format(rules=rules.name)
+    yield failing_sentence(record.decision)
 
 
 def _sources(record: InspectionRecord) -> list[str]:

@@ -8,7 +8,7 @@ from ...toolkit.translation import sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, PlanOutcome, RuleOutcome
 from .inspection_record import InspectionRecord
-from .words import check_word, severity_word
+from .words import check_word, failing_sentence, severity_word
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
@@ -101,16 +101,20 @@ def _acceptance(decision: Decision) -> QualityElement:
 
 def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iterator[QualityElement]:
     decision = record.decision
-    full = Evaluation(
-        FULL,
-        tr("Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it "
-           "(wavelet decomposition). A piece fails where it keeps less than the limit."),
-        _PROCEDURE,
+    kept_words = tr(
+        "Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it "
+        "(wavelet decomposition)."
+    )
+    by_eye = tr("Each piece of seam: what the operator saw in its window.")
+    measured = Evaluation(FULL, kept_words, _PROCEDURE)
+    failing = failing_sentence(decision)
+    full = Evaluation(FULL, f"{by_eye} {failing}") if decision.by_observer else (
+        Evaluation(FULL, f"{kept_words} {failing}", _PROCEDURE)
     )
     if decision.whole.failed_share is not None:
         yield QualityElement(
             ACCURACY, rules.FAILED_SHARE, check_word(rules.FAILED_SHARE),
-            tr("Length of the pieces of seam that keep less detail than the limit, by the length that was measured."),
+            tr("Length of the pieces of seam that failed, by the length that was measured."),
             full,
             (Quantity((100 * decision.whole.failed_share,), PER_CENT), *(
                 Quantity((100 * one.failed_share,), PER_CENT, sheet=one.name)
@@ -123,7 +127,7 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
         tr("Length of the longest row of failed pieces that follow each other without a break, across sheets too."),
         full,
         (Quantity((decision.longest_failure_m,), METRES),
-         *(Quantity((one.longest_failure_m,), METRES, sheet=one.name) for one in decision.sheets)),
+         *(Quantity((one.longest_failure_m,), METRES, sheet=one.name) for one in decision.sheets if one.piece_count)),
         _conformance(outcomes.get(rules.LONGEST_FAILURE)),
     )
     kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
@@ -131,7 +135,7 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
         yield QualityElement(
             ACCURACY, rules.KEPT, check_word(rules.KEPT),
             tr("Share of the finest detail of the orthoimages that is left in the piece of seam that kept least."),
-            full, (Quantity((min(kept),), ONE),), _conformance(outcomes.get(rules.KEPT)),
+            measured, (Quantity((min(kept),), ONE),), _conformance(outcomes.get(rules.KEPT)),
             has_coverage=record.loss is not None,
         )
 
@@ -156,7 +160,7 @@ def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | Non
     inspected = Evaluation(SAMPLE, tr("Each piece of seam of the sample."), reference, words)
     yield QualityElement(
         USABILITY, rules.SAMPLING, check_word(rules.SAMPLING),
-        tr("Pieces of seam in the sample that keep less detail than the limit."),
+        tr("Pieces of seam in the sample that failed."),
         inspected, (Quantity((found.nonconforming,), ONE),), _conformance(outcome),
     )
     yield QualityElement(
@@ -178,7 +182,8 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
         REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
         tr("Length of seam that could be measured, by the length of all seams."), derived,
         (Quantity((100 * decision.whole.measured_share,), PER_CENT),
-         *(Quantity((100 * one.measured_share,), PER_CENT, sheet=one.name) for one in decision.sheets)),
+         *(Quantity((100 * one.measured_share,), PER_CENT, sheet=one.name)
+           for one in decision.sheets if one.piece_count)),
         _conformance(outcomes.get(rules.MEASURED_SHARE)), about=rules.LONGEST_FAILURE,
     )
     if (interval := decision.failed_share) is not None:

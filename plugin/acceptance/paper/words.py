@@ -5,7 +5,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
 from ...toolkit.translation import decimals_beside, shown_number, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import RuleOutcome
+from ..measure.decision import Decision, RuleOutcome
 
 _CHECKS = {
     rules.KEPT: QT_TRANSLATE_NOOP("@default", "least detail kept"),
@@ -47,6 +47,14 @@ def share(value: float | None, decimals: int = 2) -> str:
 def whole_share(value: float | None) -> str:
     """A fraction of 1 in whole per cent."""
     return share(value, 0)
+
+
+def failing_sentence(decision: Decision) -> str:
+    """By what pieces fail."""
+    if decision.by_observer:
+        return tr("A piece of seam fails where the operator saw a loss in its window, whatever it kept.")
+    least = whole_share(decision.rules.least_kept)
+    return tr("A piece of seam fails where it keeps less than {least} of the detail.").format(least=least)
 
 
 def outcome_value(outcome: RuleOutcome) -> str:

@@ -90,7 +90,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             raise QgsProcessingException(missing)
         try:
             refuse_overwriting(self, parameters, context)  # models and scripts may not have checked the values
-            self.prepare(Run(self, parameters, context, feedback))
+            run = Run(self, parameters, context, feedback)
+            run.check_pages(self._pages())
+            self.prepare(run)
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
         return True
@@ -116,7 +118,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             return False, missing
         try:
             refuse_overwriting(self, parameters, context)
-            self.check(Run(self, parameters, context))
+            run = Run(self, parameters, context)
+            run.check_pages(self._pages())
+            self.check(run)
         except SeamInspectorError as error:
             return False, sentence(error.message)
         return super().checkParameterValues(self.for_check(parameters), context)
@@ -138,6 +142,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         empty list is all right with it.
         """
         return {name: [] if name in self.RASTER_LISTS else value for name, value in parameters.items()}
+
+    def _pages(self) -> list[str]:
+        """Of ``PAGES`` those that the algorithm has."""
+        return [name for name in self.PAGES if self.parameterDefinition(name) is not None]
 
     def _missing_packages(self, parameters: dict[str, Any]) -> str:
         """What lacks for the outputs asked for; empty when nothing does."""

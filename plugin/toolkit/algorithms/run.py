@@ -1,6 +1,7 @@
 """One run of an algorithm: what its parameters hold, and where its results and messages go."""
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Optional
@@ -212,6 +213,14 @@ class Run:
             from ..charts.figure_files import check_figure_path
 
             check_figure_path(path)
+
+    def check_pages(self, names: Iterable[str]) -> None:
+        """Raise SettingsError for an output file whose ending says that it is something else than is written."""
+        for name in names:
+            path = self.file_path(name)
+            filters = self._algorithm.parameterDefinition(name).fileFilter()
+            if path is not None and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
+                raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters))
 
     def save(self, name: str, write: Callable[[Path], object]) -> dict[str, Any]:
         """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.

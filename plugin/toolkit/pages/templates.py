@@ -102,6 +102,6 @@ def _number_columns(headings: Sequence[str], rows: Sequence[Sequence[object]]) -
 
 def _is_number(value: object) -> bool:
     """Whether it is a number, words that begin with one, or nothing."""
-    if value is None or value == "" or isinstance(value, (int, float, np.number)):
+    if value in (None, "", "\u2013") or isinstance(value, (int, float, np.number)):
         return True
     return _NUMBER.match(str(value)) is not None

@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
-from seam_inspector.plugin.acceptance.paper.inspection_record import scan_settings
+from seam_inspector.plugin.acceptance.paper.inspection_record import described_bands, scan_settings
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
 from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.open_raster import describe_placed
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.scan.results.loss_raster import loss_raster
 from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
@@ -182,3 +183,13 @@ def test_how_the_scan_measured_is_read_from_its_picture_of_losses(tmp_path: Path
     told = scan_settings(RasterRef(str(tmp_path / "loss.tif")))
     assert told == {"wavelet": "haar", "levels": "3", "density": "seams", "piece_m": "12.5"}
     assert scan_settings(RasterRef(mosaic.ref.path)) == {}
+
+
+def test_the_coverage_s_attributes_are_those_of_the_picture_of_losses(tmp_path: Path) -> None:
+    path = str(tmp_path / "loss.tif")
+    with loss_raster(path, ground(tmp_path / "mosaic.tif"), 32, ScanSettings().told) as raster:
+        raster.close([])
+    loss = describe_placed(RasterRef(path))
+    document = quality_document(record_of(decided(), loss=loss, loss_bands=described_bands(loss.ref)))
+    told = text(elements(document)["kept"], ".//mrc:attributeDescription/gco:RecordType")
+    assert told == "kept_1, contrast_1, added_1, source, mixture"

@@ -1,0 +1,159 @@
+"""The papers name every sheet, say by whose word pieces failed, and draw what their sentences say."""
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.lines import Line2D
+from qgis.core import QgsGeometry
+from seam_inspector.plugin.acceptance.measure.acceptance_rules import SamplingRule
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.measure.delivery import SheetOutline
+from seam_inspector.plugin.acceptance.paper import acceptance_report
+from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS
+from seam_inspector.plugin.acceptance.paper.charts import oc_figure, seams_figure
+from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
+
+from tests.numbers.acceptance.made_decisions import decided, window_on
+from tests.numbers.acceptance.metadata_structure import NAMESPACES, faults
+from tests.pages import outline
+from tests.qgis.acceptance.papers import record_of
+from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
+from tests.qgis.acceptance.test_acceptance_report import page_of
+from tests.qgis.runs import assert_refused, run
+from tests.qgis.scenes import layer
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+NAMES = ("sheet_10", "sheet_2", "sheet_1", "sheet_3")
+
+
+def index(names: tuple[str, ...] = NAMES) -> object:
+    """Sheets of 100 m side by side from west to east, as gdaltindex lists them; the seam lies in the first two."""
+    boxes = [
+        f"POLYGON(({X + 100 * n} {Y - 50},{X + 100 * n + 100} {Y - 50},{X + 100 * n + 100} {Y + 50},"
+        f"{X + 100 * n} {Y + 50},{X + 100 * n} {Y - 50}))" for n in range(len(names))
+    ]  # fmt: skip
+    paths = [f"/sheets/{name}.tif" for name in names]
+    return layer("Polygon", list(map(QgsGeometry.fromWkt, boxes)), UTM33, location=("string", paths))
+
+
+def test_all_sheets_that_were_given_are_named_in_order(tmp_path: Path) -> None:
+    page, record = tmp_path / "decision.html", tmp_path / "quality.xml"
+    made = run("acceptmosaic", SEAMS=[seams([0.5] * 8)], SHEETS=index(), DEFECTS=None, REPORT=str(page),
+               QUALITY=str(record))
+    assert made.complaint is None
+    sheets = [row for row in outline(page.read_text(encoding="utf-8")).rows if len(row) == 8][1:]
+    assert [row[0] for row in sheets] == ["sheet_1 (no seams)", "sheet_2", "sheet_3 (no seams)", "sheet_10", "all"]
+    assert sheets[0][2:] == ["\u2013"] * 6
+    text = record.read_text(encoding="utf-8")
+    assert faults(text) == []
+    (scope,) = ET.fromstring(text.encode()).iterfind(".//mdq:DQ_DataQuality/mdq:scope", NAMESPACES)
+    named = [one for one in "".join(scope.itertext()).split() if one.startswith("sheet_")]
+    assert named == ["sheet_1", "sheet_2", "sheet_3", "sheet_10"]
+
+
+def test_the_map_draws_the_sheets_as_they_were_given() -> None:
+    decision = decided(["a", "b"], failed=[(0, 3)])
+    plain = seams_figure(decision, ())
+    box = np.array([[499000, 5499000], [503000, 5499000], [503000, 5502000], [499000, 5502000], [499000, 5499000]])
+    given = replace(decision, delivery=replace(decision.delivery, outlines=(SheetOutline("far", (box,)),)))
+    drawn = seams_figure(given, ())
+    assert plain is not None
+    assert drawn is not None
+    assert {one.get_text() for one in drawn.axes[0].texts} - {one.get_text() for one in plain.axes[0].texts} >= {"far"}
+    ratio = np.ptp(drawn.axes[0].get_xlim()) / np.ptp(drawn.axes[0].get_ylim())
+    assert ratio == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of seams 1 km high and 100 m wide
+
+
+def test_nothing_lies_below_the_scale_bar() -> None:
+    """A lot wider than high."""
+    decision = decided([f"sheet_{one}" for one in range(40)], pieces=8, failed=[(one, 0) for one in range(40)])
+    figure = seams_figure(decision, ())
+    assert figure is not None
+    lines = [one for one in figure.axes[0].lines if len(one.get_xdata())]
+    bar = next(one for one in lines if one.get_linewidth() == 2.5)
+    lowest = min(np.nanmin(one.get_ydata()) for one in lines if one is not bar)
+    assert max(bar.get_ydata()) + 11 < lowest  # points, with the words above it
+
+
+def test_the_map_numbers_what_the_table_holds(tmp_path: Path) -> None:
+    decision = decided([f"sheet_{one}" for one in range(40)], failed=[(n, 4 * m) for n in range(40) for m in range(8)])
+    shown: list[int] = []
+
+    def drawn(_: Decision, defects: object) -> None:
+        shown.extend(one.number for one in defects)  # type: ignore[attr-defined]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(acceptance_report, "seams_figure", drawn)
+        page_of(tmp_path, record_of(decision))
+    assert max(shown) == MOST_ROWS
+
+
+def judged() -> Decision:
+    """Sound pieces, of which an operator saw one lost."""
+    plain = decided(["sheet_1"])
+    words = ["visible"] + ["invisible"] * 39
+    windows = tuple(window_on(plain, one, str(one), observer=word) for one, word in enumerate(words))
+    return decide(replace(plain.delivery, windows=windows), plain.rules, by_observer=True)
+
+
+def test_what_an_operator_decided_is_not_said_to_be_the_limit_s(tmp_path: Path) -> None:
+    decision = judged()
+    assert decision.whole.failed_count
+    page = page_of(tmp_path, record_of(decision))
+    for papers in (page.words, quality_document(record_of(decision))):
+        assert "the operator saw a loss in its window" in papers
+        assert "keeps less than" not in papers
+        assert "70\u00a0%" not in papers
+
+
+def test_a_sample_is_not_the_delivery(tmp_path: Path) -> None:
+    plain = decided(["sheet_1"], failed=[(0, 3)])
+    pieces = tuple(replace(one, sample_number=place + 1) for place, one in enumerate(plain.delivery.pieces))
+    page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=pieces, lot_size=400), plain.rules)))
+    assert "of seam in the sample" in page.words
+    assert "seams of all sheets" not in page.words
+
+
+@pytest.mark.parametrize("pieces", [41, 300, 3000])
+def test_the_marks_of_an_operating_characteristic_lie_on_its_curve(pieces: int) -> None:
+    plan = decided([f"sheet_{n}" for n in range(pieces // 40 or 1)], pieces=min(pieces, 40) + pieces % 40,
+                   sampling=SamplingRule("1.0", "II", "normal", "contract")).plan
+    assert plan is not None
+    (axes,) = oc_figure(plan).axes
+    curve = next(one for one in axes.lines if one.get_linewidth() == 1.6)
+    for mark in (one for one in axes.lines if one.get_marker() == "o"):
+        x, y = mark.get_xdata()[0], mark.get_ydata()[0]
+        assert lies_on(curve, x, y), (x, y)
+
+
+def lies_on(curve: Line2D, x: float, y: float) -> bool:
+    """On a level part of the steps, or on a fall between two of them."""
+    xs, ys = np.asarray(curve.get_xdata()), np.asarray(curve.get_ydata())
+    assert curve.get_drawstyle() == "steps-post"
+    before, at = ys[np.searchsorted(xs, x - 1e-9) - 1], ys[np.searchsorted(xs, x + 1e-9) - 1]
+    return bool(at - 0.01 <= y <= before + 0.01)
+
+
+@pytest.mark.parametrize(("output", "name"), [
+    ("REPORT", "decision.pdf"), ("REPORT", "decision"), ("REPORT", "decision.txt"), ("QUALITY", "quality.html"),
+])
+def test_a_file_is_what_its_name_says(output: str, name: str, tmp_path: Path) -> None:
+    wanted = {"DEFECTS": None, "REPORT": None, output: str(tmp_path / name)}
+    assert_refused("acceptmosaic", f"{name} says something else", SEAMS=[seams([0.5])], **wanted)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_layer_in_memory_is_called_that(tmp_path: Path) -> None:
+    page, record = tmp_path / "decision.html", tmp_path / "quality.xml"
+    made = run("acceptmosaic", SEAMS=[seams([0.5])], DEFECTS=None, REPORT=str(page), QUALITY=str(record))
+    assert made.complaint is None
+    for path in (page, record):
+        text = path.read_text(encoding="utf-8")
+        assert "temporary layer" in text
+        assert "LineString?" not in text
