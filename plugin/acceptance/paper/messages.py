@@ -25,4 +25,6 @@ SEAMS_FOUND = Message(
     "producer's SEAMLINES metres and lengths are those of all seams.", WARNING
 )
 MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, no mosaic; no picture is cut from it.", WARNING)
-PAPER_STOPPED = Message("The pictures of the failures were stopped; nothing was written.", WARNING)
+PAPER_STOPPED = Message(
+    "The run was stopped: the failures have no pictures, and there is neither report nor XML.", WARNING
+)

@@ -187,10 +187,12 @@ def _write_defects(
     folder = Path(QgsProcessingUtils.generateTempFilename("pictures")) if file is None else (
         file.with_name(f"{file.stem}_pictures")
     )
-    _make_pictures(run, defects, maker, pictures, folder)
-    if file is not None:
-        pictures.paths = {number: f"{folder.name}/{Path(path).name}" for number, path in pictures.paths.items()}
-    run.write(sink, defect_features(defects, pictures.paths))
+    try:
+        _make_pictures(run, defects, maker, pictures, folder)
+    finally:  # a layer without a failure would say that there are none, also where the run was stopped
+        if file is not None:
+            pictures.paths = {number: f"{folder.name}/{Path(path).name}" for number, path in pictures.paths.items()}
+        run.write(sink, defect_features(defects, pictures.paths))
     run.style(destination, "defects")
     return {DEFECTS: destination}
 

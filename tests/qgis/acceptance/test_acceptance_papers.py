@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsExpression, QgsExpressionContext, QgsFeature, QgsGeometry, QgsRectangle, QgsVectorLayer
+from qgis.core import NULL, QgsExpression, QgsExpressionContext, QgsFeature, QgsGeometry, QgsRectangle, QgsVectorLayer
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 
 from tests.numbers.acceptance.metadata_structure import faults
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.papers import EVIL
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
-from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.runs import Log, Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -149,6 +149,17 @@ def test_a_scan_without_some_orthoimages_is_told(tmp_path: Path, loss: str) -> N
     assert any("found no orthoimage behind 14% of the mosaic" in said for said in outcome.log.warnings)
     assert any("the scan found the seams in the pixels" in said for said in outcome.log.warnings)
     assert accept(LOSS=loss).log.warnings == []
+
+
+def test_a_run_that_is_stopped_leaves_no_layer_without_the_failures(tmp_path: Path, mosaic: str) -> None:
+    log = Log()
+    log.cancel()
+    path = tmp_path / "failures.gpkg"
+    given = {"DEFECTS": str(path), "REPORT": str(tmp_path / "r.html"), "QUALITY": None, "CHART": None}
+    run("acceptmosaic", log, SEAMS=[seams(KEPT)], MOSAIC=[mosaic], **given)
+    assert [(row["length"], row["picture"]) for row in rows(path)] == [(75, NULL), (25, NULL)]
+    assert any("The run was stopped: the failures have no pictures" in said for said in log.warnings + log.errors)
+    assert not (tmp_path / "r.html").exists()
 
 
 def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str, loss: str) -> None:
