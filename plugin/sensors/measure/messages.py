@@ -161,6 +161,13 @@ INTERIOR_OF_ANOTHER_SHAPE = Message(
     "The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; "
     "choose the camera's own image, uncropped and not turned."
 )
+PIXELS_NOT_SQUARE = Message(
+    "By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are interchanged."
+)
+ANGLES_PERHAPS_RADIANS = Message(
+    "All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the "
+    "orthoimage lies.", WARNING
+)
 CAMERA_UNKNOWN = Message(
     "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file."
 )

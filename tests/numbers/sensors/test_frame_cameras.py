@@ -162,6 +162,10 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": YAML + "  k6: 0.2\n"}, "distortion that is not known"),
     ({"camera.yaml": YAML.replace("pinhole", "fisheye")}, "distortion that is not known"),
     ({"camera.yaml": YAML + YAML.replace("cam:", "two:")}, "several cameras (cam, two)"),
+    ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "640\n  focal")}, "no interior orientation"),
+    ({"camera.yaml": YAML.replace("sensor_size: [80, 60]", "sensor_size: [60, 80]")}, "times as wide as it is high"),
+    ({"camera.yaml": YAML.replace("  focal_len: 60\n", "")}, "no interior orientation"),
+    ({"camera.yaml": '{"type": "FeatureCollection", "features": []}'}, "no interior orientation"),
     ({"camera.yaml": "<ExportAPERO/>"}, "no interior orientation"),
     ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not known"),
     ({"places.csv": ""}, "no exterior orientation"),
@@ -190,3 +194,10 @@ def test_what_can_t_be_used_is_said(folder: Path, files: dict[str, str], complai
 def test_a_system_without_metres_is_refused(folder: Path, system: str, complaint: str) -> None:
     with pytest.raises(SeamInspectorError, match=complaint):
         oriented(folder, system=system)
+
+
+@pytest.mark.parametrize(("angles", "doubted"), [("0.01,-0.02,3.12", True), ("1,-2,30", False), ("0.2,0.1,0.3", False)])
+def test_angles_that_look_like_radians_are_told(folder: Path, angles: str, doubted: bool) -> None:
+    (folder / "places.csv").write_text(TABLE.replace("1,-2,30", angles))
+    told = [str(notice) for notice in oriented(folder).notices]
+    assert any("radians" in one for one in told) == doubted

@@ -19,6 +19,7 @@ from ..models.frame_camera import camera_axes
 _FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
 _DIGITS = 1e-4  # how far from orthonormal axes in a text may be
 _SHOWN = 5
+_LEAST_RADIANS = 1.4  # a photo flown to the north or back has 1.57 or 3.14; in degrees nobody flies just so
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,8 @@ class FrameExterior:
     """The camera's name, where the file says it."""
     wkt: str
     """Reference system of x and y, anything that GDAL understands; empty where the file names none."""
+    perhaps_radians: bool = False
+    """Whether angles that are taken as degrees look like radians."""
 
 
 def read_exterior(path: Path, image: str) -> FrameExterior:
@@ -94,9 +97,11 @@ def _table(content: bytes, path: Path, image: str) -> FrameExterior:
         raise ValueError
     names = [row[fields.index("filename")] for row in rows]
     row = dict(zip(fields, rows[_index(names, path, image)]))
-    position = np.array([float(row[name]) for name in _FIELDS[1:4]])
+    position, angles = ([float(row[name]) for name in names] for names in (_FIELDS[1:4], _FIELDS[4:]))
+    all_angles = [abs(float(one[fields.index(name)])) for one in rows for name in _FIELDS[4:]]
     return FrameExterior(
-        position, camera_axes(*(float(row[name]) for name in _FIELDS[4:])), row.get("camera") or "", ""
+        np.array(position), camera_axes(*angles), row.get("camera") or "", "",
+        _LEAST_RADIANS < max(all_angles) <= math.pi,
     )
 
 

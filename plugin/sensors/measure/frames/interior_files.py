@@ -16,6 +16,7 @@ from .. import messages
 from ..models.frame_camera import FrameInterior
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
+MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
 _RADIAL, _TANGENTIAL = ("k1", "k2", "k3"), ("p1", "p2")
 _PLAIN = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 
@@ -32,10 +33,11 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
     try:
         made, own_size = _micmac(content, path) if looks_like_xml(content) else _orthority(content, path, camera)
+        values = np.concatenate([made.focal, made.principal, made.radial, made.tangential, made.distortion_centre])
+        sound = own_size.shape == (2,) and np.isfinite(values).all() and min(*made.focal, *own_size) > 0
     except (ParseError, ValueError, TypeError, KeyError, IndexError, AttributeError):
-        raise SensorModelError(messages.NO_INTERIOR(name=path.name)) from None
-    values = np.concatenate([made.focal, made.principal, made.radial, made.tangential, made.distortion_centre])
-    if not np.isfinite(values).all() or min(*made.focal, *own_size) <= 0:
+        sound = False
+    if not sound:
         raise SensorModelError(messages.NO_INTERIOR(name=path.name))
     scale = np.array(size) / own_size
     if abs(scale[0] / scale[1] - 1) > MAX_SHAPE_DIFFERENCE:
@@ -45,6 +47,8 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
                 name=path.name, width=width, height=height, columns=size[0], rows=size[1]
             )
         )
+    if not 1 / MAX_PIXEL_RATIO <= made.focal[0] / made.focal[1] <= MAX_PIXEL_RATIO:
+        raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=path.name, ratio=float(made.focal[1] / made.focal[0])))
     return FrameInterior(
         made.focal * scale, made.principal * scale, made.radial, made.tangential, made.distortion_centre * scale
     )
@@ -62,6 +66,8 @@ def _orthority(content: bytes, path: Path, camera: str) -> tuple[FrameInterior, 
         raise ValueError
     if "im_size" in cameras:
         cameras = {"": cameras}
+    if not all(isinstance(one, dict) and "im_size" in one for one in cameras.values()):
+        raise ValueError
     name = camera if camera in cameras else next(iter(cameras)) if len(cameras) == 1 else None
     if name is None:
         raise SensorModelError(messages.CAMERA_UNKNOWN(name=path.name, names=", ".join(map(str, cameras))))
@@ -80,9 +86,10 @@ def _orthority(content: bytes, path: Path, camera: str) -> tuple[FrameInterior, 
 def _refuse_others(values: Mapping[str, Any], path: Path) -> None:
     """Raise SensorModelError where a distortion plays a part that is not computed here."""
     known = {*_PLAIN, *_RADIAL, *_TANGENTIAL}
-    others = [key for key, value in values.items() if key not in known and value]
-    if values.get("type", "pinhole") not in ("pinhole", "brown", "opencv") or others:
-        raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=values.get("type", ", ".join(others))))
+    others = [str(key) for key, value in values.items() if key not in known and value]
+    kind = str(values.get("type", "pinhole"))
+    if kind not in ("pinhole", "brown", "opencv") or others:
+        raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=", ".join([kind, *others])))
 
 
 def _micmac(content: bytes, path: Path) -> tuple[FrameInterior, np.ndarray]:

@@ -66,6 +66,8 @@ def oriented_frame(
     exterior = read_exterior(files.exterior, image.ref.name)
     interior = read_interior(files.interior, exterior.camera, (image.columns, image.rows))
     wkt, notices = _system(image, files, exterior.wkt)
+    if exterior.perhaps_radians:
+        notices = (*notices, messages.ANGLES_PERHAPS_RADIANS(name=files.exterior.name))
     camera = FrameCamera(interior, exterior.position, exterior.axes)
     vertical = files.datum if isinstance(files.datum, Geoid) else VERTICAL.get(files.datum)
     if vertical is not None:
