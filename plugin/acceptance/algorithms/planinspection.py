@@ -288,7 +288,9 @@ class PlanInspection(SeamInspectorAlgorithm):
         fields = column_fields(columns)
         sink, destination = run.sink(OUTPUT, fields, kind, crs)
         run.write(sink, (feature(fields, column_values(columns, one), _outline(one, mosaic)) for one in items))
-        if columns is WINDOW_COLUMNS:
+        is_windows = columns is WINDOW_COLUMNS
+        run.title(destination, tr("Sample (windows)") if is_windows else tr("Sample (pieces)"))
+        if is_windows:
             run.style(destination, "placed_windows")
         return destination
 

@@ -196,6 +196,11 @@ class Run:
         if destination and self.context.willLoadLayerOnCompletion(destination):
             self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
 
+    def title(self, destination: str | None, title: str) -> None:
+        """Name a layer that will be loaded, where the output's own name would not tell it from others."""
+        if destination and self.context.willLoadLayerOnCompletion(destination):
+            self.context.layerToLoadOnCompletionDetails(destination).name = title
+
     def layer_path(self, name: str) -> str:
         """Where an output raster goes."""
         return str(self._algorithm.parameterAsOutputLayer(self.parameters, name, self.context))

@@ -5,10 +5,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsGeometry, QgsVectorLayer
+from qgis.core import QgsGeometry, QgsProcessingContext, QgsProject, QgsVectorLayer
 
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
-from tests.qgis.runs import Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import PIXEL, Scene, layer, line, pixel_box
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -201,3 +201,18 @@ def test_files_as_a_script_gives_them(tmp_path: Path) -> None:
     outcome = plan(path, OUTPUT=str(tmp_path / "sample.gpkg"), PLAN="count", COUNT=3)
     assert (tmp_path / "sample.gpkg").exists()
     assert outcome.rows()[0]["sheet"] == "a 'sheet' & more"
+
+
+@pytest.mark.parametrize("unit", ["pieces", "windows"])
+def test_the_two_samples_have_names_of_their_own(scene: Scene, unit: str, tmp_path: Path) -> None:
+    context, output = QgsProcessingContext(), str(tmp_path / "sample.gpkg")
+    context.setProject(QgsProject.instance())
+    details = QgsProcessingContext.LayerDetails("Sample", QgsProject.instance(), "OUTPUT")
+    context.addLayerToLoadOnCompletion(output, details)
+    made = layer("LineString", [line((200, 0), (300, 256))])
+    parameters = {
+        "SEAMS": [made], "PLAN": "count", "COUNT": 2, "UNIT": unit, "MOSAIC": str(scene.mosaic), "PIECE": 5,
+        "SIDE": 64 * PIXEL, "OUTPUT": output,
+    }  # fmt: skip
+    assert algorithm("planinspection").run(parameters, context, Log())[1]
+    assert context.layerToLoadOnCompletionDetails(output).name == f"Sample ({unit})"
