@@ -4,7 +4,7 @@ from __future__ import annotations
 import base64
 from html.parser import HTMLParser
 
-_WITHOUT_END = ("meta", "img", "br")
+_WITHOUT_END = ("meta", "img", "br", "wbr")
 
 
 class Outline(HTMLParser):

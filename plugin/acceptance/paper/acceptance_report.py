@@ -9,7 +9,7 @@ from ...imagery.statistics.agreement import Agreement
 from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.how_measured import HowMeasured, each_raster, system_name
 from ...toolkit.pages.templates import save_page
-from ...toolkit.translation import sentence, shown_number, tr
+from ...toolkit.translation import shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import Decision, MetreFigures, Observers, PieceState, PlanOutcome
 from ..measure.defects import Defect
@@ -24,6 +24,7 @@ from .words import (
     outcome_limit,
     outcome_value,
     outcome_word,
+    paper_sentence,
     severity_word,
     share,
     whole_share,
@@ -61,7 +62,8 @@ class DefectText:
     cause: str
     images: Sequence[tuple[str, str]]
     """The two orthoimages, each with its date."""
-    place: str
+    place: tuple[str, str]
+    """x and y."""
     remark: str
 
 
@@ -78,7 +80,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         _how(record),
         verdict=_verdict(decision),
         figures=_key_figures(decision),
-        sentences=[sentence(one) for one in decision.sentences[1:]],
+        sentences=[paper_sentence(one) for one in decision.sentences[1:]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
         sheets=[_sheet_row(one, decision.by_observer) for one in decision.sheets],
@@ -122,7 +124,7 @@ def _how(record: InspectionRecord) -> HowMeasured:
 
 def _verdict(decision: Decision) -> tuple[str, str, str]:
     """A state, a word, and the first sentence of the decision."""
-    first = sentence(decision.sentences[0]) if decision.sentences else ""
+    first = paper_sentence(decision.sentences[0]) if decision.sentences else ""
     return ("good", tr("accepted"), first) if decision.accepted else ("bad", tr("rejected"), first)
 
 
@@ -135,7 +137,7 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
         (metres(whole.total_m), tr("of seam") if decision.delivery.sampled_numbers is None else (
             tr("of seam in the sample"))),
         (share(whole.measured_share, 1), tr("of it measured")),
-        (metres(whole.failed_m), tr("failed")),
+        (metres(whole.failed_m), tr("of it failed")),
         (failed, tr("of what was measured failed (95 % interval)")),
         (metres(decision.longest_failure_m), tr("failed without a break")),
     ]
@@ -173,7 +175,8 @@ def _sheet_row(one: MetreFigures, by_observer: bool) -> list[str]:
 
 def _legend(decision: Decision) -> list[tuple[str, str]]:
     words = {
-        PieceState.FAILED: tr("failed"), PieceState.PASSED: tr("passed"), PieceState.NOT_MEASURED: tr("not measured"),
+        PieceState.FAILED: tr("pieces that failed"), PieceState.PASSED: tr("pieces that passed"),
+        PieceState.NOT_MEASURED: tr("not measured"),
     }  # fmt: skip
     present = {one.state for one in decision.pieces}
     return [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
@@ -190,7 +193,7 @@ def _defect_text(one: Defect) -> DefectText:
         "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
         tr(one.cause) if one.cause else "",
         [(_file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        f"{one.place[0]:.1f} {one.place[1]:.1f}", "; ".join(one.remarks),
+        (f"{one.place[0]:.1f}", f"{one.place[1]:.1f}"), "; ".join(one.remarks),
     )  # fmt: skip
 
 

@@ -1,9 +1,12 @@
 """How people meet the figures of a decision: their names, and values as they are written."""
 from __future__ import annotations
 
+import re
+
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
 
-from ...toolkit.translation import decimals_beside, shown_number, tr
+from ...imagery.message import Message
+from ...toolkit.translation import decimals_beside, sentence, shown_number, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, RuleOutcome
 
@@ -22,6 +25,11 @@ _SEVERITIES = {
 _SHARES = (rules.KEPT, rules.FAILED_SHARE, rules.MEASURED_SHARE)
 NOTHING = "\u2013"
 """Where there is no value."""
+
+
+def paper_sentence(message: Message) -> str:
+    """A message with its shares as the figures beside it are written: 2 %, not 2%."""
+    return re.sub(r"(?<=\d)%", "\u00a0%", sentence(message))
 
 
 def check_word(check: str) -> str:

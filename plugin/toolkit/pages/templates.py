@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from ...imagery.atomic_files import whole_file
 from ...imagery.message import Message
@@ -54,6 +55,7 @@ def environment() -> Environment:
     made.filters.update(
         data_address=_data_address, facts_row=_facts_row, css_text=_css_text, filled_columns=_filled_columns,
         number_columns=_number_columns, has_long_word=_has_long_word, cell_width=_cell_width,
+        with_breaks=_with_breaks,
     )
     return made
 
@@ -71,6 +73,11 @@ def _facts_row(facts: MeasuredRaster) -> list[str]:
 def _has_long_word(value: object) -> bool:
     """Whether words have to be broken so that a table fits the page."""
     return isinstance(value, str) and any(len(word) > _LONGEST_WORD for word in value.split())
+
+
+def _with_breaks(value: object) -> Markup:
+    """Words that a line may break behind a folder, before it would be within a name."""
+    return Markup(re.sub(r"(?<=[/\\])(?=[^/\\])", "<wbr>", str(escape(value))))
 
 
 def _cell_width(value: object) -> str:
