@@ -1,6 +1,7 @@
 """An index of sheets, polygons such as gdaltindex writes: which sheet of one large mosaic a piece of seam lies in."""
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,6 +10,7 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCsException,
     QgsGeometry,
+    QgsLineString,
     QgsPointXY,
     QgsProcessing,
     QgsProcessingParameterFeatureSource,
@@ -22,9 +24,10 @@ from ..toolkit.translation import tr
 from .measure import messages
 
 if TYPE_CHECKING:
-    from .measure.delivery import Delivery, SheetOutline
+    from .measure.delivery import DeliveredPiece, Delivery, SheetOutline, SheetPart
 
 SHEETS = "SHEETS"
+_SHORTEST = 1e-6  # of a piece: shorter parts are rounding
 _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 """The first that a layer has says what its sheets are called; of a file's path its name."""
 
@@ -43,7 +46,7 @@ def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
 
 
 def with_sheets(delivery: Delivery, run: Run) -> Delivery:
-    """The pieces with the sheets that their middles lie in, and all outlines, where SHEETS is given.
+    """The pieces with the sheets that they lie in, and all outlines, where SHEETS is given.
 
     Pieces in no sheet keep theirs, which is told.
 
@@ -68,13 +71,15 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
             raise SettingsError(messages.NOT_TRANSFORMED(name=source.sourceName())) from None
         outlines.append((Path(text(row[field])).stem, outline))
     found = [_sheet_at(outlines, piece.middle) for piece in delivery.pieces]
+    cut = [_sheet_parts(outlines, piece, sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found)]
     outside = sum(sheet is None for sheet in found)
     if outside == len(found):
         raise SettingsError(messages.SHEETS_ELSEWHERE())
     if outside:
         run.tell(messages.PIECES_OFF_SHEETS(count=outside))
     pieces = tuple(
-        replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0]) for piece, sheet in zip(delivery.pieces, found)
+        replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0], sheet_parts=parts)
+        for piece, sheet, parts in zip(delivery.pieces, found, cut)
     )
     return replace(delivery, pieces=pieces, outlines=_sheet_outlines(outlines))
 
@@ -99,3 +104,41 @@ def _sheet_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float
     point = QgsPointXY(*place)
     inside = (name for name, outline in outlines if outline.boundingBox().contains(point) and outline.contains(point))
     return next(inside, None)
+
+
+def _sheet_parts(outlines: list[tuple[str, QgsGeometry]], piece: DeliveredPiece, sheet: str) -> tuple[SheetPart, ...]:
+    """A piece cut at the borders; what lies in no sheet, or in several, goes to the sheet of its middle. Empty where
+    all of it lies there."""
+    from .measure.delivery import SheetPart
+
+    line = QgsGeometry(QgsLineString(*piece.vertices.T.tolist()))
+    length = line.length()
+    borders = {0.0, 1.0}
+    for _, outline in outlines:
+        if not length or not outline.boundingBox().intersects(line.boundingBox()) or outline.contains(line):
+            continue
+        inside = line.intersection(outline)
+        ends = (point for part in inside.asGeometryCollection() for point in _ends(part))
+        borders |= {min(max(line.lineLocatePoint(point) / length, 0.0), 1.0) for point in ends}
+    stops = sorted(borders)
+    parts: list[SheetPart] = []
+    for start, stop in zip(stops, stops[1:]):
+        if stop - start < _SHORTEST:
+            continue
+        middle = piece.point((start + stop) / 2)
+        here = [name for name, outline in outlines if outline.boundingBox().contains(QgsPointXY(*middle))
+                and outline.contains(QgsPointXY(*middle))]
+        name = sheet if sheet in here or not here else here[0]
+        begin = parts[-1].stop if parts else 0.0
+        if parts and parts[-1].sheet == name:
+            begin = parts.pop().start
+        parts.append(SheetPart(name, begin, stop))
+    if len(parts) < 2:
+        return ()
+    return (*parts[:-1], replace(parts[-1], stop=1.0))
+
+
+def _ends(part: QgsGeometry) -> Iterator[QgsGeometry]:
+    vertices = list(part.vertices())
+    if vertices:
+        yield from (QgsGeometry(vertices[place].clone()) for place in (0, -1))

@@ -27,7 +27,7 @@ from .decision import (
 )
 from .delivery import Delivery, SeenWindow
 from .failure_runs import failure_runs
-from .measured_pieces import is_unclear, metre_figures, piece_state, seen_state, sheet_figures
+from .measured_pieces import failed_shares, is_unclear, metre_figures, piece_state, seen_state, sheet_figures
 from .observing import observers, windows_over
 from .sampled_lot import sampled_lot
 from .share_interval import failed_share_interval
@@ -53,16 +53,15 @@ def decide(
         for piece, over in zip(delivery.pieces, windows)
     ]
     unclear = [not by_observer and is_unclear(piece, rules.least_kept) for piece in delivery.pieces]
-    runs = failure_runs(delivery.pieces, states, delivery.unit_m)
-    longest = runs[0].length_m if runs else 0.0
-    whole = metre_figures("", delivery.pieces, states, unclear, longest)
+    runs = failure_runs(delivery.pieces, states, delivery.unit_m, None if by_observer else rules.least_kept)
+    whole = metre_figures("", delivery, states, unclear, runs)
     outcomes = [_outcome(rule, _value(rule.check, whole)) for rule in rules.rules]
     plan, sampled, told = None, set(range(len(states))), []
     if rules.sampling is not None:
         lot = sampled_lot(delivery, states, rules.sampling, lot_size, seed)
         plan, sampled, told = lot.outcome, lot.pieces, list(lot.notices)
         outcomes.insert(0, lot.rule_outcome)
-    interval = _interval(delivery, states)
+    interval = _interval(delivery, states, runs)
     accepted = all(outcome.passed is True for outcome in outcomes)
     sentences = (
         _decision_sentence(rules, outcomes, accepted),
@@ -72,7 +71,7 @@ def decide(
         *_observers_sentences(seen),
     )
     pieces = _decided(delivery, states, unclear, runs, sampled, windows)
-    sheets = sheet_figures(delivery, states, unclear)
+    sheets = sheet_figures(delivery, states, unclear, runs)
     return Decision(
         accepted, sentences, rules, delivery, tuple(outcomes), whole, sheets, interval, pieces, runs, plan, seen,
         by_observer,
@@ -109,10 +108,10 @@ def _rule_sentence(rule: AcceptanceRule, value: float, passed: bool) -> Message:
     return messages.MEASURED_TOO_LITTLE(value=value, limit=limit)
 
 
-def _interval(delivery: Delivery, states: Sequence[PieceState]) -> Interval | None:
+def _interval(delivery: Delivery, states: Sequence[PieceState], runs: Sequence[FailureRun]) -> Interval | None:
     measured = [
-        (piece.length_m, state is PieceState.FAILED, piece.seam)
-        for piece, state in zip(delivery.pieces, states)
+        (piece.length_m, share, piece.seam)
+        for piece, state, share in zip(delivery.pieces, states, failed_shares(len(states), runs))
         if state is not PieceState.NOT_MEASURED
     ]
     return failed_share_interval(*zip(*measured)) if measured else None
@@ -153,8 +152,7 @@ def _figures(
             failed=whole.failed_m, measured=whole.measured_m, share=interval.value, low=interval.low, high=interval.high
         )
     if runs:
-        x, y = runs[0].place
-        yield messages.LONGEST_WHERE(metres=runs[0].length_m, x=x, y=y, sheets=", ".join(runs[0].sheets))
+        yield from _lengths(whole, runs, rules)
     if whole.not_measured_m:
         yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.total_m)
     if whole.unclear_m:
@@ -172,6 +170,26 @@ def _by_observer(delivery: Delivery) -> Iterator[Message]:
     piece = float(np.median([piece.length_m for piece in delivery.pieces]))
     if side > _WIDE * piece:
         yield messages.WINDOWS_WIDER_THAN_PIECES(side=side, piece=piece)
+
+
+def _lengths(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceRules) -> Iterator[Message]:
+    """Where the longest failure is, and how sure lengths are."""
+    longest, (x, y) = runs[0], runs[0].place
+    yield messages.LONGEST_WHERE(metres=longest.length_m, x=x, y=y, sheets=", ".join(longest.sheets))
+    if not longest.is_longest:
+        yield messages.LONGEST_AT_LEAST()
+    within = sum(run.within_m**2 for run in runs) ** 0.5
+    if not within:
+        return
+    yield messages.ENDS_ESTIMATED(longest=longest.within_m, all=within)
+    for rule in rules.rules:
+        if rule.check == LONGEST_FAILURE and abs(longest.length_m - rule.limit) <= longest.within_m:
+            yield messages.LONGEST_UNCLEAR(
+                low=longest.length_m - longest.within_m, high=longest.length_m + longest.within_m, limit=rule.limit
+            )
+        if rule.check == FAILED_SHARE and abs(whole.failed_m - rule.limit * whole.measured_m) <= within:
+            low, high = (max(whole.failed_m + side * within, 0.0) / whole.measured_m for side in (-1, 1))
+            yield messages.SHARE_UNCLEAR(low=low, high=min(high, 1.0), limit=rule.limit)
 
 
 def _observers_sentences(seen: Observers | None) -> Iterator[Message]:

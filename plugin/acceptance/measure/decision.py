@@ -4,11 +4,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+import numpy as np
+
 from ...imagery.message import Message
 from ...imagery.statistics.agreement import Agreement
 from ...imagery.statistics.intervals import Interval
 from .acceptance_rules import AcceptanceRules
-from .delivery import DeliveredPiece, Delivery, SeenWindow
+from .delivery import DeliveredPiece, Delivery, SeenWindow, part_of_line
 from .sampling.sampling_plan import OperatingCharacteristic, SamplingPlan
 
 
@@ -37,17 +39,54 @@ class DecidedPiece:
 
 
 @dataclass(frozen=True)
+class FailedPart:
+    """The part of a piece that a failure takes, as shares of its length along its line."""
+
+    piece: int
+    """Its number."""
+    start: float
+    stop: float
+    is_turned: bool = False
+    """Whether the failure runs against its line."""
+
+    @property
+    def share(self) -> float:
+        return self.stop - self.start
+
+    def turned(self, is_turned: bool = True) -> FailedPart:
+        """The same part, counted from the line's other end."""
+        if not is_turned:
+            return self
+        return FailedPart(self.piece, 1 - self.stop, 1 - self.start, not self.is_turned)
+
+    def line(self, piece: DeliveredPiece) -> np.ndarray:
+        """(n, 2) x and y, as the piece is drawn."""
+        return part_of_line(piece.vertices, self.start, self.stop)
+
+    def middle(self, piece: DeliveredPiece) -> tuple[float, float]:
+        """The point half-way along it."""
+        return piece.point((self.start + self.stop) / 2)
+
+
+@dataclass(frozen=True)
 class FailureRun:
     """Failed pieces that follow each other without a break, across sheets where their ends touch."""
 
     number: int
     """1 for the longest."""
     length_m: float
+    """From where it begins to where it ends inside of its pieces, as far as these tell."""
     pieces: tuple[int, ...]
     """The pieces' numbers, in the order in which they follow each other."""
     sheets: tuple[str, ...]
     place: tuple[float, float]
     """A point half-way along it, in the delivery's reference system."""
+    parts: tuple[FailedPart, ...]
+    """What it takes of its pieces, and of those that passed at its ends, in its order."""
+    within_m: float
+    """Half the 95 % interval of its length; 0 where nothing tells."""
+    is_longest: bool
+    """Whether no longer way through these pieces can be; in networks with very many loops that is not known."""
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ class Defect:
     sheets: tuple[str, ...]
     length_m: float
     lines: tuple[np.ndarray, ...]
-    """(n, 2) x and y of each of its pieces, in the delivery's reference system."""
+    """(n, 2) x and y of what it takes of each piece, in the delivery's reference system."""
     place: tuple[float, float]
     """A point half-way along it."""
     worst: DecidedPiece
@@ -41,8 +41,9 @@ def _defect(decision: Decision, run: FailureRun) -> Defect:
     worst = min(pieces, key=_kept)
     widths = [one.piece.band_width_m for one in pieces if one.piece.band_width_m is not None]
     windows = _windows([worst, *pieces])
+    lines = [part.line(decision.pieces[part.piece].piece) for part in run.parts]
     return Defect(
-        run.number, run.sheets, run.length_m, tuple(one.piece.vertices for one in pieces), run.place, worst,
+        run.number, run.sheets, run.length_m, tuple(lines), run.place, worst,
         max(widths, default=None), next((one.cause for one in windows if one.cause), ""),
         tuple(dict.fromkeys(words for one in windows for words in (one.remark, one.remark_2) if words)),
     )  # fmt: skip

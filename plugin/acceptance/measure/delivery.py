@@ -10,6 +10,15 @@ import numpy as np
 from ...imagery.grids import Extent
 
 
+@dataclass(frozen=True)
+class SheetPart:
+    """The part of a piece that lies in a sheet, as shares of its length along its line."""
+
+    sheet: str
+    start: float
+    stop: float
+
+
 @dataclass(frozen=True, eq=False)
 class DeliveredPiece:
     """A piece of seam as the scan measured it."""
@@ -48,6 +57,19 @@ class DeliveredPiece:
     scan: str = ""
     """What ``seam_id`` numbers the seams of, where that is not the sheet: a scan of many sheets."""
 
+    sheet_parts: tuple[SheetPart, ...] = ()
+    """In order, from end to end, where the piece crosses borders of sheets; empty: all of it lies in ``sheet``."""
+
+    @property
+    def sheets(self) -> tuple[str, ...]:
+        """Its own first."""
+        return self.sheet, *(part.sheet for part in self.sheet_parts)
+
+    @property
+    def in_sheets(self) -> tuple[SheetPart, ...]:
+        """What of it lies in which sheet, in order."""
+        return self.sheet_parts or (SheetPart(self.sheet, 0.0, 1.0),)
+
     @property
     def seam(self) -> tuple[str, str]:
         """The same for all pieces of one seam, and for no others."""
@@ -56,9 +78,26 @@ class DeliveredPiece:
     @property
     def middle(self) -> tuple[float, float]:
         """The point half-way along it."""
+        return self.point(0.5)
+
+    def point(self, share: float) -> tuple[float, float]:
+        """The point at a share of its length."""
         x, y = self.vertices.T
-        along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-        return float(np.interp(along[-1] / 2, along, x)), float(np.interp(along[-1] / 2, along, y))
+        along = _along(self.vertices)
+        return float(np.interp(share * along[-1], along, x)), float(np.interp(share * along[-1], along, y))
+
+
+def part_of_line(vertices: np.ndarray, start: float, stop: float) -> np.ndarray:
+    """From one share of its length to another."""
+    along = _along(vertices)
+    metres = along[-1] * np.array([start, stop])
+    inner = vertices[(along > metres[0]) & (along < metres[1])]
+    ends = np.stack([np.interp(metres, along, values) for values in vertices.T], axis=1)
+    return np.concatenate([ends[:1], inner, ends[1:]])
+
+
+def _along(vertices: np.ndarray) -> np.ndarray:
+    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
 
 
 def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
@@ -130,4 +169,5 @@ class Delivery:
     @property
     def sheets(self) -> tuple[str, ...]:
         """Their names in order: those with seams, and those whose outlines were given."""
-        return tuple(sorted({one.sheet for one in self.pieces} | {one.name for one in self.outlines}, key=in_words))
+        own = {name for one in self.pieces for name in one.sheets}
+        return tuple(sorted(own | {one.name for one in self.outlines}, key=in_words))

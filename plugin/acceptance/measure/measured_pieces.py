@@ -1,12 +1,12 @@
 """Whether each piece passed, failed, or could not be measured; and the metres of each kind."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from ...imagery.statistics.observers import DECIDED, INVISIBLE, VISIBLE
-from .decision import MetreFigures, PieceState
+from .decision import FailureRun, MetreFigures, PieceState
 from .delivery import DeliveredPiece, Delivery, SeenWindow
-from .failure_runs import failure_runs
 
 NO_VERDICT = "not_comparable"  # the scan's word
 
@@ -40,34 +40,77 @@ def is_unclear(piece: DeliveredPiece, least_kept: float, without_interval: bool 
 
 
 def metre_figures(
-    name: str, pieces: Sequence[DeliveredPiece], states: Sequence[PieceState], unclear: Sequence[bool], longest_m: float
+    name: str, delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun]
 ) -> MetreFigures:
-    """Of pieces with their states; ``unclear``: whether their intervals hold the limit."""
-    lengths = [piece.length_m for piece in pieces]
+    """Of all pieces with their states; ``unclear``: whether their intervals hold the limit."""
+    lengths = [piece.length_m for piece in delivery.pieces]
     measured = [state is not PieceState.NOT_MEASURED for state in states]
-    failed = [state is PieceState.FAILED for state in states]
     told = [here and known for here, known in zip(unclear, measured)]
-    measured_m, failed_m, unclear_m = (_sum(lengths, kind) for kind in (measured, failed, told))
     return MetreFigures(
-        name, len(pieces), sum(failed), sum(lengths), measured_m, failed_m, unclear_m, longest_m
+        name, len(lengths), states.count(PieceState.FAILED), sum(lengths), _sum(lengths, measured),
+        sum((run.length_m for run in runs), 0.0), _sum(lengths, told), max((run.length_m for run in runs), default=0.0),
     )  # fmt: skip
 
 
 def sheet_figures(
-    delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool]
+    delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun]
 ) -> tuple[MetreFigures, ...]:
-    """Of each sheet by itself, of one without seams too."""
-    found = []
-    members: dict[str, list[int]] = {}
-    for place, piece in enumerate(delivery.pieces):
-        members.setdefault(piece.sheet, []).append(place)
-    for sheet in delivery.sheets:
-        places = members.get(sheet, [])
-        pieces, own = [delivery.pieces[place] for place in places], [states[place] for place in places]
-        runs = failure_runs(pieces, own, delivery.unit_m)
-        longest = runs[0].length_m if runs else 0.0
-        found.append(metre_figures(sheet, pieces, own, [unclear[place] for place in places], longest))
-    return tuple(found)
+    """Of each sheet by itself, of one without seams too. A piece over a border counts in the sheet of its middle, its metres where they lie."""
+    sums = {sheet: _SheetSums() for sheet in delivery.sheets}
+    for piece, state, is_told in zip(delivery.pieces, states, unclear):
+        sums[piece.sheet].pieces += 1
+        sums[piece.sheet].failed_pieces += state is PieceState.FAILED
+        for part in piece.in_sheets:
+            metres = piece.length_m * (part.stop - part.start)
+            own = sums[part.sheet]
+            own.total_m += metres
+            if state is not PieceState.NOT_MEASURED:
+                own.measured_m += metres
+                own.unclear_m += metres if is_told else 0.0
+    for run in runs:
+        here, metres = "", 0.0
+        for sheet, length in _in_sheets(run, delivery):
+            here, metres = sheet, length if sheet != here else metres + length
+            sums[sheet].failed_m += length
+            sums[sheet].longest_m = max(sums[sheet].longest_m, metres)
+    return tuple(
+        MetreFigures(
+            sheet, one.pieces, one.failed_pieces, one.total_m, one.measured_m, one.failed_m, one.unclear_m,
+            one.longest_m,
+        )
+        for sheet, one in sums.items()
+    )  # fmt: skip
+
+
+def failed_shares(count: int, runs: Sequence[FailureRun]) -> list[float]:
+    """How much of each piece failures take."""
+    shares = [0.0] * count
+    for part in (part for run in runs for part in run.parts):
+        shares[part.piece] += part.share
+    return shares
+
+
+@dataclass
+class _SheetSums:
+    """As ``MetreFigures``."""
+
+    pieces: int = 0
+    failed_pieces: int = 0
+    total_m: float = 0.0
+    measured_m: float = 0.0
+    failed_m: float = 0.0
+    unclear_m: float = 0.0
+    longest_m: float = 0.0
+
+
+def _in_sheets(run: FailureRun, delivery: Delivery) -> Iterator[tuple[str, float]]:
+    """Sheets and metres, as they follow each other along a run."""
+    for part in run.parts:
+        piece = delivery.pieces[part.piece]
+        for sheet in reversed(piece.in_sheets) if part.is_turned else piece.in_sheets:
+            share = min(part.stop, sheet.stop) - max(part.start, sheet.start)
+            if share > 0:
+                yield sheet.sheet, share * piece.length_m
 
 
 def _sum(lengths: Sequence[float], kind: Sequence[bool]) -> float:

@@ -113,6 +113,21 @@ UNCLEAR = Message(
     "{metres:.1f} m can't be told apart from the limit of {limit:g}: their 95 % intervals hold it.", INFO
 )
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
+LONGEST_AT_LEAST = Message(
+    "So many seams failed and meet that not every way through them was tried; a longer failure may be there.", WARNING
+)
+ENDS_ESTIMATED = Message(
+    "Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some "
+    "{longest:.0f} m, all failed metres to some {all:.0f} m.", INFO
+)
+LONGEST_UNCLEAR = Message(
+    "The longest failure, {low:.0f} to {high:.0f} m, can't be told apart from the limit of {limit:.1f} m; scan with a "
+    "shorter PIECE to know it better.", WARNING
+)
+SHARE_UNCLEAR = Message(
+    "The failed share, {low:.2%} to {high:.2%} of the measured metres, can't be told apart from the limit of "
+    "{limit:.2%}; scan with a shorter PIECE to know it better.", WARNING
+)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
 NOTHING_IS_ASKED = Message(

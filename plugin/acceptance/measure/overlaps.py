@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from ...imagery.lines.paths import points_at, vertex_stations
 from .delivery import DeliveredPiece
-from .failure_runs import TOUCHING
+from .piece_places import TOUCHING
 
 _DIGITS = 3  # of coordinates, to which lines are the same
 _PLACES = (0.1, 0.3, 0.5, 0.7, 0.9)  # of a piece: away from its ends, where others begin

@@ -12,9 +12,9 @@ CONFIDENCE = 0.95
 
 
 def failed_share_interval(
-    lengths: Sequence[float], failed: Sequence[bool], clusters: Sequence[Hashable]
+    lengths: Sequence[float], failed: Sequence[float], clusters: Sequence[Hashable]
 ) -> Interval | None:
-    """Of a ratio of metres, pieces being drawn seam by seam (``clusters``).
+    """Of a ratio of metres, pieces being drawn seam by seam (``clusters``); ``failed``: the share of each that did.
 
     The interval of Korn and Graubard 1998 (Survey Methodology 24, 193-201), made for small shares of clustered data:
     that of Clopper and Pearson for the effective number of pieces, which is what the linearised variance over clusters
@@ -28,7 +28,7 @@ def failed_share_interval(
     total = float(weights.sum())
     if total <= 0:
         return None
-    share = float((weights * values).sum() / total)
+    share = min(float((weights * values).sum() / total), 1.0)  # rounding
     numbers = {name: number for number, name in enumerate(dict.fromkeys(clusters))}
     members = np.array([numbers[name] for name in clusters], np.int64)
     count = len(numbers)

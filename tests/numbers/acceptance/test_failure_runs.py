@@ -4,20 +4,24 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
-from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.measure.decision import FailureRun
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece
+from seam_inspector.plugin.acceptance.measure.failure_runs import failure_runs
+from seam_inspector.plugin.acceptance.measure.measured_pieces import piece_state
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 
 F, P, N = 0.4, 0.95, None  # failed, passed, not measured
 
 
-def decided(*seams: list[DeliveredPiece]) -> Decision:
-    return decide(delivery(*seams), rules())
+def whole_runs(*seams: list[DeliveredPiece], unit_m: float = 1.0) -> tuple[FailureRun, ...]:
+    """Failed from end to end of each piece."""
+    pieces = delivery(*seams).pieces
+    return failure_runs(pieces, [piece_state(piece, 0.7) for piece in pieces], unit_m)
 
 
 def lengths(*seams: list[DeliveredPiece]) -> list[float]:
-    return [run.length_m for run in decided(*seams).runs]
+    return [run.length_m for run in whole_runs(*seams)]
 
 
 @pytest.mark.parametrize(
@@ -39,7 +43,7 @@ def test_pieces_of_any_order_and_direction() -> None:
     pieces = seam([F, F, F, P])
     turned = [DeliveredPiece(**{**vars(piece), "vertices": piece.vertices[::-1]}) for piece in pieces]
     shuffled = [DeliveredPiece(**{**vars(turned[old]), "number": new}) for new, old in enumerate([2, 0, 3, 1])]
-    (run,) = decided(shuffled).runs
+    (run,) = whole_runs(shuffled)
     assert run.length_m == 30
     assert run.pieces in [(1, 3, 0), (0, 3, 1)]
     assert run.place == pytest.approx((15, 0))
@@ -47,7 +51,7 @@ def test_pieces_of_any_order_and_direction() -> None:
 
 def test_a_run_goes_on_over_a_sheet_border_where_the_seams_touch() -> None:
     first, second = seam([P, F, F]), seam([F, F, P], sheet="b", start=(30.1, 0.1), number=3)
-    (run,) = decided(first, second).runs
+    (run,) = whole_runs(first, second)
     assert run.length_m == 40
     assert set(run.sheets) == {"a", "b"}
 
@@ -94,9 +98,7 @@ def test_degrees_are_no_metres() -> None:
     small = [DeliveredPiece(**{**vars(one), "vertices": one.vertices / 111_000}) for one in pieces]
     for place, piece in enumerate(small):
         vars(piece)["station_m"] = None if place else 0.0
-    made = delivery(small)
-    vars(made)["unit_m"] = 111_000.0
-    assert [run.length_m for run in decide(made, rules()).runs] == [30]
+    assert [run.length_m for run in whole_runs(small, unit_m=111_000.0)] == [30]
 
 
 def test_runs_do_not_depend_on_the_order_of_many_pieces() -> None:
@@ -117,8 +119,35 @@ def test_a_seam_that_sheets_cut_is_one_seam() -> None:
         for place, piece in enumerate(seam([F, P, F, F, P, F]))
     ]
     assert len({piece.seam for piece in pieces}) == 1
+    assert lengths(pieces) == [20, 10, 10]
     found = decide(delivery(pieces), rules())
-    assert [run.length_m for run in found.runs] == [20, 10, 10]
-    assert [sheet.longest_failure_m for sheet in found.sheets] == [10, 20, 10]
+    assert [sheet.longest_failure_m for sheet in found.sheets] == pytest.approx([
+        found.runs[number].length_m for number in (1, 0, 2)
+    ])  # fmt: skip
     assert found.failed_share is not None
     assert (found.failed_share.low, found.failed_share.high) == (0, 1)  # one seam says nothing of others
+
+
+def star(ways: list[tuple[float, int]], sound: int = 0) -> list[list[DeliveredPiece]]:
+    """Seams that meet in a point: their directions in degrees, and how many pieces of them failed there."""
+    seams, number = [], 0
+    for place, (degrees, failed) in enumerate(ways):
+        way = float(np.cos(np.radians(degrees))), float(np.sin(np.radians(degrees)))
+        seams.append(seam([F] * failed + [P] * sound, seam_id=str(place), way=way, number=number))
+        number += failed + sound
+    return seams
+
+
+@pytest.mark.parametrize("degrees", [(90, 200, 340), (90, 210, 330), (0, 180, 90)])
+def test_at_a_node_the_longest_way_counts_whatever_the_angles(degrees: tuple[float, float, float]) -> None:
+    assert lengths(*star(list(zip(degrees, (10, 7, 5))))) == [170, 50]
+    assert lengths(*star(list(zip(degrees, (4, 2, 2))), sound=5)) == [60, 20]
+
+
+def test_a_ring_with_a_tail_is_walked_once_round() -> None:
+    corners = [((0, 0), (1, 0)), ((10, 0), (0, 1)), ((10, 10), (-1, 0)), ((0, 10), (0, -1))]
+    sides = [
+        seam([F], start=start, way=way, seam_id=str(number), number=number)
+        for number, (start, way) in enumerate(corners)
+    ]
+    assert lengths(*sides, seam([F, F], start=(-20, 0), seam_id="tail", number=4)) == [60]

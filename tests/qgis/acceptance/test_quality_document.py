@@ -61,10 +61,12 @@ def test_one_report_per_measure_with_value_unit_and_conformance() -> None:
     assert list(found) == [
         "acceptance", "failed_share", "longest_failure", "kept", "measured_share", "failed_share_interval"
     ]  # fmt: skip
-    assert values(found["failed_share"]) == pytest.approx([3.75])
+    share = decision.whole.failed_share
+    assert share is not None
+    assert values(found["failed_share"]) == pytest.approx([100 * share])
     assert unit(found["failed_share"]).endswith("UCUM/%25")
     assert passed(found["failed_share"]) == passed(found["acceptance"]) == "false"
-    assert values(found["longest_failure"]) == pytest.approx([50.0])
+    assert values(found["longest_failure"]) == pytest.approx([decision.longest_failure_m])
     assert unit(found["longest_failure"]).endswith("UCUM/m")
     assert passed(found["longest_failure"]) == "true"
     assert values(found["kept"]) == pytest.approx([0.45])
@@ -73,17 +75,18 @@ def test_one_report_per_measure_with_value_unit_and_conformance() -> None:
     assert interval is not None
     assert values(found["failed_share_interval"]) == pytest.approx([100 * interval.low, 100 * interval.high])
     assert text(found["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:specification") == "contract"
-    assert "3.75%" in text(found["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:explanation")
+    assert f"{share:.2%}" in text(found["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:explanation")
 
 
 def test_each_sheet_has_a_result_of_its_own() -> None:
-    found = elements(quality_document(record_of(decided(SHEETS, failed=FAILED))))["failed_share"]
+    decision = decided(SHEETS, failed=FAILED)
+    found = elements(quality_document(record_of(decision)))["failed_share"]
     results = {
         text(one, "mdq:resultScope//mcc:dataset"): float(text(one, "mdq:value"))
         for one in found.iterfind("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
         if one.find("mdq:resultScope", NAMESPACES) is not None
     }
-    assert results == pytest.approx({"sheet_1": 5.0, "sheet_2": 2.5})
+    assert results == pytest.approx({one.name: 100 * (one.failed_share or 0) for one in decision.sheets})
 
 
 def test_scope_time_and_lineage() -> None:

@@ -1,0 +1,175 @@
+"""The longest lines that one can walk through a network of pieces.
+
+A walk takes each piece once and comes through no place twice, but it may begin and end where it comes through, as on a
+ring. The longest walk of a network, then the longest through what it leaves over, until every piece lies in one. In a
+network without loops they are exact; with loops all ways are tried, up to ``MOST_STEPS``.
+"""
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Hashable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+MOST_STEPS = 20_000  # for one walk: 16 loops that meet take fewer
+_MOST_WORK = 5_000_000  # steps times places: in large networks a step costs more
+_MOST_LOOKED_AT = 500_000  # pieces, again and again; then what is left over is walked as it comes
+
+Step = tuple[int, bool]
+"""A piece, and whether it is walked from its first place to its second."""
+
+
+@dataclass(frozen=True)
+class Walk:
+    """A line through a network."""
+
+    steps: tuple[Step, ...]
+    is_longest: bool
+    """Whether no longer one can be; with too many loops that is not known."""
+
+
+@dataclass(frozen=True)
+class _Way:
+    """Pieces in a row with no choice between them."""
+
+    start: Hashable
+    stop: Hashable
+    length: float
+    steps: tuple[Step, ...]
+
+    def turned(self) -> _Way:
+        steps = tuple((piece, not forward) for piece, forward in reversed(self.steps))
+        return _Way(self.stop, self.start, self.length, steps)
+
+
+def longest_walks(ends: Mapping[int, tuple[Hashable, Hashable]], lengths: Mapping[int, float]) -> list[Walk]:
+    """``ends``: the two places that each piece joins."""
+    found: list[Walk] = []
+    looked_at = 0
+    waiting = _networks(ends)
+    while waiting:
+        own = {piece: ends[piece] for piece in waiting.pop()}
+        looked_at += len(own)
+        if looked_at > _MOST_LOOKED_AT:
+            found += (Walk(way.steps, False) for way in _ways(own, lengths))
+            continue
+        walk = _longest(_ways(own, lengths))
+        found.append(walk)
+        for piece, _ in walk.steps:
+            del own[piece]
+        waiting += _networks(own)
+    return found
+
+
+def _networks(ends: Mapping[int, tuple[Hashable, Hashable]]) -> list[list[int]]:
+    """Pieces that hang together."""
+    at = _at(ends)
+    found, seen = [], set()
+    for first in ends:
+        if first in seen:
+            continue
+        seen.add(first)
+        network = [first]
+        for piece in network:  # grows
+            for other in (other for place in ends[piece] for other in at[place]):
+                if other not in seen:
+                    seen.add(other)
+                    network.append(other)
+            for place in ends[piece]:
+                at[place] = []
+        found.append(network)
+    return found
+
+
+def _at(ends: Mapping[int, tuple[Hashable, Hashable]]) -> dict[Hashable, list[int]]:
+    at: dict[Hashable, list[int]] = defaultdict(list)
+    for piece, places in ends.items():
+        for place in places:
+            at[place].append(piece)
+    return at
+
+
+def _ways(ends: Mapping[int, tuple[Hashable, Hashable]], lengths: Mapping[int, float]) -> list[_Way]:
+    """One network as ways from choice to choice; a ring without any is one way."""
+    at = _at(ends)
+    choices = [place for place, pieces in at.items() if len(pieces) != 2 or pieces[0] == pieces[1]]
+    seen: set[int] = set()
+    found = []
+    for start in choices or list(at)[:1]:
+        for first in at[start]:
+            if first in seen:
+                continue
+            steps: list[Step] = []
+            place, piece = start, first
+            while True:
+                seen.add(piece)
+                forward = ends[piece][0] == place
+                steps.append((piece, forward))
+                place = ends[piece][1 if forward else 0]
+                following = next((other for other in at[place] if other not in seen), None)
+                if len(at[place]) != 2 or place == start or following is None:
+                    break
+                piece = following
+            found.append(_Way(start, place, sum(lengths[piece] for piece, _ in steps), tuple(steps)))
+    return found
+
+
+def _longest(ways: Sequence[_Way]) -> Walk:
+    """Through one network."""
+    at: dict[Hashable, list[tuple[int, _Way]]] = defaultdict(list)
+    for number, way in enumerate(ways):
+        at[way.start].append((number, way))
+        at[way.stop].append((number, way.turned()))
+    best = _across_tree(at, max(ways, key=lambda way: way.length))
+    if len(at) == len(ways) + 1:
+        return _walk(best, True)
+    longest, tried = _length(best), 0
+    whole = _length(ways)
+    for out in at.values():
+        out.sort(key=lambda one: one[1].length)
+    waiting: list[tuple[Hashable, float, frozenset[Hashable], frozenset[int], tuple[_Way, ...]]]
+    waiting = [(place, 0.0, frozenset(), frozenset(), ()) for place in at]
+    most_steps = min(MOST_STEPS, _MOST_WORK // len(at))
+    while waiting and longest < whole and tried < most_steps:
+        place, length, been, used, path = waiting.pop()
+        for number, way in at[place]:
+            if number in used:
+                continue
+            tried += 1
+            on, there = (*path, way), length + way.length
+            if there > longest:
+                best, longest = on, there
+            if way.stop not in been and longest < whole:
+                waiting.append((way.stop, there, been | {way.stop}, used | {number}, on))
+    return _walk(best, not waiting or longest >= whole)
+
+
+def _across_tree(at: Mapping[Hashable, Sequence[tuple[int, _Way]]], any_way: _Way) -> tuple[_Way, ...]:
+    """The longest walk through a network without loops, by two sweeps; through another one a long one."""
+    far = _farthest(at, any_way.start)
+    return _farthest(at, far[-1].stop if far else any_way.start) or (any_way,)
+
+
+def _farthest(at: Mapping[Hashable, Sequence[tuple[int, _Way]]], start: Hashable) -> tuple[_Way, ...]:
+    """The walk from a place to the one that is farthest."""
+    came: dict[Hashable, _Way | None] = {start: None}
+    metres = {start: 0.0}
+    order = [start]
+    for place in order:  # grows
+        for _, way in at[place]:
+            if way.stop not in came:
+                came[way.stop], metres[way.stop] = way, metres[place] + way.length
+                order.append(way.stop)
+    place = max(order, key=metres.__getitem__)
+    path: list[_Way] = []
+    while (last := came[place]) is not None:
+        path.append(last)
+        place = last.start
+    return tuple(reversed(path))
+
+
+def _length(path: Iterable[_Way]) -> float:
+    return sum(way.length for way in path)
+
+
+def _walk(path: Iterable[_Way], is_longest: bool) -> Walk:
+    return Walk(tuple(step for way in path for step in way.steps), is_longest)
