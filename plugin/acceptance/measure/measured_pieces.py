@@ -55,7 +55,10 @@ def metre_figures(
 def sheet_figures(
     delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun]
 ) -> tuple[MetreFigures, ...]:
-    """Of each sheet by itself, of one without seams too. A piece over a border counts in the sheet of its middle, its metres where they lie."""
+    """Of each sheet by itself, of one without seams too.
+
+    A piece over a border counts in the sheet of its middle, its metres where they lie.
+    """
     sums = {sheet: _SheetSums() for sheet in delivery.sheets}
     for piece, state, is_told in zip(delivery.pieces, states, unclear):
         sums[piece.sheet].pieces += 1
