@@ -83,7 +83,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from .. import height_tables
-        from ..measure.minimum_height import check_heights, minimum_heights
+        from ..measure.minimum_height import check_heights, doubts, minimum_heights
 
         required, reference = self._limits(run)
         check_heights(required, reference)
@@ -102,6 +102,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
                 observations.append(observation)
         if not observations:
             raise SettingsError(messages.NO_OBSERVATIONS())
+        run.tell(*doubts(observations))
         results = minimum_heights(observations, required, reference)
         sink, destination = run.sink(OUTPUT, height_tables.height_fields(keys))
         run.write(sink, (height_tables.height_feature(result, keys) for result in results))

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,7 +20,6 @@ MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Sh
 MIN_TARGET_CONTRAST = 5.0  # bars to gaps: Walczykowski et al. 2009, section 4
 MAX_BAR_SPACING_DIFFERENCE = 0.25  # relative, two steps of 2^(1/6): bars further off are not the group's
 MAX_TARGET_SCALE_DIFFERENCE = 0.2  # relative: more is no error of drawing or of the pixel size
-
 
 
 @dataclass(frozen=True)
@@ -127,7 +126,7 @@ class TargetResolution:
 
 def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target) -> TargetResolution:
     """The verdicts on all lines of a target, and its ground resolved distance by direction and band."""
-    measured = with_full_amplitudes(_without_repeated_groups(measured), target)
+    measured = with_full_amplitudes(_countable_lines(measured, target), target)
     scale, off_scale = _pixels_per_cm(raster, measured, target)
     notices = [] if off_scale is None else [off_scale]
     results = [result for line in measured for result in _line_results(line, target, scale)]
@@ -135,7 +134,8 @@ def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target
     for (direction, band), result in finest.items():
         if result is None:
             notices.append(messages.NO_GRD(direction=direction, band=band))
-    contrasts = _contrasts(results)
+    is_backwards = off_scale is not None and scale is None
+    contrasts = {} if is_backwards else _contrasts(results)  # backwards: the coarsest one is not known
     if contrasts and min(contrasts.values()) < MIN_TARGET_CONTRAST:
         notices.append(messages.TARGET_CONTRAST_LOW(contrast=min(contrasts.values()), least=MIN_TARGET_CONTRAST))
     if target.full_amplitude == GROUP and any(_is_from_nowhere(result) for result in finest.values()):
@@ -161,13 +161,16 @@ def _contrasts(results: Sequence[GroupResult]) -> dict[str, float]:
     return contrasts
 
 
-def _without_repeated_groups(measured: Sequence[MeasuredLine]) -> list[MeasuredLine]:
-    """The lines, all but the first of a group and direction put out of count."""
+def _countable_lines(measured: Sequence[MeasuredLine], target: Target) -> list[MeasuredLine]:
+    """The lines, out of count those of groups that can't be and all but the first of a group and direction."""
     seen: set[tuple[int | None, str]] = set()
     lines = []
     for one in measured:
         key = one.line.group, one.line.direction
-        if one.reason is None and key in seen:
+        if one.reason is None and key[0] is not None and not target.has_group(key[0]):
+            far = messages.GROUP_TOO_FAR(group=key[0], reference=target.reference_group)
+            one = MeasuredLine(one.line, one.segment, reason=far)
+        elif one.reason is None and key in seen:
             one = MeasuredLine(one.line, one.segment, reason=messages.GROUP_TWICE(group=key[0], direction=key[1]))
         elif one.reason is None:
             seen.add(key)
@@ -177,7 +180,7 @@ def _without_repeated_groups(measured: Sequence[MeasuredLine]) -> list[MeasuredL
 
 def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -> list[GroupResult]:
     group = measured.line.group
-    grd = None if group is None else target.grd_cm(group)
+    grd = None if group is None or not target.has_group(group) else target.grd_cm(group)
     if measured.reason is not None or group is None or grd is None:
         return [GroupResult(measured, "", grd, reason=measured.reason)]
     cycle = None if scale is None else target.cycle_cm(group) * scale
@@ -197,6 +200,14 @@ def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -
 
 def _why_unresolved(reading: BarReading, target: Target) -> Message | None:
     """Why a reading is no resolved group; None when it is one."""
+    unclear = _why_unclear(reading, target)
+    if unclear is None and (reading.amplitude or 0.0) < target.criterion * reading.full_amplitude:
+        return messages.BARS_TOO_WEAK(share=reading.share, criterion=target.criterion)
+    return unclear
+
+
+def _why_unclear(reading: BarReading, target: Target) -> Message | None:
+    """Why the bars of a reading are not the group's, however strong they are; None when all of them stand out."""
     found, noise = len(reading.bars), reading.profile.noise
     if reading.is_flat or found == 0:
         return messages.NO_BARS()
@@ -206,8 +217,6 @@ def _why_unresolved(reading: BarReading, target: Target) -> Message | None:
         return messages.BARS_IN_NOISE(amplitude=reading.amplitude, noise=noise)
     if found > target.bars:
         return messages.TOO_MANY_BARS(found=found, bars=target.bars)
-    if reading.amplitude < target.criterion * reading.full_amplitude:
-        return messages.BARS_TOO_WEAK(share=reading.share, criterion=target.criterion)
     return None
 
 
@@ -234,20 +243,11 @@ def _pixels_per_cm(
     reference group. Only bars count for it that lie too far apart to be aliased.
     """
     ground = 0.01 / raster.ground_sample_distance if raster.has_place else None
-    seen: list[tuple[float, float]] = []
-    for one in measured:
-        group = one.line.group
-        if one.reason is not None or group is None:
-            continue
-        good = [reading for reading in one.readings.values() if _why_unresolved(reading, target) is None]
-        spacings = [reading.spacing for reading in good if reading.spacing is not None]
-        if spacings and float(np.median(spacings)) >= MIN_ALIAS_FREE_PX:
-            seen.append((target.cycle_cm(group), float(np.median(spacings))))
+    if _runs_backwards(_spacings(measured, target, _why_unclear)):  # then amplitudes are held against wrong ones
+        return None, messages.TARGET_REVERSED()
+    seen = _spacings(measured, target, _why_unresolved)
     if not seen:
         return ground, None
-    seen.sort(reverse=True)
-    if _runs_backwards(seen):
-        return None, messages.TARGET_REVERSED()
     scale = float(np.median([spacing / cycle for cycle, spacing in seen[:3]]))
     if ground is None:
         return scale, None
@@ -256,11 +256,27 @@ def _pixels_per_cm(
     return ground, None
 
 
+def _spacings(
+    measured: Sequence[MeasuredLine], target: Target, why_not: Callable[[BarReading, Target], Message | None]
+) -> list[tuple[float, float]]:
+    """Cycle by number, cm, and spacing, px, of groups with readings that nothing is held against, coarsest first."""
+    seen = []
+    for one in measured:
+        group = one.line.group
+        if one.reason is not None or group is None:
+            continue
+        good = [reading for reading in one.readings.values() if why_not(reading, target) is None]
+        spacings = [reading.spacing for reading in good if reading.spacing is not None]
+        if spacings and float(np.median(spacings)) >= MIN_ALIAS_FREE_PX:
+            seen.append((target.cycle_cm(group), float(np.median(spacings))))
+    return sorted(seen, reverse=True)
+
+
 def _runs_backwards(seen: Sequence[tuple[float, float]]) -> bool:
     """Whether bars of a larger distance lie closer together."""
-    distances, spacings = np.log(np.array(seen)).T
-    if np.ptp(distances) == 0:
+    if len({distance for distance, _ in seen}) < 2:
         return False
+    distances, spacings = np.log(np.array(seen)).T
     slope = float(np.polyfit(distances, spacings, 1)[0])
     return slope < -0.5
 
@@ -275,12 +291,13 @@ def _without_spurious(
     lost: dict[tuple[str, str], int] = {}  # the first group of a direction and band that is not resolved
     for place in order:
         result = judged[place]
+        key = result.measured.line.direction, result.band
+        if result.reading is not None:
+            finest.setdefault(key, None)  # a band that shows no bars at all resolves nothing
         if not result.is_judged:
             continue
         group = result.measured.line.group
         assert group is not None
-        key = result.measured.line.direction, result.band
-        finest.setdefault(key, None)
         if result.resolved and key in lost:
             judged[place] = replace(
                 result, resolved=False, spurious=True, reason=messages.BARS_SPURIOUS(group=lost[key])

@@ -33,6 +33,9 @@ BAR_LINE_TOO_LONG = Message(
 )
 GROUP_NOT_GIVEN = Message("The line has no whole number in its field 'group'; fill in the group's number.", INFO)
 DIRECTION_UNKNOWN = Message("The line's direction is '{direction}'; fill in 'along' or 'across'.", INFO)
+GROUP_TOO_FAR = Message(
+    "Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.", INFO
+)
 GROUP_TWICE = Message(
     "Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its "
     "number.", INFO
@@ -100,6 +103,14 @@ OBSERVATION_NO_NUMBER = Message("'{word}' is no number; give metres and centimet
 OBSERVATION_IMPOSSIBLE = Message(
     "Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to "
     "{highest:g} and centimetres from {least:g} to {most:g}.", INFO
+)
+COLUMNS_INTERCHANGED = Message(
+    "A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; 'height' is in metres "
+    "and 'grd' in centimetres, so check whether both are interchanged.", WARNING
+)
+GRD_IN_METRES = Message(
+    "A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; 'grd' is "
+    "in centimetres, so check whether it holds metres.", WARNING
 )
 FEW_OBSERVATIONS = Message("{count} passes over the target; the Open Skies treaty asks for {least} at least.", WARNING)
 # the Bayer filter

@@ -12,6 +12,9 @@ from . import messages
 
 MIN_OBSERVATIONS = 5  # of the minimum height: the Open Skies treaty asks for five passes
 MAX_HEIGHT_M, MIN_GRD_CM, MAX_GRD_CM = 1e6, 1e-3, 1e6  # from a microscope to a satellite
+MAX_RESOLUTION_RAD = 0.05  # distance over height: thermal cameras of a few pixels keep to 0.01
+MIN_RESOLUTION_RAD = 5e-6  # diffraction at an aperture of 13 cm: below it are telescopes
+MAX_AIRCRAFT_HEIGHT_M = 1e5  # telescopes fly above it
 
 Key = tuple[str, ...]
 
@@ -88,6 +91,19 @@ def check_heights(required_cm: float, reference_m: float | None) -> None:
         raise SettingsError(messages.REQUIRED_GRD_IMPOSSIBLE(grd=required_cm, least=MIN_GRD_CM, most=MAX_GRD_CM))
     if reference_m is not None and not 0 < reference_m <= MAX_HEIGHT_M:
         raise SettingsError(messages.REFERENCE_HEIGHT_IMPOSSIBLE(height=reference_m, highest=MAX_HEIGHT_M))
+
+
+def doubts(observations: Iterable[Observation]) -> list[Message]:
+    """What no camera resolves, so that the columns or their units may be wrong: once each, with the first such pass."""
+    found: dict[str, Message] = {}
+    for one in observations:
+        for grd in one.grds_cm:
+            resolution = grd / 100 / one.height_m
+            if resolution > MAX_RESOLUTION_RAD:
+                found.setdefault("coarse", messages.COLUMNS_INTERCHANGED(grd=grd, height=one.height_m))
+            elif resolution < MIN_RESOLUTION_RAD and one.height_m <= MAX_AIRCRAFT_HEIGHT_M:
+                found.setdefault("fine", messages.GRD_IN_METRES(grd=grd, height=one.height_m))
+    return list(found.values())
 
 
 def minimum_heights(

@@ -55,6 +55,10 @@ class Target:
         finer = group - self.reference_group
         return self.reference_grd_cm * self.step ** (finer if self.reversed else -finer)
 
+    def has_group(self, group: int) -> bool:
+        """Whether a target can have bars of that number: so near the reference group that they have a width."""
+        return abs(group - self.reference_group) * math.log(self.step) <= math.log(limits.MAX_GROUP_RATIO)
+
     def cycle_cm(self, group: int) -> float:
         """Width of a bar and a gap of a group together, cm."""
         return self.grd_cm(group) * (2 if self.grd_of == BAR else 1)

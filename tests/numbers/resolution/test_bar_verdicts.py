@@ -89,3 +89,39 @@ def test_bars_that_lie_as_the_pixel_size_says_need_no_notice(
     notice = resolution(path, {0: bars.line()}, Target(reference_group=0, reference_grd_cm=true_cm)).scale_notice
     assert (notice is None) == (said is None)
     assert said is None or said in str(notice)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_whole_target_numbered_against_its_widths_is_told(make_raster: MakeRaster, turned: bool) -> None:
+    """Even where the amplitudes, held against those of the wrong groups, let hardly one seem resolved."""
+    cycles = [36 / 2 ** (number / 6) for number in range(12)]
+    shape, groups = row_of_groups(cycles, 0.0, np.random.default_rng(1))
+    path = make_raster("target.tif", image(shape, groups, 2.5, 1.0), gsd=0.1)
+    lines = {group: bars.line() for group, bars in enumerate(groups)}
+    found = resolution(path, lines, Target(reference_group=0, reference_grd_cm=360, reversed=turned))
+    assert ("get wider" in str(found.scale_notice)) is turned
+    assert bool(found.contrasts) is not turned  # which group is the coarsest one is not known
+
+
+@pytest.mark.parametrize(("group", "reference"), [(10_000, 0), (0, 10_000), (-10_000, 0), (10**12, 0)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_groups_too_far_from_the_reference_group_have_a_reason(
+    make_raster: MakeRaster, group: int, reference: int, turned: bool
+) -> None:
+    shape, (bars,) = row_of_groups([12.0], 0.0, np.random.default_rng(1))
+    path = make_raster("target.tif", image(shape, [bars], 0.5, 1.0), gsd=0.1)
+    (result,) = resolution(path, {group: bars.line()}, Target(reference_group=reference, reversed=turned)).results
+    assert f"Group {group} is too far from the reference group {reference}" in str(result.reason)
+    assert (result.resolved, result.grd_cm) == (False, None)
+
+
+def test_a_band_without_any_bars_leaves_no_worst_of_the_bands(make_raster: MakeRaster) -> None:
+    shape, groups = row_of_groups([14.0, 12.0, 10.0], 0.0, np.random.default_rng(1))
+    seen = image(shape, groups, 0.5, 1.0)
+    path = make_raster("target.tif", np.stack([seen, seen, np.full_like(seen, 3)]), gsd=0.1)
+    lines = {group: bars.line() for group, bars in enumerate(groups)}
+    found = resolution(path, lines, Target(reference_group=0, reference_grd_cm=140, step=7 / 6))
+    assert found.grd_cm["along", "red"] is not None
+    assert found.worst("along") is None
+    (told,) = [str(notice) for notice in found.notices if "is resolved in" in str(notice)]
+    assert "blue" in told

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.resolution.measure.minimum_height import Observation, minimum_heights
+from seam_inspector.plugin.resolution.measure.minimum_height import Observation, doubts, minimum_heights
 
 POSITIVE = st.floats(0.01, 1e5)
 
@@ -86,3 +86,17 @@ def test_numbers_that_are_not_positive_are_refused(required: float, reference: f
 ])
 def test_an_observation_that_can_not_be_says_so(values: tuple[float, float]) -> None:
     assert "give positive numbers" in str(Observation(values[0], (30.0, values[1])).fault)
+
+
+@pytest.mark.parametrize(("height", "grd", "words"), [
+    (33.67, 3000, "interchanged"),  # the paper's example with its columns changed over
+    (3000, 0.3367, "holds metres"),
+    (3000, 33.67, None),
+    (100, 3, None),  # a drone
+    (500_000, 30, None),  # a satellite
+])
+def test_distances_that_no_camera_resolves_are_doubted(height: float, grd: float, words: str | None) -> None:
+    """Once each, however many passes there are."""
+    found = doubts([Observation(height, (grd,)), Observation(height, (grd, grd))])
+    assert len(found) == (words is not None)
+    assert all(str(words) in str(notice) for notice in found)

@@ -196,6 +196,14 @@ def test_lines_that_show_nothing_at_all_are_no_success(target: BarScene, places:
     assert "leaves target.tif" in told or "No bars stand out" in told
 
 
+@pytest.mark.parametrize("parameters", [{"REFERENCE_GROUP": 10_000}, {"REFERENCE_GROUP": 10_000, "REVERSED": True}])
+def test_a_reference_group_far_from_all_others_is_a_sentence(target: BarScene, parameters: dict[str, object]) -> None:
+    log = Log()
+    made = measure(log, RASTER=target.path, GROUPS=target.lines(), **{**TARGET, **parameters})
+    assert "lines shows bars that can be measured" in str(made.complaint)
+    assert any("too far from the reference group 10000" in words for words in [*log.infos, *log.warnings])
+
+
 def test_a_target_numbered_the_other_way_is_told(target: BarScene) -> None:
     log = Log()
     keys = [(1, "along"), (2, "along"), (3, "along")]

@@ -38,6 +38,13 @@ def test_the_papers_example(provider: QgsProcessingProvider) -> None:
     assert "treaty" in row["notice"]
 
 
+@pytest.mark.parametrize(("row", "words"), [((33.67, 3000.0), "interchanged"), ((3000.0, 0.3367), "holds metres")])
+def test_columns_interchanged_and_other_units_are_doubted(row: tuple[float, float], words: str) -> None:
+    log = Log()
+    run("minimumheight", log, OBSERVATIONS=table([row]))
+    assert any(words in warning for warning in log.warnings)
+
+
 def test_groups_and_passes() -> None:
     rows = [("DMC", "PAN", "along", 3000, 30.0 + number) for number in range(5)] + [("DMC", "RGB", "along", 2500, 60.0)]
     observations = table(rows, sensor="string", image_type="string", direction="string", height="integer", grd="double")
