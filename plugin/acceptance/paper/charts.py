@@ -30,6 +30,7 @@ _NAME_PT, _LETTER_PT = 6.0, 3.6  # a sheet's name, and how wide a letter of it i
 _HALO = [patheffects.withStroke(linewidth=1.6, foreground="white")]
 _NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
 _MOST_STEPS = 4000
+_CROWDED_NAMES_PT = (45.0, 9.0)  # likewise of sheets
 _CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures nearer to each other than that are left out
 
 
@@ -52,11 +53,15 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
         middle = np.array([(xmin + xmax) / 2, (ymin + ymax) / 2])
         return (points - middle) * (metres_x * scale, metres_y * scale)
 
+    named: list[np.ndarray] = []
     for name, rings in outlines.items():
         for ring in rings:
             axes.plot(*placed(ring).T, color=PAPER.grid, linewidth=0.8)
         left, _, right, top = _extent(map(placed, rings))
-        if 1 < len(outlines) <= _MOST_SHEET_NAMES:
+        corner = np.array([left, top])
+        is_free = all((abs(corner - other) > _CROWDED_NAMES_PT).any() for other in named)
+        if 1 < len(outlines) <= _MOST_SHEET_NAMES and is_free:
+            named.append(corner)
             axes.text(left + 2, top - 2, _short(name, (right - left - 4) / _LETTER_PT), color=_NAME_COLOUR,
                       fontsize=_NAME_PT, ha="left", va="top", parse_math=False, path_effects=_HALO, zorder=3)
     for state, colour in STATE_COLOURS.items():
