@@ -27,6 +27,7 @@ from .decision import (
 )
 from .delivery import Delivery, SeenWindow
 from .failure_runs import failure_runs
+from .given_sample import of_sample, sample_sentences, without_runs
 from .measured_pieces import failed_shares, is_unclear, metre_figures, piece_state, seen_state, sheet_figures
 from .observing import observers, windows_over
 from .sampled_lot import sampled_lot
@@ -56,6 +57,10 @@ def decide(
     runs = failure_runs(delivery.pieces, states, delivery.unit_m, None if by_observer else rules.least_kept)
     whole = metre_figures("", delivery, states, unclear, runs)
     outcomes = [_outcome(rule, _value(rule.check, whole)) for rule in rules.rules]
+    sheets = list(sheet_figures(delivery, states, unclear, runs))
+    if delivery.is_part:
+        outcomes = [of_sample(outcome) for outcome in outcomes]
+        whole, *sheets = without_runs((whole, *sheets))
     plan, sampled, told = None, set(range(len(states))), []
     if rules.sampling is not None:
         lot = sampled_lot(delivery, states, rules.sampling, lot_size, seed)
@@ -65,16 +70,16 @@ def decide(
     accepted = all(outcome.passed is True for outcome in outcomes)
     sentences = (
         _decision_sentence(rules, outcomes, accepted),
-        *_figures(whole, interval, runs, rules, delivery.sampled_numbers is not None),
+        *_figures(whole, interval, runs, rules),
+        *sample_sentences(delivery, rules.sampling is not None),
         *told,
         *(_by_observer(delivery) if by_observer else ()),
         *_observers_sentences(seen),
     )
     pieces = _decided(delivery, states, unclear, runs, sampled, windows)
-    sheets = sheet_figures(delivery, states, unclear, runs)
     return Decision(
-        accepted, sentences, rules, delivery, tuple(outcomes), whole, sheets, interval, pieces, runs, plan, seen,
-        by_observer,
+        accepted, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), interval, pieces, runs, plan,
+        seen, by_observer,
     )  # fmt: skip
 
 
@@ -144,14 +149,13 @@ def _decision_sentence(rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], 
 
 
 def _figures(
-    whole: MetreFigures, interval: Interval | None, runs: Sequence[FailureRun], rules: AcceptanceRules,
-    is_sample: bool,
+    whole: MetreFigures, interval: Interval | None, runs: Sequence[FailureRun], rules: AcceptanceRules
 ) -> Iterator[Message]:
     if interval is not None:
         yield messages.SHARE_INTERVAL(
             failed=whole.failed_m, measured=whole.measured_m, share=interval.value, low=interval.low, high=interval.high
         )
-    if runs:
+    if runs and whole.longest_failure_m is not None:
         yield from _lengths(whole, runs, rules)
     if whole.not_measured_m:
         yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.total_m)
@@ -159,8 +163,6 @@ def _figures(
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=rules.least_kept)
     if rules.least_kept <= 0:
         yield messages.NOTHING_IS_ASKED()
-    if is_sample and rules.sampling is None:
-        yield messages.SAMPLE_ONLY()
 
 
 def _by_observer(delivery: Delivery) -> Iterator[Message]:

@@ -102,8 +102,8 @@ class MetreFigures:
     failed_m: float
     unclear_m: float
     """In pieces of which the interval holds the limit, failed or passed."""
-    longest_failure_m: float
-    """Of the pieces in it alone."""
+    longest_failure_m: float | None
+    """Of the pieces in it alone; None where they are a sample."""
 
     @property
     def not_measured_m(self) -> float:
@@ -196,5 +196,6 @@ class Decision:
         return tuple(one for one in self.pieces if one.state is PieceState.FAILED)
 
     @property
-    def longest_failure_m(self) -> float:
-        return self.runs[0].length_m if self.runs else 0.0
+    def longest_failure_m(self) -> float | None:
+        """None where the delivery is a sample, which does not tell."""
+        return self.whole.longest_failure_m

@@ -167,6 +167,12 @@ class Delivery:
         return tuple(number for _, number in sorted(drawn)) if drawn else None
 
     @property
+    def is_part(self) -> bool:
+        """Whether the layers are a sample that leaves some of its lot out."""
+        drawn = self.sampled_numbers
+        return drawn is not None and (self.lot_size is None or self.lot_size > len(drawn))
+
+    @property
     def sheets(self) -> tuple[str, ...]:
         """Their names in order: those with seams, and those whose outlines were given."""
         own = {name for one in self.pieces for name in one.sheets}

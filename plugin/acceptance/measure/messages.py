@@ -133,10 +133,15 @@ WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are 
 NOTHING_IS_ASKED = Message(
     "A piece fails when it keeps less than 0, which none can: what was measured passes whatever it kept.", WARNING
 )
-SAMPLE_ONLY = Message(
-    "The layers are a sample that was planned, and all of it was judged by its metres; they speak of the sample alone.",
-    WARNING,
+SAMPLE_GIVEN = Message(
+    "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the "
+    "longest failure of the delivery is can't be told from it.", INFO
 )
+SAMPLE_ONLY = Message(
+    "The limits are for all metres of a delivery, and here they speak of the sample alone; decide by the plan that it "
+    "was drawn for, or give the layers of the scan.", WARNING
+)
+RUN_NOT_IN_SAMPLE = Message("how long the longest failure is can't be told from a sample", INFO)
 # observers
 BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
 NO_JUDGED_WINDOWS = Message("The operators' words are in the windows; give WINDOWS, or judge by the tool.")

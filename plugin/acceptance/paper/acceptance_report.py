@@ -133,13 +133,14 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
     failed = share(whole.failed_share)
     if interval is not None:
         failed += f" ({shown_number(100 * interval.low)} - {shown_number(100 * interval.high)}\u00a0%)"
+    longest = decision.longest_failure_m
     return [
         (metres(whole.total_m), tr("of seam") if decision.delivery.sampled_numbers is None else (
             tr("of seam in the sample"))),
         (share(whole.measured_share, 1), tr("of it measured")),
         (metres(whole.failed_m), tr("of it failed")),
         (failed, tr("of what was measured failed (95 % interval)")),
-        (metres(decision.longest_failure_m), tr("failed without a break")),
+        *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
     ]
 
 

@@ -122,14 +122,17 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
             )),
             _conformance(outcomes.get(rules.FAILED_SHARE)),
         )
-    yield QualityElement(
-        ACCURACY, rules.LONGEST_FAILURE, check_word(rules.LONGEST_FAILURE),
-        tr("Length of the longest row of failed pieces that follow each other without a break, across sheets too."),
-        full,
-        (Quantity((decision.longest_failure_m,), METRES),
-         *(Quantity((one.longest_failure_m,), METRES, sheet=one.name) for one in decision.sheets if one.piece_count)),
-        _conformance(outcomes.get(rules.LONGEST_FAILURE)),
-    )
+    if decision.longest_failure_m is not None:
+        yield QualityElement(
+            ACCURACY, rules.LONGEST_FAILURE, check_word(rules.LONGEST_FAILURE),
+            tr("Length of the longest row of failed pieces that follow each other without a break, across sheets too."),
+            full,
+            (Quantity((decision.longest_failure_m,), METRES), *(
+                Quantity((one.longest_failure_m,), METRES, sheet=one.name)
+                for one in decision.sheets if one.piece_count and one.longest_failure_m is not None
+            )),
+            _conformance(outcomes.get(rules.LONGEST_FAILURE)),
+        )
     kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
     if kept:
         yield QualityElement(
@@ -178,13 +181,14 @@ def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | Non
 
 def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterator[QualityElement]:
     derived = Evaluation(DERIVED, tr("From the results of all pieces of seam."))
+    all_pieces = "acceptance" if decision.longest_failure_m is None else rules.LONGEST_FAILURE
     yield QualityElement(
         REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
         tr("Length of seam that could be measured, by the length of all seams."), derived,
         (Quantity((100 * decision.whole.measured_share,), PER_CENT),
          *(Quantity((100 * one.measured_share,), PER_CENT, sheet=one.name)
            for one in decision.sheets if one.piece_count)),
-        _conformance(outcomes.get(rules.MEASURED_SHARE)), about=rules.LONGEST_FAILURE,
+        _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
     )
     if (interval := decision.failed_share) is not None:
         yield QualityElement(
@@ -211,7 +215,7 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
                     str(found.count),
                 )),
                 (Quantity((kappa.value, kappa.low, kappa.high), ONE, tr("kappa; lower end; upper end (95 %)")),),
-                about=rules.LONGEST_FAILURE,
+                about=all_pieces,
             )
 
 

@@ -129,6 +129,28 @@ def test_a_sample_that_lacks_pieces_decides_only_what_they_can_not_change() -> N
     assert (found(1, 1), found(1, 2), found(3, 5)) == (True, None, False)
 
 
+@pytest.mark.parametrize("sampling", [None, SAMPLING])
+def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | None) -> None:
+    pieces = [replace(piece, sample_number=place + 1) for place, piece in enumerate(seam([0.4] + [0.9] * 79))]
+    part = replace(delivery(pieces), lot_size=1000)
+    found = decide(part, rules(share=0.02, run=50.0, sampling=sampling))
+    outcome = next(one for one in found.outcomes if one.check == "longest_failure")
+    assert (outcome.passed, outcome.value, found.accepted) == (None, None, False)
+    assert found.longest_failure_m is None
+    assert {one.longest_failure_m for one in (found.whole, *found.sheets)} == {None}
+    told = [str(said) for said in found.sentences]
+    assert "can't be told from a sample" in told[0]
+    assert any("a sample of 80 pieces" in said for said in told)
+    assert not any("without a break: " in said for said in told)
+    assert any("decide by the plan" in said for said in told) == (sampling is None)
+    assert decide(part, rules(share=0.02, run=None, sampling=sampling)).accepted  # the share can be estimated
+    too_long = next(one for one in decide(part, rules(run=5.0)).outcomes if one.check == "longest_failure")
+    assert too_long.passed is False  # what the sample shows is at least as long in the delivery
+    whole = decide(replace(part, lot_size=80), rules(share=0.02, run=50.0))
+    assert whole.accepted
+    assert whole.longest_failure_m == whole.runs[0].length_m
+
+
 def test_too_small_a_sample_is_not_accepted() -> None:
     found = decide(delivery(seam([0.9] * 40)), rules(None, None, sampling=SAMPLING), lot_size=1000)
     assert not found.accepted

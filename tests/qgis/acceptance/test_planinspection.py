@@ -63,6 +63,20 @@ def test_the_sample_is_decided_on() -> None:
     assert any("needs a sample of 125 pieces and 80 were" in text for text in other.log.infos) or failed > 3
     judged = run("acceptmosaic", SEAMS=[sample], **parameters)
     assert any("they speak of the sample alone" in text for text in judged.log.warnings)
+    assert judged.results.get("LONGEST_FAILURE") is None
+    assert not any("without a break: " in text for text in (*judged.log.infos, *outcome.log.infos))
+
+
+def test_the_papers_of_a_sample_say_nothing_of_the_longest_failure(tmp_path: Path) -> None:
+    planned = plan(seams([0.5] * 200 + [P] * 800), PLAN="iso2859", AQL="1.0")
+    report, quality = tmp_path / "report.html", tmp_path / "quality.xml"
+    outcome = run(
+        "acceptmosaic", SEAMS=[planned.layer()], PLAN="iso2859", AQL="1.0", REPORT=str(report), QUALITY=str(quality),
+        DEFECTS=None, CHART=None,
+    )
+    assert outcome.complaint is None
+    assert "failed without a break" not in report.read_text(encoding="utf-8")
+    assert "longest_failure" not in quality.read_text(encoding="utf-8")
 
 
 def test_a_sample_that_an_operator_judged_is_decided_on(scene: Scene) -> None:
