@@ -55,7 +55,7 @@ class CompareSensorModels(SensorAlgorithm):
 
         image = self._image()
         rpc = self._rpc(run, sensor_parameters.IMAGE_RPC, image)
-        points = self._points(run, image)
+        points = self._points(run, image, rpc)
         size = (float(image.columns), float(image.rows)) if image is not None else None
         notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
         run.tell(*notices)

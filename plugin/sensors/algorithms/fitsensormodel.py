@@ -130,7 +130,7 @@ class FitSensorModel(SensorAlgorithm):
 
         image = self._image()
         request = self._request(run, image)
-        points = self._points(run, image, request)
+        points = self._points(run, image, request.rpc, request)
         done = adjust(request, points, run.flag(sensor_parameters.ROBUST))
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)

@@ -1,6 +1,7 @@
 """What the algorithms of sensor models share: their points, images, heights, and those parameters."""
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from ..measure.points import Points
     from ..measure.view_direction import ViewDirection
 
+MOST_CHECK_SHARE = 0.9
 DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
 ORBIT_HEIGHTS_KM = {  # by the satellite's name in the image's metadata; the operators' data sheets
     "PHR": 694.0, "PLEIADES": 694.0, "SPOT": 694.0, "PNEO": 620.0, "IK": 681.0, "QB": 450.0, "WV01": 496.0,
@@ -72,7 +74,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(*geoid())
         share = tr("Share of check points")
         self.addDescribed(
-            number(CHECK_SHARE, share, number.Type.Double, DEFAULT_CHECK_SHARE, minValue=0, maxValue=0.9),
+            number(CHECK_SHARE, share, number.Type.Double, DEFAULT_CHECK_SHARE, minValue=0, maxValue=MOST_CHECK_SHARE),
             tr(
                 "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in "
                 "it. The same points give the same choice."
@@ -132,12 +134,20 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
         return open_image(self._image_ref) if self._image_ref is not None else None
 
-    def _points(self, run: Run, image: OpenRaster | None, request: ModelRequest | None = None) -> Points:
-        """The points with roles, and heights where the model (None: any model) needs them."""
-        from ..measure.plausible_points import check_plausible
+    def _points(
+        self, run: Run, image: OpenRaster | None, rpc: Rational | None, request: ModelRequest | None = None
+    ) -> Points:
+        """The points with roles, and heights where the model (None: any model) needs them.
+
+        They are held against the image's own ``rpc`` where there is one.
+        """
+        from ..measure.plausible_points import check_against_rpc, check_plausible
         from ..measure.point_heights import with_heights
         from ..measure.points import choose_check_points
 
+        share = run.real(CHECK_SHARE)
+        if not 0 <= share <= MOST_CHECK_SHARE:  # QGIS lets what is no number pass
+            raise SettingsError(messages.CHECK_SHARE_UNSOUND(share=share, most=MOST_CHECK_SHARE))
         points, with_roles, notices = self._points_given(run, image)
         run.tell(*notices)
         check_plausible(points, (image.columns, image.rows) if image is not None else None)
@@ -147,9 +157,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             run.tell(*notices)
         if not len(points):
             raise SettingsError(messages.NO_POINTS())
+        if rpc is not None:
+            run.tell(*check_against_rpc(points, rpc))
         if with_roles:
             return points
-        total, share = len(points), run.real(CHECK_SHARE)
+        total = len(points)
         points = choose_check_points(points, share)
         count = total - int(points.check.sum())
         if request is not None and count < request.variant.fewest <= total:
@@ -198,6 +210,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
         """As given, else by the satellite that the image's metadata name, else the default."""
         given = run.real(ORBIT_HEIGHT)
+        if math.isnan(given):
+            raise SettingsError(messages.NUMBER_MISSING(name=tr("Height of the orbit (km)")))
         if given > 0:
             return given * 1000
         from ..measure.sensor_images import satellite_name

@@ -29,6 +29,7 @@ POINT_LEFT_OUT = Message("Point {name} is left out: {why}", WARNING)
 # why a point is left out
 POINT_WITHOUT_PLACE = Message("its place in the image or on the ground is missing.", INFO)
 POINT_ROLE_UNKNOWN = Message("its role '{role}' is neither control nor check.", INFO)
+POINT_WITHOUT_HEIGHT = Message("it has no height, and others have one.", INFO)
 POINT_OFF_DEM = Message("it has no height and the terrain model has none there.", INFO)
 # points that can't be what they are said to be
 POINTS_NO_DEGREES = Message(
@@ -53,6 +54,24 @@ POINTS_OUTSIDE_IMAGE = Message(
     "{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose "
     "their image."
 )
+POINTS_BEYOND_RPC_HEIGHTS = Message(
+    "{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image's RPC holds for {first:.0f} to "
+    "{last:.0f} m, so errors and recommendation mean nothing if the heights are wrong; check them and their unit.",
+    WARNING,
+)
+RPC_SEES_NO_POINTS = Message(
+    "The image's RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, "
+    "their reference system and heights, and that it is the RPC of this image."
+)
+RPC_SEES_INTERCHANGED = Message(
+    "By the image's RPC the points' columns and rows are interchanged; interchange the two fields."
+)
+RPC_SEES_TURNED = Message(
+    "By the image's RPC the points are measured in a mirrored or turned image; count columns and rows from the upper "
+    "left corner of the image that the RPC belongs to."
+)
+CHECK_SHARE_UNSOUND = Message("The share of check points is {share:g}; give a number from 0 to {most:g}.")
+NUMBER_MISSING = Message("{name} is no number; give one, or leave it empty.")
 # points that do not determine a model
 NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "

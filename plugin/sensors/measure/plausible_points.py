@@ -8,6 +8,7 @@ from ...imagery.message import Message
 from ...imagery.reference_systems import is_geographic
 from . import messages
 from .ground_system import GroundSystem
+from .models.rational import Rational
 from .points import Points
 
 LOWEST_M, HIGHEST_M = -12_000.0, 9000.0  # the Mariana Trench and Mount Everest, with what a geoid adds
@@ -15,6 +16,12 @@ FINEST_M, COARSEST_M = 1e-4, 1e5  # of a pixel on the ground: a scanned sample, 
 MARGIN = 0.05  # of the image's sides: as far beyond its border a point may be measured
 FEWEST_INSIDE = 0.5  # of the points, for a turned reading of them to be believed
 _SHOWN = 5
+RPC_HEIGHTS = 2.0  # of the range of heights that an RPC is made for: as far from its middle a point may be
+UNDULATION_M = 100.0  # what heights above sea level may miss the ellipsoid by, and so an RPC's range
+RPC_FAR, RPC_FAR_PX = 3.0, 2000.0  # half images, and pixels, from the image's middle: no vendor's RPC is so far off
+TURNED_LEAVES = 0.1  # of what points miss the RPC by, once they are read in a turned image: then they are of such
+TURNED_MISS = 0.02  # half images: what they miss it by at least for that to be asked
+_FEWEST_TURNED = 3  # fewer follow a turned reading by chance
 
 
 def check_plausible(points: Points, size: tuple[int, int] | None) -> None:
@@ -28,7 +35,7 @@ def check_plausible(points: Points, size: tuple[int, int] | None) -> None:
         raise SensorModelError(messages.POINTS_NO_DEGREES(x=float(x[0]), y=float(y[0])))
     heights = z[np.isfinite(z)]
     if len(heights) and (heights.min() < LOWEST_M or heights.max() > HIGHEST_M):
-        index = int(np.nanargmax(np.abs(z)))
+        index = int(np.argmax(np.where(np.isfinite(z), np.abs(z), -1)))
         raise SensorModelError(messages.POINT_HEIGHT_IMPLAUSIBLE(name=points.ids[index], height=float(z[index])))
     across, metres = np.ptp(points.image, axis=0).max(), GroundSystem(points.wkt).metres(float(y.mean()))
     if across > 0 and len(points) > 1:
@@ -64,3 +71,56 @@ def _outside(points: Points, inside: np.ndarray, size: tuple[int, int]) -> Messa
     return messages.POINTS_OUTSIDE_IMAGE(
         count=len(names), names=", ".join(names[:_SHOWN]), columns=size[0], rows=size[1]
     )
+
+
+def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
+    """What to say of points whose heights (above the ellipsoid) the image's own RPC is not made for.
+
+    Raises SensorModelError for places it sees far outside the image (x and y interchanged, another reference system,
+    another image's RPC), and for columns and rows of a mirrored or turned image, which an affine correction of the RPC
+    would follow.
+    """
+    points = points.only(np.isfinite(points.ground).all(axis=1))
+    if not len(points):
+        return []
+    seen = rpc.project(GroundSystem(points.wkt).to_geographic(points.ground))
+    half = np.abs(rpc.image.scale)
+    away = np.abs(seen - rpc.image.offset)
+    far = ~(away <= np.maximum(RPC_FAR * half, RPC_FAR_PX)).all(axis=1)
+    if far.mean() > FEWEST_INSIDE:
+        raise SensorModelError(messages.RPC_SEES_NO_POINTS(distance=float(np.nanmedian((away - half).max(axis=1)))))
+    _check_turned((points.image - rpc.image.offset)[~far], (seen - rpc.image.offset)[~far], half)
+    return _beyond_rpc_heights(points, rpc)
+
+
+def _beyond_rpc_heights(points: Points, rpc: Rational) -> list[Message]:
+    heights, middle, half = points.ground[:, 2], float(rpc.ground.offset[2]), abs(float(rpc.ground.scale[2]))
+    beyond = np.abs(heights - middle) > max(RPC_HEIGHTS * half, half + UNDULATION_M)
+    if not beyond.any():
+        return []
+    names = ", ".join([name for name, one in zip(points.ids, beyond) if one][:_SHOWN])
+    low, high = float(heights[beyond].min()), float(heights[beyond].max())
+    return [
+        messages.POINTS_BEYOND_RPC_HEIGHTS(
+            count=int(beyond.sum()), names=names, low=low, high=high, first=middle - half, last=middle + half
+        )
+    ]
+
+
+def _check_turned(image: np.ndarray, seen: np.ndarray, half: np.ndarray) -> None:
+    """Of the ways to mirror and turn an image, that which brings points to where the RPC sees them but for a shift."""
+    if len(image) < _FEWEST_TURNED:
+        return
+    as_given = _scatter(image - seen)
+    if as_given < TURNED_MISS * half.min():
+        return
+    for axes in ([0, 1], [1, 0]):
+        for signs in ([1, 1], [-1, 1], [1, -1], [-1, -1]):
+            if _scatter(image[:, axes] * signs - seen) < TURNED_LEAVES * as_given:
+                plain = axes == [1, 0] and signs == [1, 1]
+                raise SensorModelError(messages.RPC_SEES_INTERCHANGED() if plain else messages.RPC_SEES_TURNED())
+
+
+def _scatter(misses: np.ndarray) -> float:
+    """How far from their median misses (n, 2) usually lie: a shift and single blunders play no part."""
+    return float(np.median(np.linalg.norm(misses - np.median(misses, axis=0), axis=1)))

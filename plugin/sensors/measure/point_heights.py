@@ -23,7 +23,8 @@ def with_heights(
     """Points with heights above the ellipsoid, and what to say about them.
 
     Heights that points have refer to ``datum``; points without get the terrain
-    model's. Those that lie off the terrain model are left out. Raises RasterError for a terrain model that can't be
+    model's. Those that lie off the terrain model are left out, and without one those that have none where others do.
+    Raises RasterError for a terrain model that can't be
     used and for heights that PROJ has no grid for.
     """
     notices: list[Message] = []
@@ -44,10 +45,11 @@ def with_heights(
         terrain = load_terrain(dem, extent, dem_datum)
         notices += terrain.notices
         heights[~given] = terrain.at(geographic[~given])
-        off = ~np.isfinite(heights)
-        why = messages.POINT_OFF_DEM()
-        notices += [messages.POINT_LEFT_OUT(name=point, why=why) for point, gone in zip(points.ids, off) if gone]
-        points, heights = points.only(~off), heights[~off]
+    without = ~np.isfinite(heights)
+    if without.any() and (dem is not None or given.any()):  # where no point has one, only models in space are lost
+        why = messages.POINT_WITHOUT_HEIGHT() if dem is None else messages.POINT_OFF_DEM()
+        notices += [messages.POINT_LEFT_OUT(name=point, why=why) for point, gone in zip(points.ids, without) if gone]
+        points, heights = points.only(~without), heights[~without]
     return replace(points, ground=np.column_stack([points.ground[:, :2], heights])), notices
 
 

@@ -1,6 +1,7 @@
 """Points that can't be what they are said to be get a sentence before anything is fitted to them."""
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -9,11 +10,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull, HalfspaceIntersection
 from seam_inspector.plugin.imagery.errors import SensorModelError
+from seam_inspector.plugin.imagery.message import WARNING
 from seam_inspector.plugin.sensors.measure.adjustment import adjust, suspects
 from seam_inspector.plugin.sensors.measure.control_coverage import control_coverage
 from seam_inspector.plugin.sensors.measure.models.registry import POLYNOMIAL_2D
-from seam_inspector.plugin.sensors.measure.plausible_points import check_plausible
+from seam_inspector.plugin.sensors.measure.plausible_points import check_against_rpc, check_plausible
 from seam_inspector.plugin.sensors.measure.points import Points
+
+from tests.numbers.sensors import sensor_scenes
 
 SIZE = (4000, 3000)
 
@@ -51,6 +55,53 @@ def test_a_single_point_outside_is_named() -> None:
     image[7] = 4500, 10
     with pytest.raises(SensorModelError, match=r"1 points lie outside .* \(7\)"):
         check_plausible(replace(points(), image=image), SIZE)
+
+
+def seen_points(**changed: np.ndarray) -> Points:
+    """Points on an RPC's own places, 7 columns and -4 rows off, as a vendor's is."""
+    ground = sensor_scenes.places(25, 4)
+    image = RPC.project(ground) + [7, -4]
+    return replace(sensor_scenes.points(image, ground), **changed)
+
+
+RPC = sensor_scenes.made_rational(3, 5, 0.001)
+
+
+def test_points_that_an_rpc_sees_with_a_shift_and_a_blunder_pass() -> None:
+    given = seen_points()
+    assert not check_against_rpc(given, RPC)
+    check_against_rpc(given.only(np.arange(25) < 1), RPC)
+    image = given.image.copy()
+    image[3] += [3000, -2000]
+    check_against_rpc(seen_points(image=image), RPC)
+    check_against_rpc(seen_points(ground=given.ground * [1, 1, np.nan]), RPC)
+    turned = np.deg2rad(2)
+    middle = given.image.mean(axis=0)
+    spin = np.array([[np.cos(turned), np.sin(turned)], [-np.sin(turned), np.cos(turned)]])
+    check_against_rpc(seen_points(image=(given.image - middle) @ spin + middle), RPC)
+
+
+@pytest.mark.parametrize(("changed", "complaint"), [
+    ({"ground": seen_points().ground[:, [1, 0, 2]]}, "px away from the image; check that x and y"),
+    ({"ground": seen_points().ground + [5, 0, 0]}, "their reference system"),
+    ({"image": seen_points().image[:, ::-1]}, "columns and rows are interchanged"),
+    ({"image": [0, sensor_scenes.ROWS] + seen_points().image * [1, -1]}, "mirrored or turned image"),
+    ({"image": [sensor_scenes.COLUMNS, 0] + seen_points().image * [-1, 1]}, "mirrored or turned image"),
+])  # fmt: skip
+def test_what_the_image_s_own_rpc_rules_out_is_said(changed: dict[str, np.ndarray], complaint: str) -> None:
+    with pytest.raises(SensorModelError, match=complaint):
+        check_against_rpc(seen_points(**changed), RPC)
+
+
+@pytest.mark.parametrize(("factors", "told"), [
+    ([1, 1, 0], "25 points .* are -999 to -999 m high, and the image's RPC holds for 0 to 1200 m"),
+    ([1, 1, 3.28], "check them and their unit"),
+])  # fmt: skip
+def test_heights_that_an_rpc_is_not_made_for_are_said(factors: list[float], told: str) -> None:
+    heights = seen_points().ground * factors - [0, 0, 999 if factors[2] == 0 else 0]
+    (notice,) = check_against_rpc(seen_points(ground=heights), RPC)
+    assert re.search(told, str(notice))
+    assert notice.level == WARNING
 
 
 @given(st.lists(st.tuples(st.floats(-3, 7), st.floats(-3, 7)), min_size=3, max_size=12, unique=True))

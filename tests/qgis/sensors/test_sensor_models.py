@@ -190,6 +190,9 @@ def test_bad_input_is_a_sentence(data_folder: Path, tmp_path: Path) -> None:
     assert_refused("fitsensormodel", "does not exist|not be found", GCPS=layer, IMAGE=str(tmp_path / "lost.tif"))
     without = ground * [1, 1, np.nan]
     assert_refused("fitsensormodel", "Some points have no height", GCPS=gcps(image, without))
+    assert_refused("fitsensormodel", "share of check points is nan", GCPS=layer, CHECK_SHARE=np.nan)
+    assert_refused("comparesensormodels", "share of check points is nan", GCPS=layer, CHECK_SHARE=np.nan)
+    assert_refused("comparesensormodels", "Height of the orbit .* is no number", GCPS=layer, ORBIT_HEIGHT=np.nan)
     flat = ground * [1, 1, 0]
     assert_refused("fitsensormodel", "on one plane", GCPS=gcps(image, flat), CHECK_SHARE=0)
     assert_refused("fitsensormodel", "Of 12 points 6 are left .* at least 7", GCPS=layer, CHECK_SHARE=0.5)
@@ -215,3 +218,30 @@ def test_rows_that_can_not_be_used_are_left_out_and_named() -> None:
     assert outcome.results["CONTROL_COUNT"] == 18
     assert any("Point 4 is left out" in one for one in outcome.log.warnings)
     assert any("'other' is neither control nor check" in one for one in outcome.log.warnings)
+
+
+@pytest.mark.parametrize("missing", [np.nan, np.inf])
+def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> None:
+    image, ground = scene(25, 0.1)
+    heights = ground[:, 2].copy()
+    heights[6] = missing
+    layer = gcps(image, ground * [1, 1, np.nan], z=heights.tolist())
+    compared = run("comparesensormodels", GCPS=layer, HEIGHTS="ellipsoid")
+    assert compared.complaint is None
+    assert not compared.results["RECOMMENDED"].startswith("polynomial_2d")
+    fitted = run("fitsensormodel", GCPS=layer, HEIGHTS="ellipsoid", CHECK_SHARE=0)
+    assert fitted.results["CONTROL_COUNT"] == 24
+    for outcome in (compared, fitted):
+        assert [one for one in outcome.log.warnings if "left out" in one] == [
+            "Point 7 is left out: it has no height, and others have one."
+        ]
+
+
+def test_columns_and_rows_interchanged_are_no_geometry_of_an_rpc(tmp_path: Path) -> None:
+    ground = places(25, 3)
+    rpc = made_rational(3, 5, 0.001)
+    write_rpc(rpc, tmp_path / "vendor_RPC.TXT")
+    layer = gcps(rpc.project(ground)[:, ::-1], ground)
+    for name, given in (("comparesensormodels", {}), ("fitsensormodel", {"MODEL": "rpc_bias", "BIAS": "affine"})):
+        told = "columns and rows are interchanged"
+        assert_refused(name, told, GCPS=layer, IMAGE_RPC=str(tmp_path / "vendor_RPC.TXT"), HEIGHTS="ellipsoid", **given)
