@@ -23,6 +23,7 @@ from .seams.algorithms.scanmosaic import ScanMosaic
 from .sensors.algorithms.comparesensormodels import CompareSensorModels
 from .sensors.algorithms.fitsensormodel import FitSensorModel
 from .sensors.algorithms.orthorectify import Orthorectify
+from .sensors.algorithms.planpoints import PlanPoints
 from .toolkit.algorithms.ready_model import ReadyModel
 from .toolkit.resources import icon_path, model_paths
 
@@ -46,6 +47,7 @@ ALGORITHMS = (
     FitSensorModel,
     CompareSensorModels,
     Orthorectify,
+    PlanPoints,
 )
 
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +21,7 @@ from .measure.adjustment import Adjustment
 from .measure.comparison import Comparison
 from .measure.models.rpc_files import PIXEL_CENTRE
 from .measure.point_files import image_coordinates, read_point_file
+from .measure.point_planning import ExpectedAccuracy
 from .measure.points import CHECK, CONTROL, Points
 
 _SHOWN = 5
@@ -187,3 +188,19 @@ def comparison_features(result: Comparison) -> Iterator[QgsFeature]:
                 sentence(row.reason) if row.reason else None,
             ],
         )
+
+
+def plan_fields() -> QgsFields:
+    """OUTPUT of ``planpoints``: one row per number of points."""
+    return table_fields(
+        ("model", "text"), ("control_count", "integer"), ("image_50", "real"), ("image_90", "real"),
+        ("check_50", "real"), ("check_90", "real"), ("failed", "integer"), ("reason", "text"),
+    )  # fmt: skip
+
+
+def plan_features(model: str, found: Iterable[ExpectedAccuracy]) -> Iterator[QgsFeature]:
+    """The rows of that table."""
+    for row in found:
+        errors = (row.image_usual, row.image_most, row.check_usual, row.check_most)
+        reason = sentence(row.reason) if row.reason else None
+        yield feature(plan_fields(), [model, row.count, *errors, row.failed, reason])

@@ -43,7 +43,7 @@ GROUPS = {
     "Image quality": ("checknoise", "checkradiometry"),
     "Ground resolution": ("measureresolution", "minimumheight", "simulatebayer"),
     "Interior orientation of photos": ("interiororientation", "comparemarks", "enhancephoto"),
-    "Satellite images": ("fitsensormodel", "comparesensormodels", "orthorectify"),
+    "Satellite images": ("fitsensormodel", "comparesensormodels", "orthorectify", "planpoints"),
 }
 NAMES = [name for names in GROUPS.values() for name in names]
 IDS = {f"seaminspector:{name}" for name in NAMES}

@@ -11,3 +11,4 @@ MAX_LINEAR_CONDITION = 1e6  # of the affine camera through the points, its colum
 DEFAULT_ORBIT_HEIGHT_KM = 694.0  # Pleiades; IKONOS 681, QuickBird 450, EROS-A1 480, WorldView-3 617
 RESAMPLINGS = ("nearest", "bilinear", "cubic", "cubicspline", "lanczos", "average")  # GDAL's warper
 ORTHO_FORMATS = ("GTiff", "COG")  # GDAL's drivers
+SPREADS = ("grid", "random", "corner")  # of planned control points: a grid over the image, anywhere, one corner

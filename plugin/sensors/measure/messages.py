@@ -283,6 +283,22 @@ EXTENT_WITHOUT_SYSTEM = Message("An extent is given but no reference system; cho
 EXTENT_OUTSIDE = Message("The extent lies outside the image; choose one that overlaps it.")
 ORTHO_TOO_LARGE = Message("The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.")
 WARP_FAILED = Message("The orthoimage could not be written ({error}); check the folder and the free space.")
+# planning
+PLAN_COUNTS_UNREADABLE = Message(
+    "The numbers of control points are '{given}'; give whole numbers from 1 to {most}, such as 6, 10, 20."
+)
+PLAN_TERRAIN_WRONG = Message(
+    "The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres."
+)
+PLAN_IMAGE_WITHOUT_RPC = Message(
+    "The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner."
+)
+PLAN_TOLD = Message(
+    "With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.", INFO
+)
+PLAN_DRAWS_FAILED = Message(
+    "With {count} control points {failed} draws failed and count as the worst: {why}", WARNING
+)
 # the recommendation
 RECOMMEND_PUSHBROOM = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few "

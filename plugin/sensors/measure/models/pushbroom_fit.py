@@ -41,7 +41,7 @@ def fit_pushbroom(
     on a plane.
     """
     places = geocentric(ground)
-    model = Pushbroom(_nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
+    model = Pushbroom(nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
     sigma_px = 1 / np.maximum(weights, np.finfo(float).tiny)
     if estimate_sigma:
         sigma_px = sigma_px * DEFAULT_SIGMA_PX / np.median(sigma_px)
@@ -87,7 +87,7 @@ def _adjusted(model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px:
     return _Adjusted(model, residuals + change, jacobian, solution.condition, iteration, converged)
 
 
-def _nominal_orbit(
+def nominal_orbit(
     places: np.ndarray, image: np.ndarray, orbit_height_m: float, size: tuple[float, float] | None
 ) -> Orbit:
     """The orbit that the affine camera through the points implies.

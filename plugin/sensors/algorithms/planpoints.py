@@ -1,0 +1,166 @@
+"""``seaminspector:planpoints``: the accuracy to expect from control points that are not measured yet."""
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ...imagery.errors import SettingsError
+from ...toolkit.algorithms import parameters as common
+from ...toolkit.algorithms.run import Run
+from ...toolkit.translation import tr
+from ..measure import limits, messages
+from ..measure.models import registry
+from . import sensor_parameters
+from .sensor_parameters import IMAGE, IMAGE_RPC, ORBIT_HEIGHT, SensorAlgorithm
+
+if TYPE_CHECKING:
+    from ..measure.models.registry import ModelRequest
+    from ..measure.point_planning import PlannedScene
+
+MODEL, COUNTS, SPREAD, CORNER_SHARE = "MODEL", "COUNTS", "SPREAD", "CORNER_SHARE"
+SIGMA, SIGMA_PX, LOWEST, HIGHEST = "SIGMA", "SIGMA_PX", "LOWEST", "HIGHEST"
+VIEW_ANGLE, PIXEL_SIZE, SIDE = "VIEW_ANGLE", "PIXEL_SIZE", "SIDE"
+SEED, OUTPUT = "SEED", "OUTPUT"
+_MODELS = tuple(
+    f"{kind.name} {variant.name}".strip() for kind in registry.KINDS.values() for variant in kind.variants
+)
+_MOST_POINTS = 1000
+
+
+class PlanPoints(SensorAlgorithm):
+    """How many points to measure, where and how well."""
+
+    RASTER_LISTS = (IMAGE,)
+    ID = "planpoints"
+    NAME = QT_TRANSLATE_NOOP("@default", "Plan control points")
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Tells what accuracy to expect from number, quality and spread of control points before they are measured. "
+        "For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC "
+        "or that of a nominal line scanner; the model is fitted to each and judged all over the image. A planning "
+        "figure: check points of your own say how accurate the image became."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        number, real = QgsProcessingParameterNumber, QgsProcessingParameterNumber.Type.Double
+        self.addDescribed(
+            common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name),
+            tr("The sensor model that is going to be fitted, with its order or form. rpc_bias needs an RPC."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30"),
+            tr("One row of the table for each, such as 6, 10, 20. Check points are not counted."),
+        )
+        self.addDescribed(
+            common.choice(SPREAD, tr("Spread"), limits.SPREADS),
+            tr("grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."),
+        )
+        self.addDescribed(
+            number(CORNER_SHARE, tr("Share of the corner"), real, 0.25, minValue=0.01, maxValue=1),
+            tr("Of the image's area, for the spread corner."),
+        )
+        self.addDescribed(
+            number(SIGMA, tr("Standard deviation on the ground (metres)"), real, 0.5, minValue=0, maxValue=1000),
+            tr("Of each of a point's three ground coordinates, as they are going to be surveyed."),
+        )
+        self.addDescribed(
+            number(SIGMA_PX, tr("Standard deviation in the image (pixels)"), real, 0.5, minValue=0, maxValue=1000),
+            tr("Of a point's column and row: how well it is identified."),
+        )
+        for name, label, default in (
+            (LOWEST, tr("Lowest terrain (metres)"), 0.0),
+            (HIGHEST, tr("Highest terrain (metres)"), 300.0),
+        ):
+            self.addDescribed(
+                number(name, label, real, default),
+                tr("Height above the ellipsoid. Every point lies anywhere between the lowest and the highest."),
+            )
+        self.addDescribed(*sensor_parameters.image())
+        self.addDescribed(
+            QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
+            tr("An RPC whose geometry is taken for true. Without it and without IMAGE: a nominal line scanner."),
+        )
+        for name, label, default, least, most, text in (
+            (
+                ORBIT_HEIGHT, tr("Height of the orbit (km)"), 694.0, 100, 40000,
+                tr("Of the nominal scanner, and for the model pushbroom."),
+            ),
+            (VIEW_ANGLE, tr("Angle of the view (degrees)"), 15.0, 0, 50, tr("From the vertical; nominal scanner.")),
+            (PIXEL_SIZE, tr("Pixel size (metres)"), 0.5, 0.05, 1000, tr("On the ground; nominal scanner.")),
+            (SIDE, tr("Side of the image (km)"), 15.0, 1, 200, tr("The image is square; nominal scanner.")),
+        ):  # fmt: skip
+            self.addDescribed(number(name, label, real, default, minValue=least, maxValue=most), text, advanced=True)
+        self.addDescribed(
+            number(SEED, tr("Seed"), number.Type.Integer, 1, minValue=0, maxValue=2**31 - 1),
+            tr("The same number gives the same draws."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Expected accuracy"), QgsProcessing.SourceType.TypeVector),
+            tr(
+                "One row per number of points: root mean square errors in metres, of both coordinates together, that "
+                "50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are "
+                "measured as well as the control points."
+            ),
+        )
+
+    def prepare(self, run: Run) -> None:
+        self._image_ref = run.raster(IMAGE)
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        from .. import point_tables
+        from ..measure.point_planning import PointPlan, expected_accuracies
+
+        counts = _counts(run.text(COUNTS))
+        request, scene = self._planned(run)
+        plan = PointPlan(run.word(SPREAD), run.real(CORNER_SHARE), run.real(SIGMA), run.real(SIGMA_PX))
+        found = list(
+            expected_accuracies(
+                request, scene, plan, counts, run.whole(SEED), progress=run.progress, cancelled=run.is_cancelled
+            )
+        )
+        for row in found:
+            if row.image_usual is not None and row.image_most is not None:
+                run.tell(messages.PLAN_TOLD(count=row.count, usual=row.image_usual, most=row.image_most))
+            if row.reason is not None:
+                run.tell(messages.PLAN_DRAWS_FAILED(count=row.count, failed=row.failed, why=row.reason))
+        sink, output = run.sink(OUTPUT, point_tables.plan_fields())
+        run.write(sink, point_tables.plan_features(request.name, found))
+        return {OUTPUT: output}
+
+    def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
+        from ..measure.plausible_points import HIGHEST_M, LOWEST_M
+        from ..measure.point_planning import nominal_scene, scene_of_rpc
+
+        low, high = run.real(LOWEST), run.real(HIGHEST)
+        if not LOWEST_M <= low <= high <= HIGHEST_M:
+            raise SettingsError(messages.PLAN_TERRAIN_WRONG(low=low, high=high))
+        image, orbit_m = self._image(), run.real(ORBIT_HEIGHT) * 1000
+        rpc = self._rpc(run, IMAGE_RPC, image)
+        if rpc is None and image is not None:
+            raise SettingsError(messages.PLAN_IMAGE_WITHOUT_RPC())
+        if rpc is not None:
+            size = (float(image.columns), float(image.rows)) if image is not None else None
+            scene = scene_of_rpc(rpc, size, (low, high))
+        else:
+            side_m = run.real(SIDE) * 1000
+            scene = nominal_scene(orbit_m, run.real(VIEW_ANGLE), run.real(PIXEL_SIZE), side_m, (low, high))
+        name, _, variant = run.word(MODEL).partition(" ")
+        return registry.KINDS[name].request(variant, orbit_height_m=orbit_m, size=scene.size, rpc=rpc), scene
+
+
+def _counts(text: str) -> tuple[int, ...]:
+    """The numbers of points asked for, each once, from the fewest on."""
+    words = [word for word in re.split(r"[\s,;]+", text) if word]
+    if not words or not all(re.fullmatch(r"[0-9]{1,4}", word) and 0 < int(word) <= _MOST_POINTS for word in words):
+        raise SettingsError(messages.PLAN_COUNTS_UNREADABLE(given=text, most=_MOST_POINTS))
+    return tuple(sorted(set(map(int, words))))

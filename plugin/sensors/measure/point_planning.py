@@ -1,0 +1,214 @@
+"""What accuracy to expect from control points that are not measured yet: a planning figure, by simulation."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Callable
+
+import numpy as np
+
+from ...imagery.errors import SensorModelError, SettingsError
+from ...imagery.message import Message
+from . import limits, messages
+from .adjustment import accuracy, adjust
+from .ground_system import GEOGRAPHIC, WGS84
+from .models.earth import geocentric
+from .models.locating import locate
+from .models.pushbroom import SIGMAS, Pushbroom
+from .models.pushbroom_fit import nominal_orbit
+from .models.rational import Rational
+from .models.registry import ModelRequest
+from .models.sensor_model import SensorModel
+from .points import Points
+
+GRID, RANDOM, CORNER = limits.SPREADS
+DRAWS = 50
+_CHECK_CELLS = 8  # check points on each side of the image, one in each cell
+_USUAL, _MOST = 0.5, 0.9  # of the draws have at most this error
+_NOMINAL_PLACE = 0.0, 45.0  # longitude, latitude of a scene without RPC
+_PITCH_RATE = 9  # of the parametric model's unknowns
+_DRIFTS = slice(9, 18)  # of the same: rate, acceleration and jerk of the attitude
+
+
+@dataclass(frozen=True)
+class PlannedScene:
+    """The image that points are planned for."""
+
+    model: SensorModel
+    """From longitude, latitude and height to the image: taken for true."""
+    size: tuple[float, float]
+    """Columns and rows."""
+    middle: tuple[float, float]
+    """Longitude and latitude of a place in it, degrees."""
+    heights: tuple[float, float]
+    """Lowest and highest terrain, m above the ellipsoid; points lie anywhere between, each by itself."""
+
+    def drawn(self, random: np.random.Generator) -> SensorModel:
+        """The true model of one draw: the attitude of a nominal scene drifts as the priors say."""
+        if not isinstance(self.model, Pushbroom):
+            return self.model
+        unknowns = self.model.unknowns.copy()
+        unknowns[_DRIFTS] += random.normal(size=_DRIFTS.stop - _DRIFTS.start)
+        return replace(self.model, unknowns=unknowns)
+
+
+@dataclass(frozen=True)
+class PointPlan:
+    """How points are going to be measured."""
+
+    spread: str
+    """``grid`` (one in each cell of a grid over the image), ``random`` or ``corner``."""
+    corner_share: float
+    """Of the image's area that holds all points, for ``corner``."""
+    sigma_m: float
+    """Standard deviation of each of the three ground coordinates."""
+    sigma_px: float
+    """Standard deviation of each coordinate in the image."""
+
+
+@dataclass(frozen=True)
+class ExpectedAccuracy:
+    """The outcome for a number of points. Errors are root mean squares in m, of both coordinates together."""
+
+    count: int
+    failed: int
+    """Draws that no model could be fitted to; they count as the largest errors."""
+    image_usual: float | None
+    """Over the whole image, against the truth: half of the draws have at most this; None where they failed."""
+    image_most: float | None
+    """90 % of the draws have at most this."""
+    check_usual: float | None
+    """At check points that are measured as well as the control points."""
+    check_most: float | None
+    reason: Message | None = None
+    """Why draws failed: what the first of them said."""
+
+
+def scene_of_rpc(rpc: Rational, size: tuple[float, float] | None, heights: tuple[float, float]) -> PlannedScene:
+    """The image of an RPC; ``size`` None: as large as the RPC says."""
+    columns, rows = map(float, rpc.image.offset + rpc.image.scale)
+    longitude, latitude = map(float, rpc.ground.offset[:2])
+    return PlannedScene(rpc, size or (columns, rows), (longitude, latitude), heights)
+
+
+def nominal_scene(
+    orbit_height_m: float, view_angle: float, pixel_m: float, side_m: float, heights: tuple[float, float]
+) -> PlannedScene:
+    """A square image of a line scanner, tilted across its orbit by ``view_angle`` degrees from the vertical at the
+    ground; ``pixel_m`` is what a pixel covers there."""
+    count = side_m / pixel_m
+    metres = GEOGRAPHIC.metres(_NOMINAL_PLACE[1])
+    x, y, up = np.meshgrid(*[np.linspace(-side_m / 2, side_m / 2, 3)] * 2, np.linspace(0, side_m / 10, 2))
+    local = np.column_stack([x.ravel(), y.ravel(), up.ravel()])
+    height = float(np.mean(heights))
+    ground = np.array([*_NOMINAL_PLACE, height]) + local / [*metres, 1]
+    across = local[:, 0] + local[:, 2] * np.tan(np.radians(view_angle))
+    image = np.column_stack([across, -local[:, 1]]) / pixel_m + count / 2
+    orbit = nominal_orbit(geocentric(ground), image, orbit_height_m, (count, count))
+    still = Pushbroom(orbit, np.zeros(len(SIGMAS)))
+    return PlannedScene(_pitching(still, ground, image), (count, count), _NOMINAL_PLACE, heights)
+
+
+def _pitching(still: Pushbroom, ground: np.ndarray, image: np.ndarray) -> Pushbroom:
+    """The camera follows the ground below: it pitches at the rate that gives lines their width."""
+    trial = replace(still, unknowns=np.eye(len(SIGMAS))[_PITCH_RATE])
+    ends = [int(np.argmin(image[:, 1])), int(np.argmax(image[:, 1]))]
+    wanted, before, after = (np.ptp(rows[ends]) for rows in (
+        image[:, 1], still.project(ground)[:, 1], trial.project(ground)[:, 1]
+    ))  # fmt: skip
+    # The width of a line, not the number of lines, is linear in the rate.
+    return replace(still, unknowns=trial.unknowns * (1 / wanted - 1 / before) / (1 / after - 1 / before))
+
+
+def expected_accuracies(
+    request: ModelRequest,
+    scene: PlannedScene,
+    plan: PointPlan,
+    counts: tuple[int, ...],
+    seed: int,
+    draws: int = DRAWS,
+    progress: Callable[[float], None] = lambda share: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[ExpectedAccuracy]:
+    """For each number of points. The same seed gives the same figures, whatever other numbers are asked for.
+
+    Raises SettingsError where there are fewer points than the model needs.
+    """
+    fewest = request.variant.fewest
+    few = [count for count in counts if count < fewest]
+    if few:
+        raise SettingsError(messages.TOO_FEW_POINTS(model=request.name, count=few[0], fewest=fewest))
+    for number, count in enumerate(counts):
+        random = np.random.default_rng([seed, count])
+        errors, reason = np.full((draws, 2), np.inf), None
+        for draw in range(draws):
+            if cancelled():
+                return
+            try:
+                errors[draw] = _errors(request, scene, plan, count, random)
+            except SensorModelError as error:
+                reason = reason or error.message
+            progress((number + (draw + 1) / draws) / len(counts))
+        failed = int(np.count_nonzero(~np.isfinite(errors).all(axis=1)))
+        over_image, at_checks = errors.T
+        yield ExpectedAccuracy(
+            count,
+            failed,
+            _at_most(over_image, _USUAL),
+            _at_most(over_image, _MOST),
+            _at_most(at_checks, _USUAL),
+            _at_most(at_checks, _MOST),
+            reason,
+        )
+
+
+def _errors(
+    request: ModelRequest, scene: PlannedScene, plan: PointPlan, count: int, random: np.random.Generator
+) -> tuple[float, float]:
+    """One draw: m, over the whole image and at check points as they are measured; infinite where that is no number."""
+    truth = scene.drawn(random)
+    size = np.array(scene.size)
+    checks = _CHECK_CELLS**2
+    image = np.concatenate([_spread(plan, count, random), _in_cells(checks, random)]) * size
+    heights = random.uniform(*scene.heights, len(image))
+    metres = GEOGRAPHIC.metres(scene.middle[1])
+    ground = np.column_stack([locate(truth.project, image, heights, np.array([scene.middle]), metres), heights])
+    measured = image + random.normal(0, plan.sigma_px, image.shape)
+    surveyed = ground + random.normal(0, plan.sigma_m, ground.shape) / [*metres, 1]
+    exact = slice(count, None)
+    total = count + 2 * checks
+    points = Points(
+        tuple(map(str, range(total))),
+        np.concatenate([measured, image[exact]]),
+        np.concatenate([surveyed, ground[exact]]),
+        WGS84,
+        np.full(total, np.nan),
+        np.arange(total) >= count,
+    )
+    done = adjust(request, points)
+    groups = slice(count + checks, None), slice(count, count + checks)
+    found = [accuracy(done.residuals_px[group], done.residuals_m[group]).rmse for group in groups]
+    over_image, at_checks = (value if value is not None and np.isfinite(value) else np.inf for value in found)
+    return over_image, at_checks
+
+
+def _spread(plan: PointPlan, count: int, random: np.random.Generator) -> np.ndarray:
+    """(n, 2) places of control points as shares of the image's columns and rows."""
+    if plan.spread == GRID:
+        return _in_cells(count, random)
+    places = random.uniform(0, 1, (count, 2))
+    return places * np.sqrt(plan.corner_share) if plan.spread == CORNER else places
+
+
+def _in_cells(count: int, random: np.random.Generator) -> np.ndarray:
+    """(n, 2) anywhere in the cells of a square grid; points beyond a square number share cells by chance."""
+    side = max(int(np.sqrt(count)), 2)  # two or three points lie in different quarters
+    rounds = -(-count // side**2)
+    cells = np.concatenate([random.permutation(side**2) for _ in range(rounds)])[:count]
+    return (np.column_stack([cells % side, cells // side]) + random.uniform(0, 1, (count, 2))) / side
+
+
+def _at_most(errors: np.ndarray, share: float) -> float | None:
+    """What this share of the draws does not exceed; None where too many failed."""
+    found = float(np.sort(errors)[int(np.ceil(share * len(errors))) - 1])
+    return found if np.isfinite(found) else None
