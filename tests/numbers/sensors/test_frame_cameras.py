@@ -93,6 +93,15 @@ def test_an_orthoimage_takes_each_pixel_from_where_the_camera_saw_it(folder: Pat
     assert np.abs(seen - expected)[:, inner].max() < 0.02
 
 
+def test_values_that_are_no_heights_are_not_in_their_range_though_no_nodata_says_so(folder: Path) -> None:
+    expected = oriented(folder).domain.heights
+    terrain = gdal.Open(str(folder / "dem.tif"), gdal.GA_Update)
+    terrain.GetRasterBand(1).WriteArray(np.full((9, 9), -32768, np.float32))
+    terrain.GetRasterBand(1).WriteArray(np.full((9, 9), 1e30, np.float32), 30, 0)
+    terrain = None
+    assert oriented(folder).domain.heights == pytest.approx(expected, abs=0.01)
+
+
 @given(st.tuples(*[st.floats(-0.2, 0.2)] * 3), st.tuples(*[st.floats(-0.01, 0.01)] * 2), st.integers(0, 10_000))
 def test_brown_s_distortion_is_opencv_s(radial: tuple[float, ...], tangential: tuple[float, ...], seed: int) -> None:
     interior = FrameInterior(

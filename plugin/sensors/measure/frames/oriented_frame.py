@@ -23,6 +23,7 @@ from ..height_datums import ELLIPSOID, VERTICAL, Datum, Geoid, above_ellipsoid
 from ..limits import EXTERIOR_DATUMS
 from ..models.frame_camera import FrameCamera
 from ..models.rpc import Domain
+from ..terrain import HIGHEST_M, LOWEST_M
 from .exterior_files import read_exterior
 from .interior_files import read_interior
 
@@ -103,12 +104,12 @@ def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
     share = max(source.columns, source.rows) / HEIGHTS_PX
     size = (max(round(source.rows / share), 1), max(round(source.columns / share), 1)) if share > 1 else None
     block = source.read(whole, size)
-    heights = block.bands[0][block.valid]
+    band = source.dataset.GetRasterBand(1)
+    heights = block.bands[0][block.valid] * float(band.GetScale() or 1) + (band.GetOffset() or 0)
+    heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, and no nodata says so
     if not heights.size:
         raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
-    band = source.dataset.GetRasterBand(1)
-    ends = np.array([heights.min(), heights.max()], float) * (band.GetScale() or 1) + (band.GetOffset() or 0)
-    return float(ends[0]), float(ends[1])
+    return float(heights.min()), float(heights.max())
 
 
 def _check_view(camera: FrameCamera, image: OpenRaster, low: float, high: float) -> None:
