@@ -148,7 +148,7 @@ def test_the_worst_seam_is_named_with_its_features_and_its_place(tmp_path: Path,
     assert row["place"] in said
     page = report.read_text(encoding="utf-8")
     assert said.partition(": ")[2] in page
-    assert f"<td>{row['place']}</td>" in page
+    assert f">{row['place']}</td>" in page
 
 
 def test_rules_of_ones_own_count_before_the_ready_ones(sheets: dict[str, str], tmp_path: Path) -> None:
