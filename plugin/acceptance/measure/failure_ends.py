@@ -6,7 +6,7 @@ far the failure reaches. k is not known better than the pieces inside say it (th
 limit and all places of both ends are weighed by how well they agree with what was measured; the mean is the estimate.
 
 2,000 simulated failures (10 to 200 m, 0.2 to 0.65 kept, noise 0.03 to 0.08, pieces of 25 m): whole pieces are off by
--3.2 m in the mean and 14.4 m rms, the estimate by -1.0 and 6.7 m.
+-3.2 m in the mean and 14.4 m rms, the estimate by -0.6 and 6.7 m.
 """
 from __future__ import annotations
 
