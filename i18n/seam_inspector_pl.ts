@@ -9,7 +9,7 @@
         <translation>Skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="27"/>
+        <location filename="../build/template_texts.py" line="74"/>
         <source>Windows</source>
         <translation>Okna</translation>
     </message>
@@ -44,7 +44,7 @@
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="50"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="82"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -84,17 +84,17 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="151"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="177"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/run.py" line="186"/>
+        <location filename="../plugin/toolkit/algorithms/run.py" line="192"/>
         <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="56"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="69"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
@@ -164,12 +164,12 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="50"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="94"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="50"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="94"/>
         <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
@@ -489,7 +489,7 @@
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="26"/>
+        <location filename="../build/template_texts.py" line="73"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -499,12 +499,12 @@
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="24"/>
+        <location filename="../build/template_texts.py" line="71"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="60"/>
+        <location filename="../plugin/seams/desk/dock.py" line="55"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
@@ -524,7 +524,7 @@
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="74"/>
+        <location filename="../build/template_texts.py" line="4"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -544,7 +544,7 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="3"/>
+        <location filename="../build/template_texts.py" line="51"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -559,32 +559,32 @@
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="157"/>
+        <location filename="../build/template_texts.py" line="238"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="158"/>
+        <location filename="../build/template_texts.py" line="239"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="159"/>
+        <location filename="../build/template_texts.py" line="240"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="162"/>
+        <location filename="../build/template_texts.py" line="241"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="8"/>
+        <location filename="../build/template_texts.py" line="55"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="9"/>
+        <location filename="../build/template_texts.py" line="56"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
@@ -664,7 +664,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="178"/>
+        <location filename="../build/template_texts.py" line="257"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
@@ -729,7 +729,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="79"/>
+        <location filename="../plugin/seams/desk/windows/column_widths.py" line="68"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -754,7 +754,7 @@
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="177"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="149"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
@@ -769,7 +769,7 @@
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="183"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="155"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
@@ -779,7 +779,7 @@
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="186"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="158"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -819,57 +819,57 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="252"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="243"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="255"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="246"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="253"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="311"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="83"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="314"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="171"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="60"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="62"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="60"/>
         <source>Windows without the observer&apos;s word.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="62"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="348"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="52"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="349"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="85"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
@@ -929,42 +929,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="164"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="164"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="183"/>
+        <location filename="../plugin/seams/desk/dock.py" line="172"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="183"/>
+        <location filename="../plugin/seams/desk/dock.py" line="172"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -979,7 +979,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="281"/>
+        <location filename="../plugin/seams/desk/dock.py" line="270"/>
         <source>{done} of {asked} windows</source>
         <translation>Okna: {done} z {asked}</translation>
     </message>
@@ -1014,7 +1014,7 @@
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="12"/>
+        <location filename="../build/template_texts.py" line="59"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
@@ -1024,7 +1024,7 @@
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="5"/>
+        <location filename="../build/template_texts.py" line="52"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
@@ -1039,12 +1039,12 @@
         <translation>źródła</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="6"/>
+        <location filename="../build/template_texts.py" line="53"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="108"/>
+        <location filename="../build/template_texts.py" line="184"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
@@ -1129,82 +1129,82 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="34"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="25"/>
         <source>Save or copy what is shown: as a picture, or as a table of all values</source>
         <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>The picture, for documents</source>
         <translation>Obraz do dokumentów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="29"/>
         <source>Save as SVG...</source>
         <translation>Zapisz jako SVG...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="29"/>
         <source>The picture, sharp at every size</source>
         <translation>Obraz ostry w każdej wielkości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>Save as CSV...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="29"/>
         <source>All rasters and bands of the windows</source>
         <translation>Wszystkie rastry i kanały w oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>To the clipboard</source>
         <translation>Do schowka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>Copy values</source>
         <translation>Kopiuj wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>To the clipboard, for a spreadsheet</source>
         <translation>Do schowka, do arkusza kalkulacyjnego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="65"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="53"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="66"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="71"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="59"/>
         <source>Table with commas</source>
         <translation>Tabela rozdzielana przecinkami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="95"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="76"/>
         <source>Save curves</source>
         <translation>Zapisz krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="106"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="86"/>
         <source>The curves were not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano krzywych w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="109"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="86"/>
         <source>The curves were saved to {path}.</source>
         <translation>Zapisano krzywe w {path}.</translation>
     </message>
@@ -1384,12 +1384,12 @@
         <translation> (ortofotomapa: {percent:.0f}% tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>Save as PNG...</source>
         <translation>Zapisz jako PNG...</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layer.py" line="45"/>
+        <location filename="../plugin/resolution/line_layer.py" line="50"/>
         <source>Bar groups</source>
         <translation>Grupy kresek</translation>
     </message>
@@ -1429,7 +1429,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="312"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -1449,7 +1449,7 @@
         <translation>Komórki &amp;mozaiki</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="14"/>
+        <location filename="../build/template_texts.py" line="61"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
@@ -1459,7 +1459,7 @@
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="139"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="154"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
@@ -1474,102 +1474,97 @@
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="72"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="73"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="80"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="81"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} okien: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="82"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="83"/>
         <source>{count} of them have no curves in it, as these are not kept with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
         <source>no image</source>
         <translation>brak obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="82"/>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="26"/>
         <source> cm</source>
         <translation> cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="85"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="79"/>
         <source>along</source>
         <translation>wzdłuż</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="85"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="79"/>
         <source>across</source>
         <translation>w poprzek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="70"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
         <translation>Narysuj linię w poprzek kresek grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="188"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="184"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="256"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="247"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="81"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile kresek ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="84"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="87"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="259"/>
-        <source>Width of one bar and one gap of the reference group together.</source>
-        <translation>Łączna szerokość jednej kreski i jednej przerwy grupy odniesienia.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="56"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="58"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="263"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="251"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="264"/>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="55"/>
         <source>Bars</source>
         <translation>Kreski</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="265"/>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="56"/>
         <source>Reference</source>
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="266"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="253"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="45"/>
+        <location filename="../plugin/resolution/charts.py" line="38"/>
         <source>resolved</source>
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="109"/>
+        <location filename="../plugin/resolution/charts.py" line="106"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
@@ -1609,17 +1604,12 @@
         <translation>Interpolacja</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="41"/>
-        <source>bilinear: the mean of the nearest pixels of the colour. edge_aware: along edges, by OpenCV, which has to be installed.</source>
-        <translation>bilinear: średnia z najbliższych pikseli danej barwy. edge_aware: wzdłuż krawędzi, za pomocą biblioteki OpenCV, która musi być zainstalowana.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="48"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="49"/>
         <source>Seen by a single chip</source>
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="48"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="49"/>
         <source>Red, green and blue on the image&apos;s own pixels, in its data type.</source>
         <translation>Czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
@@ -1634,17 +1624,17 @@
         <translation>Dopasowuje każdy model geometryczny, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza; zalecenie wynika z ich wniosków: najpierw model parametryczny, RPC dostawcy z poprawką przed ilorazami, wielomiany tylko dla małych i płaskich obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="62"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="71"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="63"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="72"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="58"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="82"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
@@ -1659,7 +1649,7 @@
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="87"/>
         <source>Report</source>
         <translation>Raport</translation>
     </message>
@@ -1744,57 +1734,52 @@
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="36"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="38"/>
         <source>Report of an inspection</source>
         <translation>Raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="38"/>
-        <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) its curves, its clips at 2x, cause and observer.</source>
-        <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według mozaik, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) krzywe, wycinki 2x, przyczyna i obserwator.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="47"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="50"/>
         <source>The windows as &apos;Inspect windows&apos; leaves them, judged by an observer or not.</source>
         <translation>Okna takie, jakie zostawia 'Skontroluj okna', ocenione przez obserwatora lub nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="54"/>
         <source>The table of curves of the same windows; without it there are no relative variances and no charts.</source>
         <translation>Tabela krzywych tych samych okien; bez niej nie ma wariancji względnych ani wykresów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="58"/>
         <source>The table of pairs of the same windows: it tells absolute contrast, and which sources are shown.</source>
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="66"/>
         <source>The inspected mosaic; with it the report shows the clips and an overview below the map sketch.</source>
         <translation>Skontrolowana mozaika; z nią raport pokazuje wycinki i podgląd pod szkicem mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="63"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="70"/>
         <source>The orthoimages that the mosaic was made from; their clips stand beside its own.</source>
         <translation>Ortoobrazy, z których powstała mozaika; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="74"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="74"/>
         <source>Heading of the page. Empty: the mosaics&apos; names.</source>
         <translation>Nagłówek strony. Pusty: nazwy mozaik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="83"/>
         <source>The limit drawn into the charts: that which the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="87"/>
         <source>The page, one file.</source>
         <translation>Strona, jeden plik.</translation>
     </message>
@@ -1814,107 +1799,87 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="44"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="46"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="46"/>
-        <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, the smallest difference of a bar to a gap beside it is at least half of the group&apos;s full amplitude and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
-        <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu kreskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek kresek każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej kreski, a najmniejsza różnica między kreską a sąsiednią przerwą wynosi co najmniej połowę pełnej amplitudy grupy i przekracza trzykrotność szumu tła obok niej. Kreski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="56"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="58"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="60"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="62"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek kresek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="60"/>
-        <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars.</source>
-        <translation>Jedna linia w poprzek kresek każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do kresek.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="70"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="73"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="70"/>
-        <source>How far either side of the line the profile is averaged; it should stay within the bars&apos; length.</source>
-        <translation>Jak daleko po obu stronach linii uśredniany jest profil; szerokość powinna mieścić się w długości kresek.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="77"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="77"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="81"/>
         <source>Bars in a group</source>
         <translation>Liczba kresek w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="84"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="87"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="90"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="93"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="90"/>
-        <source>Width of one bar and one gap of the reference group together, centimetres on the ground.</source>
-        <translation>Łączna szerokość jednej kreski i jednej przerwy grupy odniesienia, w centymetrach w terenie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="99"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="99"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują kreski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="122"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="122"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="127"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="127"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: kreski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
@@ -1924,32 +1889,32 @@
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="113"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="131"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z kreskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="132"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="117"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="117"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="117"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="31"/>
+        <location filename="../plugin/noise/checknoise.py" line="40"/>
         <source>Check random noise</source>
         <translation>Sprawdź szum losowy</translation>
     </message>
@@ -1959,32 +1924,27 @@
         <translation>Jakość obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="33"/>
-        <source>Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out.</source>
-        <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="85"/>
+        <location filename="../build/template_texts.py" line="152"/>
         <source>Rasters</source>
         <translation>Rastry</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="44"/>
+        <location filename="../plugin/noise/checknoise.py" line="56"/>
         <source>The images to be measured, 8 or 16 bit or float.</source>
         <translation>Mierzone obrazy, 8- lub 16-bitowe albo zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="45"/>
+        <location filename="../plugin/noise/checknoise.py" line="57"/>
         <source>Second group</source>
         <translation>Druga grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="45"/>
+        <location filename="../plugin/noise/checknoise.py" line="57"/>
         <source>Images of another camera, film or process, to be compared with the first. Pixel sizes may differ.</source>
         <translation>Obrazy z innej kamery, filmu lub procesu, do porównania z pierwszą grupą. Wielkości pikseli mogą się różnić.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="51"/>
+        <location filename="../plugin/noise/checknoise.py" line="71"/>
         <source>Rectangles in any reference system; each is measured on all rasters under it. Without windows up to 25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest mierzony na wszystkich rastrach, które obejmuje. Bez okien na każdym rastrze wybieranych jest do 25 okien o boku 1024 px, rozłożonych na części z danymi, najpierw najmniej przesycone.</translation>
     </message>
@@ -1994,32 +1954,27 @@
         <translation>Szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="60"/>
-        <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, and the verdict low, moderate or strong.</source>
-        <translation>Jeden wiersz na okno, raster i kanał: wariancje względne, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN oraz ocena low, moderate lub strong.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/checknoise.py" line="67"/>
+        <location filename="../plugin/noise/checknoise.py" line="94"/>
         <source>The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.</source>
         <translation>Zakres każdej grupy z linią średniej oraz kanały jednego okna. PNG, SVG lub PDF.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="72"/>
+        <location filename="../plugin/noise/checknoise.py" line="99"/>
         <source>All figures with the chart on one HTML page.</source>
         <translation>Wszystkie wartości z wykresem na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="73"/>
+        <location filename="../plugin/noise/checknoise.py" line="100"/>
         <source>Windows with low noise</source>
         <translation>Okna z małym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="73"/>
+        <location filename="../plugin/noise/checknoise.py" line="100"/>
         <source>Windows with moderate noise</source>
         <translation>Okna z umiarkowanym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="73"/>
+        <location filename="../plugin/noise/checknoise.py" line="100"/>
         <source>Windows with strong noise</source>
         <translation>Okna z silnym szumem</translation>
     </message>
@@ -2099,7 +2054,7 @@
         <translation>Miara</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="47"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="50"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
@@ -2164,67 +2119,57 @@
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
-        <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres). Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
-        <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry). Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="52"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="53"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="52"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="53"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="56"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="57"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="56"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="57"/>
         <source>The minimum height that the results are compared with, if there is one.</source>
         <translation>Minimalna wysokość, z którą porównywane są wyniki, jeśli taka istnieje.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="60"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="61"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="60"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="61"/>
         <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="65"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="66"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="65"/>
-        <source>One row per group: count, mean and spread (metres), tolerance (%), and what to know about it.</source>
-        <translation>Jeden wiersz na grupę: liczba, średnia i rozrzut (metry), tolerancja (%) oraz uwagi.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="69"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="70"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="69"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="70"/>
         <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="75"/>
+        <location filename="../build/template_texts.py" line="150"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="111"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="112"/>
         <source>all passes</source>
         <translation>wszystkie przeloty</translation>
     </message>
@@ -2259,172 +2204,152 @@
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="118"/>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="126"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.</source>
         <translation>Liczba znaczków: {marks}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="43"/>
-        <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey.</source>
-        <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="47"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="50"/>
         <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="55"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="58"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="55"/>
-        <source>A mark cut out of this photo or one like it, with some ground around; it takes the place of a drawn one. A template that looks alike turned by 180 degrees is measured by its own centre, else by its middle.</source>
-        <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół; zastępuje wzorzec rysowany. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="63"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="66"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="63"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="66"/>
         <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="71"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="74"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="71"/>
-        <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured.</source>
-        <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="75"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="81"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="75"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="81"/>
         <source>What is drawn to look for, in the size that the photo has it; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="79"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="85"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="79"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="85"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="83"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="89"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="83"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="89"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="87"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="93"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="87"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="93"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="91"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="97"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="91"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="97"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="95"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="101"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="95"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="101"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="102"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="108"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="102"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="108"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="55"/>
+        <location filename="../build/template_texts.py" line="103"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="109"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="115"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="41"/>
+        <location filename="../build/template_texts.py" line="89"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="119"/>
-        <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in um, correlation, status and reason.</source>
-        <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan i przyczyna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, skośność, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="138"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="138"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="138"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="139"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="154"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
@@ -2434,482 +2359,427 @@
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="123"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="156"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="182"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="263"/>
         <source>Ground control points</source>
         <translation>Punkty osnowy (fotopunkty)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="182"/>
-        <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer.</source>
-        <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="77"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="87"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="77"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="87"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="195"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="277"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="55"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="64"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="55"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="64"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="202"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="284"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="206"/>
-        <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid. SRTM tiles are egm96.</source>
-        <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę. Kafle SRTM to egm96.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="65"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="75"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="66"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="76"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="73"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="83"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="73"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="83"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="214"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="92"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="50"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="51"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="51"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="52"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="112"/>
+        <location filename="../build/template_texts.py" line="190"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="236"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="252"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; punktów osnowy potrzebuje co najmniej {fewest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="64"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="64"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień wielomianów i ilorazów. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="69"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy bezpośredniej transformacji liniowej (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="69"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="73"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="74"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="73"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="74"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="139"/>
+        <location filename="../build/template_texts.py" line="217"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="78"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="80"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="49"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="52"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
-        <source>RPC files (*.txt *.TXT)</source>
-        <translation>Pliki RPC (*.txt *.TXT)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
-        <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT.</source>
-        <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="94"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="108"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="111"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="111"/>
         <source>control points</source>
         <translation>punkty osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="100"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="114"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
         <source>Control points used</source>
         <translation>Użyte punkty osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="129"/>
+        <location filename="../build/template_texts.py" line="207"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="137"/>
+        <location filename="../build/template_texts.py" line="215"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="117"/>
+        <location filename="../build/template_texts.py" line="195"/>
         <source>Control points</source>
         <translation>Punkty osnowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="243"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="259"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="43"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="50"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="45"/>
-        <source>Holds images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram, contrast, signal to noise on uniform mid-tone areas, colour balance on neutral areas, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason.</source>
-        <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu, kontrast, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na obszarach neutralnych, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
         <source>The images to be checked, each for itself.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="56"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="63"/>
         <source>Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="60"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="75"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="60"/>
-        <source>A JSON file with the limits and where they come from; the documentation has one to start from. Without it the JRC specification is used.</source>
-        <translation>Plik JSON z granicami i ich pochodzeniem; dokumentacja zawiera plik wyjściowy. Bez niego stosowana jest specyfikacja JRC.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="67"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="103"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="103"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
-        <source>All figures with the histograms on one HTML page.</source>
-        <translation>Wszystkie wartości z histogramami na jednej stronie HTML.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="39"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="41"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="40"/>
-        <source>Puts an image on the map over a terrain model, by a model file of Fit sensor model, an RPC file or the image&apos;s own RPC. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
-        <translation>Umieszcza obraz na mapie z użyciem numerycznego modelu terenu, według pliku modelu, pliku RPC albo własnego RPC obrazu. Robi to GDAL na wszystkich rdzeniach; odległość od modelu ścisłego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="49"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="52"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="53"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="56"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="53"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="56"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="57"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="81"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="59"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="85"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="59"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="85"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="65"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="91"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="65"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="91"/>
         <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="95"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="69"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="95"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="75"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="101"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="75"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="101"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="79"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="105"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="79"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="105"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="108"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="108"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="86"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="112"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="86"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="112"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="117"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="117"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="90"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="117"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="141"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="169"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="29"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="38"/>
         <source>Compare marks</source>
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="31"/>
-        <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do. Two operators differed there by 0.25 px.</source>
-        <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r. Dwaj operatorzy różnili się tam o 0,25 px.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="41"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="51"/>
         <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="45"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="45"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="47"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="77"/>
         <source>Pixel size (um)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="47"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="77"/>
         <source>Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="54"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="84"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="54"/>
-        <source>Count, mean, standard deviation, maximum and minimum of the distances, a row for each unit.</source>
-        <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, po jednym wierszu na jednostkę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="58"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="97"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="58"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="97"/>
         <source>The difference of each mark, the second measurement less the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="66"/>
-        <source>Marks in both layers</source>
-        <translation>Znaczki w obu warstwach</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="98"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="165"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>Liczba znaczków: {count}, średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
@@ -2964,7 +2834,7 @@
         <translation>Tylko jeden ortoobraz da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="43"/>
+        <location filename="../plugin/toolkit/messages.py" line="44"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -2984,67 +2854,67 @@
         <translation>Tabela par nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="173"/>
+        <location filename="../plugin/seams/measure/messages.py" line="177"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="169"/>
+        <location filename="../plugin/seams/measure/messages.py" line="173"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="169"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="177"/>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="181"/>
+        <location filename="../plugin/seams/measure/messages.py" line="185"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="187"/>
+        <location filename="../plugin/seams/measure/messages.py" line="191"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -3079,12 +2949,12 @@
         <translation>Podano liczbę poziomów {levels}; reguła szumu porównuje poziomy, więc użyj co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="25"/>
+        <location filename="../plugin/noise/measure/messages.py" line="29"/>
         <source>{name} has no variance in {band} here; move the window to where there is content.</source>
         <translation>Raster {name} ma tu w kanale {band} zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="26"/>
+        <location filename="../plugin/noise/measure/messages.py" line="30"/>
         <source>The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) or a texture of that size; look at the window.</source>
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
@@ -3104,149 +2974,109 @@
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="8"/>
+        <location filename="../plugin/noise/measure/messages.py" line="12"/>
         <source>{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster.</source>
         <translation>Raster {name} nie ma części z danymi o wielkości {fewest} × {fewest} px; narysuj okna albo wybierz większy raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="11"/>
+        <location filename="../plugin/noise/measure/messages.py" line="15"/>
         <source>{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.</source>
         <translation>Raster {name} nie ma części z danymi o wielkości {wanted} × {wanted} px; jego okna mają {side} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="12"/>
+        <location filename="../plugin/noise/measure/messages.py" line="16"/>
         <source>{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the window.</source>
         <translation>Część okna bez danych w jednym z rastrów wynosi {share:.1%}, a dopuszcza się {most:.0%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="16"/>
+        <location filename="../plugin/noise/measure/messages.py" line="20"/>
         <source>The two groups show no common ground, so each raster has windows of its own and nothing is compared pairwise.</source>
         <translation>Obie grupy nie pokazują wspólnego terenu, więc każdy raster ma własne okna i nic nie jest porównywane parami.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="20"/>
+        <location filename="../plugin/noise/measure/messages.py" line="24"/>
         <source>Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both groups.</source>
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="7"/>
+        <location filename="../plugin/imagery/messages.py" line="102"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="8"/>
+        <location filename="../plugin/imagery/messages.py" line="103"/>
         <source>The rules in {name} are no JSON (line {line}: {error}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (wiersz {line}: {error}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="9"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="10"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="11"/>
-        <source>{place} in {name} names the unknown check &apos;{check}&apos;; known are {known}.</source>
-        <translation>{place} w pliku {name}: nieznana kontrola „{check}”; znane są {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="12"/>
-        <source>{name} has two rules for &apos;{check}&apos;; leave one.</source>
-        <translation>Plik {name} zawiera dwie reguły dla „{check}”; zostaw jedną.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="13"/>
-        <source>{place} in {name}: &apos;{key}&apos; has to be a number of 0 or more.</source>
-        <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż 0.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="14"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="15"/>
-        <source>{place} in {name}: &apos;values&apos; has to be a whole number of 1 or more.</source>
-        <translation>{place} w pliku {name}: „values” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="16"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="8"/>
         <source>{place} in {name}: &apos;values&apos; belongs to clipped_low and clipped_high only.</source>
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="17"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="18"/>
-        <source>&apos;value_range&apos; in {name} has to be two numbers, the smaller one first.</source>
-        <translation>„value_range” w pliku {name} muszą tworzyć dwie liczby, najpierw mniejsza.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="19"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="20"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="16"/>
         <source>not measurable: {why}</source>
         <translation>niemierzalne: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="23"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="17"/>
         <source>{count} pixels are valid and at least {least} are needed; choose a larger part.</source>
         <translation>liczba pikseli z danymi wynosi {count}, a potrzeba co najmniej {least}; wybierz większą część.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="24"/>
-        <source>values of type {data_type} have no range of their own; give &apos;value_range&apos; in the rules file.</source>
-        <translation>wartości typu {data_type} nie mają własnego zakresu; podaj „value_range” w pliku reguł.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="27"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="31"/>
         <source>fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such areas.</source>
         <translation>znaleziono mniej niż {least} jednorodnych obszarów {side} × {side} px o średnich tonach; narysuj okna na takich obszarach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="31"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="35"/>
         <source>the uniform areas do not vary at all; a photograph would, so check how the image was made.</source>
         <translation>obszary jednorodne wcale się nie zmieniają; na zdjęciu tak nie bywa, więc sprawdź, jak powstał obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="34"/>
-        <source>fewer than {least} uniform areas whose bands differ by less than {most:.0%} of the range were found; draw windows on grey surfaces.</source>
-        <translation>znaleziono mniej niż {least} jednorodnych obszarów, których kanały różnią się o mniej niż {most:.0%} zakresu; narysuj okna na szarych powierzchniach.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="51"/>
         <source>it has no red, green and blue.</source>
         <translation>brak kanałów czerwonego, zielonego i niebieskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="39"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="54"/>
         <source>no seam runs across valid pixels of it for {pixels} px or more.</source>
         <translation>żadna linia mozaikowania nie biegnie przez piksele z danymi na długości {pixels} px lub większej.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="40"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="55"/>
         <source>The rules set no limit; give one in the rules file.</source>
         <translation>Reguły nie określają żadnej granicy; podaj ją w pliku reguł.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="41"/>
-        <source>{name}: the largest value is {largest}, so the range is taken as {low:g} to {high:g}; if it is another, give &apos;value_range&apos; in the rules file.</source>
-        <translation>{name}: największa wartość wynosi {largest}, więc przyjęto zakres od {low:g} do {high:g}; jeśli jest inny, podaj „value_range” w pliku reguł.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="7"/>
@@ -3269,7 +3099,7 @@
         <translation>Kryterium wynosi {criterion}; podaj część pełnej amplitudy między 0 a 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="11"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
         <source>The profile is averaged over {width} px either side; give 0 to {most}.</source>
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
@@ -3279,192 +3109,172 @@
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="18"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="20"/>
         <source>The layer has no field &apos;{field}&apos;; add it and fill it in.</source>
         <translation>Warstwa nie ma pola „{field}”; dodaj je i wypełnij.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="14"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="16"/>
         <source>The layer has no lines; draw one across the bars of each group.</source>
         <translation>Warstwa nie ma linii; narysuj po jednej w poprzek kresek każdej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="20"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
         <source>The line has no geometry; draw it anew across the bars of the group.</source>
         <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="21"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="23"/>
         <source>The line has several parts; draw one line across the bars of the group.</source>
         <translation>Linia składa się z kilku części; narysuj jedną linię w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="22"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
         <source>The line is not straight; draw it with two points across the bars of the group.</source>
         <translation>Linia nie jest prosta; narysuj ją dwoma punktami w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="23"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="25"/>
         <source>The line leaves {name}; draw it on the image, across the bars of the group.</source>
         <translation>Linia wychodzi poza raster {name}; narysuj ją na obrazie, w poprzek kresek grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="24"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="26"/>
         <source>The line crosses pixels of {name} without data; draw it where the image is.</source>
         <translation>Linia przecina piksele rastra {name} bez danych; narysuj ją tam, gdzie jest obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="25"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="27"/>
         <source>The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the ground on one side of the bars to that on the other.</source>
         <translation>Linia ma długość {length:.1f} px, a kreski w liczbie {bars} z przerwami wymagają co najmniej {least} px; narysuj ją od tła po jednej stronie kresek do tła po drugiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="29"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
         <source>The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.</source>
         <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek kresek tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
         <source>The line has no whole number in its field &apos;group&apos;; fill in the group&apos;s number.</source>
         <translation>Linia nie ma liczby całkowitej w polu „group”; wpisz numer grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="33"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="35"/>
         <source>The line&apos;s direction is &apos;{direction}&apos;; fill in &apos;along&apos; or &apos;across&apos;.</source>
         <translation>Kierunek linii to „{direction}”; wpisz „along” lub „across”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="34"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="39"/>
         <source>Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number.</source>
         <translation>Grupę {group} („{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="39"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="44"/>
         <source>No bars stand out on the line; draw it across the bars of one group.</source>
         <translation>Na linii nie widać kresek; narysuj ją w poprzek kresek jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="40"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="45"/>
         <source>The bars can&apos;t be told apart: {found} of {bars} stand out.</source>
         <translation>Kresek nie można rozróżnić: widać {found} z {bars}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="41"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
         <source>{found} bars stand out and a group has {bars}; draw the line across one group only.</source>
         <translation>Liczba widocznych kresek: {found}, a grupa ma ich {bars}; narysuj linię w poprzek tylko jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="42"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="47"/>
         <source>The amplitude is {share:.0%} of the full one and the criterion is {criterion:.0%}.</source>
         <translation>Amplituda wynosi {share:.0%} pełnej, a kryterium {criterion:.0%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="43"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="48"/>
         <source>The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.</source>
         <translation>Amplituda {amplitude:.1f} DN nie przekracza trzykrotności szumu {noise:.1f} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="46"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="51"/>
         <source>A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted.</source>
         <translation>Kreska i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="50"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="55"/>
         <source>The bars seem {spacing:.1f} px apart, which can&apos;t be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
         <translation>Odstęp kresek wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="54"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="59"/>
         <source>The bars seem {spacing:.1f} px apart and the group&apos;s are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
         <translation>Odstęp kresek wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="58"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="63"/>
         <source>A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.</source>
         <translation>Grubsza grupa {group} nie jest rozróżniona, więc ta to aliasing i nie jest liczona.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="59"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="64"/>
         <source>The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a shorter exposure.</source>
         <translation>Kreski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="64"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="69"/>
         <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster&apos;s pixel size.</source>
         <translation>Odstęp kresek jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej odstęp i wielkość piksela rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="68"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
         <source>The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it.</source>
         <translation>Kreski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="72"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
         <source>No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.</source>
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
-        <source>Height {height} m and distance {grd} cm make no minimum height; give positive numbers of metres and centimetres.</source>
-        <translation>Z wysokości {height} m i GRD {grd} cm nie można obliczyć minimalnej wysokości; podaj dodatnie liczby metrów i centymetrów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="76"/>
-        <source>The reference height is {height} m; give a positive number or leave it empty.</source>
-        <translation>Wysokość odniesienia wynosi {height} m; podaj liczbę dodatnią albo pozostaw pole puste.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="84"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="115"/>
         <source>{count} passes over the target; the Open Skies treaty asks for {least} at least.</source>
         <translation>Liczba przelotów nad testem: {count}; traktat o otwartych przestworzach (Open Skies) wymaga co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="99"/>
         <source>No row has a height and a distance to compute with; fill in &apos;height&apos; and &apos;grd&apos;.</source>
         <translation>Żaden wiersz nie ma wysokości i GRD do obliczeń; wypełnij „height” i „grd”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="100"/>
         <source>Row {row} is left out: {why}</source>
         <translation>Wiersz {row} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="79"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="101"/>
         <source>&apos;height&apos; or &apos;grd&apos; holds no number; fill in both.</source>
         <translation>„height” lub „grd” nie zawiera liczby; wypełnij oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="86"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="117"/>
         <source>There is no Bayer pattern &apos;{pattern}&apos;; choose one of {known}.</source>
         <translation>Nie ma wzoru Bayera „{pattern}”; wybierz jeden z {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="87"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="118"/>
         <source>There is no interpolation &apos;{demosaic}&apos;; choose one of {known}.</source>
         <translation>Nie ma interpolacji „{demosaic}”; wybierz jedną z {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
-        <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose bilinear.</source>
-        <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz bilinear.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="92"/>
-        <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose bilinear.</source>
-        <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz bilinear.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="95"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="126"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} kan., ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
         <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy grup kresek w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="13"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="15"/>
         <source>No image of a bar target is chosen; choose one above, then draw a line across its bars.</source>
         <translation>Nie wybrano obrazu testu kreskowego; wybierz go powyżej, a potem narysuj linię w poprzek kresek.</translation>
     </message>
@@ -3479,42 +3289,42 @@
         <translation>Wszystkie piksele wzorca są jednakowe; wytnij go tam, gdzie jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="73"/>
+        <location filename="../plugin/photos/measure/messages.py" line="77"/>
         <source>the surface around the best place is flat, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest płaska, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="74"/>
+        <location filename="../plugin/photos/measure/messages.py" line="78"/>
         <source>the surface around the best place is a saddle, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest siodłowa, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="75"/>
+        <location filename="../plugin/photos/measure/messages.py" line="79"/>
         <source>the extremum of the surface lies outside the pixels it was computed from</source>
         <translation>ekstremum powierzchni leży poza pikselami, z których ją obliczono</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="77"/>
+        <location filename="../plugin/photos/measure/messages.py" line="81"/>
         <source>the template is larger than the piece of the photo around the mark</source>
         <translation>wzorzec jest większy niż fragment zdjęcia wokół znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="78"/>
+        <location filename="../plugin/photos/measure/messages.py" line="82"/>
         <source>the best correlation is {value:.2f} and at least {least:.2f} is asked for</source>
         <translation>największa korelacja wynosi {value:.2f}, a wymagana jest co najmniej {least:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="79"/>
+        <location filename="../plugin/photos/measure/messages.py" line="83"/>
         <source>two places look nearly alike, with correlations of {best:.2f} and {second:.2f}</source>
         <translation>dwa miejsca wyglądają niemal tak samo, z korelacjami {best:.2f} i {second:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="81"/>
+        <location filename="../plugin/photos/measure/messages.py" line="85"/>
         <source>the mark lies at the edge of the photo and is not all there</source>
         <translation>znaczek leży na brzegu zdjęcia i nie jest cały widoczny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="82"/>
+        <location filename="../plugin/photos/measure/messages.py" line="86"/>
         <source>parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no mark</source>
         <translation>części znaczka różnią się o {shift:.1f} px, a dopuszcza się najwyżej {most:.1f} px: zabrudzenie, rysa albo to nie znaczek</translation>
     </message>
@@ -3564,12 +3374,12 @@
         <translation>Znaczki „{one}” i „{other}” kalibracji są w jednym miejscu; popraw ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="99"/>
+        <location filename="../plugin/photos/measure/messages.py" line="107"/>
         <source>Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them as positions with their measurement off.</source>
         <translation>Znaczki zmierzone lub podane: {count}, a model {model} wymaga {least}; zmierz pozostałe ręcznie i podaj je jako położenia z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="103"/>
+        <location filename="../plugin/photos/measure/messages.py" line="111"/>
         <source>The marks are at one place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
         <translation>Znaczki są w jednym miejscu albo na jednej prostej, więc nie można wyznaczyć modelu {model}; podaj dalsze znaczki.</translation>
     </message>
@@ -3619,62 +3429,57 @@
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="76"/>
+        <location filename="../plugin/photos/measure/messages.py" line="80"/>
         <source>nothing around the position looks like a mark</source>
         <translation>wokół położenia nic nie wygląda jak znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="87"/>
+        <location filename="../plugin/photos/measure/messages.py" line="91"/>
         <source>no places in the photo that look like marks lie as the calibration says</source>
         <translation>żadne miejsca na zdjęciu podobne do znaczków nie leżą zgodnie z kalibracją</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="86"/>
+        <location filename="../plugin/photos/measure/messages.py" line="90"/>
         <source>it would lie outside the photo</source>
         <translation>leżałby poza zdjęciem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="92"/>
+        <location filename="../plugin/photos/measure/messages.py" line="96"/>
         <source>it was found at the same place as &apos;{other}&apos;</source>
         <translation>znaleziono go w tym samym miejscu co „{other}”</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="93"/>
+        <location filename="../plugin/photos/measure/messages.py" line="97"/>
         <source>it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most</source>
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="94"/>
+        <location filename="../plugin/photos/measure/messages.py" line="102"/>
         <source>the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="69"/>
-        <source>The given mark &apos;{mark}&apos; lies {worst:.2f} mm from where the others want it; check its place and its name.</source>
-        <translation>Podany znaczek „{mark}” leży {worst:.2f} mm od miejsca wynikającego z pozostałych; sprawdź jego położenie i nazwę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/measure/messages.py" line="106"/>
+        <location filename="../plugin/photos/measure/messages.py" line="114"/>
         <source>The {model} model takes all of its {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
         <translation>Model {model} wykorzystuje wszystkie swoje znaczki ({count}), więc odchyłki są zerowe i nic nie mówią o jego dokładności; zmierz więcej znaczków albo użyj prostszego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="80"/>
+        <location filename="../plugin/photos/measure/messages.py" line="84"/>
         <source>the surface&apos;s extremum leads away from where the mark was found</source>
         <translation>ekstremum powierzchni prowadzi z dala od miejsca, w którym znaleziono znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="88"/>
+        <location filename="../plugin/photos/measure/messages.py" line="92"/>
         <source>only {count} places that look like marks lie as the calibration says, and without positions {least} are needed</source>
         <translation>liczba miejsc podobnych do znaczków i zgodnych z kalibracją wynosi tylko {count}, a bez położeń potrzeba {least}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="110"/>
+        <location filename="../plugin/photos/measure/messages.py" line="118"/>
         <source>There is no transformation to write; give the positions of more marks.</source>
         <translation>Nie ma transformacji do zapisania; podaj położenia większej liczby znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="111"/>
+        <location filename="../plugin/photos/measure/messages.py" line="119"/>
         <source>{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were written.</source>
         <translation>Raster {name} nie ma transformacji ({why}); jego znaczki są w wyniku, ale nie zapisano parametrów ani pliku world.</translation>
     </message>
@@ -3694,22 +3499,12 @@
         <translation>Warstwa położeń nie zawiera punktu z nazwą w polu „mark”; zdigitalizuj takie punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="116"/>
+        <location filename="../plugin/photos/measure/messages.py" line="134"/>
         <source>The layer {layer} has no field &apos;mark&apos;; choose layers of measured marks.</source>
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="117"/>
-        <source>A layer has the mark &apos;{mark}&apos; twice; give both layers a field &apos;photo&apos; that tells photos apart.</source>
-        <translation>Jedna z warstw zawiera znaczek „{mark}” dwa razy; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/measure/messages.py" line="120"/>
-        <source>The two layers have no mark in common; check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
-        <translation>Obie warstwy nie mają wspólnego znaczka; sprawdź ich pola „mark” i „photo”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/measure/messages.py" line="121"/>
+        <location filename="../plugin/photos/measure/messages.py" line="141"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
@@ -3739,22 +3534,22 @@
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="8"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="9"/>
         <source>{name} is no points file of QGIS&apos;s georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose one, or a point layer with the fields column and row.</source>
         <translation>{name} nie jest plikiem punktów georeferencera QGIS (jego nagłówek nie zawiera mapX, mapY oraz sourceX lub pixelX); wybierz taki plik albo warstwę punktową z polami column i row.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="12"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
         <source>Line {line} of {name} can&apos;t be read; correct or remove it.</source>
         <translation>Nie można odczytać wiersza {line} pliku {name}; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="13"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="21"/>
         <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points&apos; reference system.</source>
         <translation>Plik {name} nie podaje układu współrzędnych, jak pliki sprzed QGIS 3.26; ustaw układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="24"/>
         <source>The point layer has no field &apos;{field}&apos;; it needs column and row, the place of each point in the image in pixels.</source>
         <translation>Warstwa punktów nie ma pola „{field}”; wymagane są column i row, miejsce każdego punktu na obrazie w pikselach.</translation>
     </message>
@@ -3764,147 +3559,147 @@
         <translation>Nie ma punktów do dopasowania modelu; zmierz je albo wybierz inną warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
         <source>Point {name} is left out: {why}</source>
         <translation>Punkt {name} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
         <source>its place in the image or on the ground is missing.</source>
         <translation>brakuje jego miejsca na obrazie lub w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="23"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
         <source>its role &apos;{role}&apos; is neither control nor check.</source>
         <translation>jego rola „{role}” nie jest ani control, ani check.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="24"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="33"/>
         <source>it has no height and the terrain model has none there.</source>
         <translation>nie ma wysokości, a NMT też jej tam nie podaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="19"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="27"/>
         <source>Points that are switched off in the georeferencer and left out: {count}.</source>
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="26"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="76"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="80"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
         <translation>Liczba punktów osnowy wynosi {count}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="34"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z punktów w liczbie {total} jako punkty osnowy pozostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="38"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Punkty osnowy leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="41"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="91"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Punkty osnowy leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="45"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="95"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>Punkty osnowy sprzeczne z innymi: {count}; pozostaje ich za mało, aby dopasować model {model}. Sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="50"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="100"/>
         <source>Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="53"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Punkty osnowy leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="57"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Punkty osnowy pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="61"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="66"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="70"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="133"/>
         <source>No line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="77"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
         <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
         <translation>Nie można dopasować modelu parametrycznego do tych punktów; sprawdź, czy współrzędne nie są zamienione lub wysokości błędne, albo włącz szukanie błędów grubych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="81"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="151"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="86"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
         <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="92"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="155"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="97"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="98"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
         <source>{name} is no sensor model file; choose one that fitsensormodel has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="104"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="170"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
@@ -3914,67 +3709,67 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="109"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="113"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="121"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="125"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="117"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="173"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="281"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="135"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="282"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="283"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="284"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3984,67 +3779,67 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="303"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="307"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="148"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="311"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli bez podstawy parametrycznej ilorazy są najbardziej wiarygodne, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="315"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To iloraz najniższego stopnia z jednym mianownikiem i potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="319"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="323"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="327"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="21"/>
+        <location filename="../build/template_texts.py" line="68"/>
         <source>window</source>
         <translation>okno</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="22"/>
+        <location filename="../build/template_texts.py" line="69"/>
         <source>verdict, cause, observer</source>
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="28"/>
+        <location filename="../build/template_texts.py" line="75"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="23"/>
+        <location filename="../build/template_texts.py" line="70"/>
         <source>raster</source>
         <translation>raster</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="25"/>
+        <location filename="../build/template_texts.py" line="72"/>
         <source>detail, level</source>
         <translation>detale, poziom</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="20"/>
+        <location filename="../build/template_texts.py" line="67"/>
         <source>Relative variances</source>
         <translation>Wariancje względne</translation>
     </message>
@@ -4069,12 +3864,12 @@
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="143"/>
+        <location filename="../build/template_texts.py" line="221"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="144"/>
+        <location filename="../build/template_texts.py" line="222"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
@@ -4084,157 +3879,142 @@
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="16"/>
+        <location filename="../plugin/noise/noise_summary.py" line="19"/>
         <source>low</source>
         <translation>mały</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="17"/>
+        <location filename="../plugin/noise/noise_summary.py" line="21"/>
         <source>moderate</source>
         <translation>umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="18"/>
+        <location filename="../plugin/noise/noise_summary.py" line="22"/>
         <source>strong</source>
         <translation>silny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="66"/>
+        <location filename="../build/template_texts.py" line="128"/>
         <source>not measurable</source>
         <translation>niemierzalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="77"/>
-        <source>How it is measured</source>
-        <translation>Jak przebiega pomiar</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="82"/>
+        <location filename="../build/template_texts.py" line="147"/>
         <source>Random noise</source>
         <translation>Szum losowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="83"/>
+        <location filename="../build/template_texts.py" line="148"/>
         <source>Windows by their random noise: {counts}.</source>
         <translation>Okna według szumu losowego: {counts}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="84"/>
+        <location filename="../build/template_texts.py" line="149"/>
         <source>Relative variance of the details by level, 1 the finest. It rises from level to level in an image with little random noise; noise lifts level 1 above level 2 and, where it is strong, level 2 above level 3.</source>
         <translation>Wariancja względna detali według poziomów, poziom 1 jest najdokładniejszy. W obrazie o małym szumie losowym rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2, a gdy jest silny, także poziom 2 ponad poziom 3.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="86"/>
+        <location filename="../build/template_texts.py" line="153"/>
         <source>group</source>
         <translation>grupa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="87"/>
+        <location filename="../build/template_texts.py" line="118"/>
         <source>pixel</source>
         <translation>piksel</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="88"/>
+        <location filename="../build/template_texts.py" line="154"/>
         <source>least sigma (DN)</source>
         <translation>najmniejsza sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="89"/>
+        <location filename="../build/template_texts.py" line="155"/>
         <source>mean</source>
         <translation>średnia</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="90"/>
+        <location filename="../build/template_texts.py" line="156"/>
         <source>largest</source>
         <translation>największa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="76"/>
+        <location filename="../plugin/noise/report.py" line="129"/>
         <source>noise</source>
         <translation>szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="76"/>
+        <location filename="../plugin/noise/report.py" line="129"/>
         <source>sigma (DN)</source>
         <translation>sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="77"/>
+        <location filename="../plugin/noise/report.py" line="131"/>
         <source>detail {level}</source>
         <translation>detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="78"/>
+        <location filename="../plugin/noise/report.py" line="132"/>
         <source>kurtosis by level</source>
         <translation>kurtoza według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="78"/>
+        <location filename="../plugin/noise/report.py" line="132"/>
         <source>column, row</source>
         <translation>kolumna, wiersz</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="78"/>
+        <location filename="../plugin/noise/report.py" line="132"/>
         <source>note</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="91"/>
-        <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. Judged is the luminance, or the only band (Pyka 2009).</source>
-        <translation>Każde okno jest rozkładane falką {wavelet} na poziomy w liczbie {levels}; detale poziomu to udział jego trzech komponentów detali w wariancji okna. Oceniana jest luminancja albo jedyny kanał (Pyka 2009).</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="92"/>
+        <location filename="../build/template_texts.py" line="158"/>
         <source>Sigma is the median absolute value of the finest diagonal component divided by 0.6745, in DN. Fine texture adds to it, so compare it between images of the same ground.</source>
         <translation>Sigma to mediana wartości bezwzględnych najdokładniejszego komponentu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="93"/>
-        <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground.</source>
-        <translation>Kurtoza to czwarty moment detali poziomu podzielony przez kwadrat ich wariancji: 3 dla szumu gaussowskiego, więcej tam, gdzie krawędzie wyróżniają się na spokojnym tle.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/line_layer.py" line="67"/>
+        <location filename="../plugin/resolution/line_layer.py" line="72"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę kresek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="167"/>
+        <location filename="../build/template_texts.py" line="246"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="166"/>
+        <location filename="../build/template_texts.py" line="245"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="176"/>
+        <location filename="../build/template_texts.py" line="255"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="174"/>
+        <location filename="../build/template_texts.py" line="253"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="172"/>
+        <location filename="../build/template_texts.py" line="251"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="175"/>
+        <location filename="../build/template_texts.py" line="254"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="165"/>
+        <location filename="../build/template_texts.py" line="244"/>
         <source>misregistration</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="179"/>
+        <location filename="../build/template_texts.py" line="19"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
@@ -4284,112 +4064,97 @@
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="53"/>
+        <location filename="../build/template_texts.py" line="101"/>
         <source>Pictures</source>
         <translation>Obrazy znaczków</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="38"/>
+        <location filename="../build/template_texts.py" line="88"/>
         <source>Interior orientation of {name}</source>
         <translation>Orientacja wewnętrzna: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="39"/>
-        <source>{columns} x {rows} px. Marks measured: {measured}, given: {given}, failed: {failed}.</source>
-        <translation>{columns} × {rows} px. Znaczki zmierzone: {measured}, podane: {given}, odrzucone: {failed}.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="40"/>
-        <source>Root mean square of the residuals: {rms:.1f} um.</source>
-        <translation>Średnia kwadratowa odchyłek: {rms:.1f} µm.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="42"/>
+        <location filename="../build/template_texts.py" line="90"/>
         <source>Mark</source>
         <translation>Znaczek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="43"/>
+        <location filename="../build/template_texts.py" line="91"/>
         <source>Column, px</source>
         <translation>Kolumna, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="44"/>
+        <location filename="../build/template_texts.py" line="92"/>
         <source>Row, px</source>
         <translation>Wiersz, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="45"/>
+        <location filename="../build/template_texts.py" line="93"/>
         <source>x, mm</source>
         <translation>x, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="46"/>
+        <location filename="../build/template_texts.py" line="94"/>
         <source>y, mm</source>
         <translation>y, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="47"/>
+        <location filename="../build/template_texts.py" line="95"/>
         <source>Residual x, um</source>
         <translation>Odchyłka x, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="48"/>
+        <location filename="../build/template_texts.py" line="96"/>
         <source>Residual y, um</source>
         <translation>Odchyłka y, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="49"/>
+        <location filename="../build/template_texts.py" line="97"/>
         <source>Correlation</source>
         <translation>Korelacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="50"/>
+        <location filename="../build/template_texts.py" line="98"/>
         <source>Status</source>
         <translation>Stan</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="51"/>
+        <location filename="../build/template_texts.py" line="99"/>
         <source>Reason</source>
         <translation>Przyczyna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="52"/>
+        <location filename="../build/template_texts.py" line="100"/>
         <source>Pixel centres are at .5: the first pixel reaches from 0 to 1. Millimetres: x to the right, y upwards.</source>
         <translation>Środki pikseli mają końcówkę ,5: pierwszy piksel sięga od 0 do 1. Milimetry: x w prawo, y w górę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="59"/>
+        <location filename="../build/template_texts.py" line="108"/>
         <source>to millimetres</source>
         <translation>na milimetry</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="60"/>
+        <location filename="../build/template_texts.py" line="109"/>
         <source>to pixels</source>
         <translation>na piksele</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="56"/>
+        <location filename="../build/template_texts.py" line="104"/>
         <source>Model: {model}, marks: {marks}, degrees of freedom: {redundancy}.</source>
         <translation>Model {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="57"/>
+        <location filename="../build/template_texts.py" line="105"/>
         <source>The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}.</source>
         <translation>Zdjęcie jest obrócone o {turned} stopni zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie: {evidence}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="58"/>
+        <location filename="../build/template_texts.py" line="106"/>
         <source> and mirrored</source>
         <translation> i odbite lustrzanie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="54"/>
-        <source>Each pixel is shown {times} times as wide; the cross stands where the mark was found.</source>
-        <translation>Każdy piksel jest pokazany w {times}-krotnym powiększeniu; krzyż stoi tam, gdzie znaleziono znaczek.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/report.py" line="72"/>
+        <location filename="../plugin/photos/report.py" line="150"/>
         <source>correlation {value:.2f}</source>
         <translation>korelacja {value:.2f}</translation>
     </message>
@@ -4439,272 +4204,227 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="51"/>
+        <location filename="../plugin/noise/charts.py" line="56"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="116"/>
-        <source>group {group}: mean and range of {count} windows</source>
-        <translation>grupa {group}: średnia i zakres, liczba okien: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/charts.py" line="116"/>
+        <location filename="../plugin/noise/charts.py" line="161"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres, liczba okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="120"/>
-        <source>All windows, judged band</source>
-        <translation>Wszystkie okna, oceniany kanał</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/charts.py" line="131"/>
-        <source>group {group}:</source>
-        <translation>grupa {group}:</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/charts.py" line="134"/>
+        <location filename="../plugin/noise/charts.py" line="178"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="30"/>
+        <location filename="../plugin/resolution/distance_words.py" line="12"/>
         <source>along the flight</source>
         <translation>wzdłuż kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="30"/>
+        <location filename="../plugin/resolution/distance_words.py" line="12"/>
         <source>across the flight</source>
         <translation>w poprzek kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="46"/>
+        <location filename="../plugin/resolution/charts.py" line="39"/>
         <source>not resolved</source>
         <translation>nierozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="47"/>
+        <location filename="../plugin/resolution/charts.py" line="40"/>
         <source>aliasing</source>
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="48"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="137"/>
+        <location filename="../plugin/resolution/charts.py" line="161"/>
         <source>group {group}, {grd:.2f} cm: {verdict}</source>
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="97"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="107"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="32"/>
+        <location filename="../build/template_texts.py" line="79"/>
         <source>{name} (mosaic)</source>
         <translation>{name} (mozaika)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="116"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="135"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="151"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="136"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="152"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="137"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="153"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="159"/>
-        <source>Clips at 2x, {side} px a side around x {x}, y {y}.</source>
-        <translation>Wycinki w powiększeniu 2x, bok {side} px, wokół x {x}, y {y}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="163"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="179"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="22"/>
+        <location filename="../plugin/radiometry/words.py" line="17"/>
         <source>clipped at the dark end</source>
         <translation>obcięcie w cieniach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="23"/>
+        <location filename="../plugin/radiometry/words.py" line="18"/>
         <source>clipped at the bright end</source>
         <translation>obcięcie w światłach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="24"/>
+        <location filename="../plugin/radiometry/words.py" line="19"/>
         <source>histogram peak from mid-scale</source>
         <translation>odległość maksimum histogramu od środka skali</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="25"/>
+        <location filename="../plugin/radiometry/words.py" line="20"/>
         <source>contrast</source>
         <translation>kontrast</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="26"/>
+        <location filename="../plugin/radiometry/words.py" line="21"/>
         <source>signal to noise</source>
         <translation>stosunek sygnału do szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="27"/>
+        <location filename="../plugin/radiometry/words.py" line="22"/>
         <source>colour balance</source>
         <translation>balans barw</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="28"/>
+        <location filename="../plugin/radiometry/words.py" line="23"/>
         <source>step at the seams</source>
         <translation>skok na liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="71"/>
+        <location filename="../build/template_texts.py" line="135"/>
         <source>contrast beside the seams</source>
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="64"/>
+        <location filename="../build/template_texts.py" line="126"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="65"/>
+        <location filename="../build/template_texts.py" line="127"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="62"/>
-        <source>Rules: {name}.</source>
-        <translation>Reguły: {name}.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="61"/>
+        <location filename="../build/template_texts.py" line="123"/>
         <source>Radiometric acceptance</source>
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="90"/>
+        <location filename="../plugin/radiometry/words.py" line="48"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="63"/>
+        <location filename="../build/template_texts.py" line="124"/>
         <source>image</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="67"/>
-        <source>what failed</source>
-        <translation>niespełnione reguły</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="69"/>
+        <location filename="../build/template_texts.py" line="130"/>
         <source>Tonal balancing and feathering lower the step at the seams and take contrast away with it, so both have to be looked at together.</source>
         <translation>Wyrównanie tonalne i wtapianie zmniejszają skok na liniach mozaikowania, ale odbierają przy tym kontrast, więc oba trzeba oceniać razem.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="68"/>
+        <location filename="../build/template_texts.py" line="129"/>
         <source>Tonal unity and contrast</source>
         <translation>Jednolitość tonalna i kontrast</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="70"/>
+        <location filename="../build/template_texts.py" line="132"/>
         <source>largest step at a seam</source>
         <translation>największy skok na linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="72"/>
+        <location filename="../build/template_texts.py" line="137"/>
         <source>Available range: {low:g} to {high:g} DN.</source>
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="106"/>
+        <location filename="../plugin/radiometry/words.py" line="32"/>
         <source>between bands</source>
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="73"/>
+        <location filename="../build/template_texts.py" line="139"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="75"/>
+        <location filename="../build/template_texts.py" line="5"/>
         <source>result</source>
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="76"/>
-        <source>source of the limit</source>
-        <translation>źródło granicy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/report.py" line="144"/>
+        <location filename="../plugin/radiometry/words.py" line="64"/>
         <source>{least} to {most}</source>
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="146"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="76"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="147"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="76"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="78"/>
-        <source>Clipping, peak and contrast come from the histogram of all valid pixels. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range.</source>
-        <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="79"/>
+        <location filename="../build/template_texts.py" line="144"/>
         <source>Signal to noise: areas of {side} x {side} px, spread over the image, whose mean lies in the middle half of the range and whose four quadrants have the same mean as far as their noise lets one tell; the quarter with the least noise, mean over standard deviation.</source>
         <translation>Stosunek sygnału do szumu: obszary {side} × {side} px, rozłożone na obrazie, których średnia leży w środkowej połowie zakresu, a cztery ćwiartki mają tę samą średnią, o ile pozwala to stwierdzić ich szum; z ćwierci obszarów o najmniejszym szumie, średnia podzielona przez odchylenie standardowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="80"/>
-        <source>Colour balance: such areas whose bands differ by at most 10 % of the range; the quarter with the least colour, largest difference between the bands&apos; means.</source>
-        <translation>Balans barw: takie same obszary, których kanały różnią się o najwyżej 10% zakresu; z ćwierci obszarów o najsłabszej barwie, największa różnica między średnimi kanałów.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="81"/>
+        <location filename="../build/template_texts.py" line="146"/>
         <source>Step at the seams: difference of the means {near} to {far} px on either side for every {station} px of seam, their median along each seam, the largest of all seams as a share of the image&apos;s largest value. Contrast beside the seams is the standard deviation of the same pixels, as a share of the range.</source>
         <translation>Skok na liniach mozaikowania: różnica średnich od {near} do {far} px po obu stronach, co {station} px linii, mediana wzdłuż każdej linii, największa ze wszystkich linii jako część największej wartości obrazu. Kontrast przy liniach mozaikowania to odchylenie standardowe tych samych pikseli jako część zakresu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="125"/>
+        <location filename="../build/template_texts.py" line="203"/>
         <source>Property</source>
         <translation>Właściwość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="126"/>
+        <location filename="../build/template_texts.py" line="204"/>
         <source>Value</source>
         <translation>Wartość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="127"/>
+        <location filename="../build/template_texts.py" line="205"/>
         <source>Unknowns</source>
         <translation>Niewiadome</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="74"/>
+        <location filename="../plugin/sensors/report.py" line="83"/>
         <source>{count}, held by priors</source>
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
@@ -4724,167 +4444,167 @@
         <translation>ilorazy wielomianów jak w RPC, bez fizyki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="10"/>
+        <location filename="../plugin/sensors/model_titles.py" line="13"/>
         <source>the direct linear transformation, without physics</source>
         <translation>bezpośrednia transformacja liniowa, bez fizyki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="11"/>
+        <location filename="../plugin/sensors/model_titles.py" line="14"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="12"/>
+        <location filename="../plugin/sensors/model_titles.py" line="15"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="128"/>
+        <location filename="../build/template_texts.py" line="206"/>
         <source>Iterations</source>
         <translation>Iteracje</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="130"/>
+        <location filename="../build/template_texts.py" line="208"/>
         <source>Standard deviation of a control point</source>
         <translation>Odchylenie standardowe punktu osnowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="131"/>
+        <location filename="../build/template_texts.py" line="209"/>
         <source>Image outside the control points&apos; outline</source>
         <translation>Część obrazu poza obrysem punktów osnowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="132"/>
+        <location filename="../build/template_texts.py" line="210"/>
         <source>Accuracy</source>
         <translation>Dokładność</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="133"/>
+        <location filename="../build/template_texts.py" line="211"/>
         <source>Points</source>
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="134"/>
+        <location filename="../build/template_texts.py" line="212"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="113"/>
+        <location filename="../build/template_texts.py" line="191"/>
         <source>Mean X (m)</source>
         <translation>Średni X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="114"/>
+        <location filename="../build/template_texts.py" line="192"/>
         <source>Mean Y (m)</source>
         <translation>Średni Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="115"/>
+        <location filename="../build/template_texts.py" line="193"/>
         <source>Largest X (m)</source>
         <translation>Największy X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="116"/>
+        <location filename="../build/template_texts.py" line="194"/>
         <source>Largest Y (m)</source>
         <translation>Największy Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="135"/>
+        <location filename="../build/template_texts.py" line="213"/>
         <source>Mean column (px)</source>
         <translation>Średni kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="136"/>
+        <location filename="../build/template_texts.py" line="214"/>
         <source>Mean row (px)</source>
         <translation>Średni wiersza (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="138"/>
+        <location filename="../build/template_texts.py" line="216"/>
         <source>Mean errors are root mean squares. Only check points, which took no part in the fit, say how accurate the image becomes.</source>
         <translation>Błędy średnie to błędy średniokwadratowe. Tylko punkty kontrolne, które nie brały udziału w dopasowaniu, mówią, jak dokładny będzie obraz.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="140"/>
+        <location filename="../build/template_texts.py" line="218"/>
         <source>Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated.</source>
         <translation>Model minus pomiar na obrazie, w powiększeniu; zacieniony obrys obejmuje to, co nie jest ekstrapolowane.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="141"/>
+        <location filename="../build/template_texts.py" line="219"/>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="142"/>
+        <location filename="../build/template_texts.py" line="220"/>
         <source>Role</source>
         <translation>Rola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="145"/>
+        <location filename="../build/template_texts.py" line="223"/>
         <source>Blunder</source>
         <translation>Błąd gruby</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="27"/>
+        <location filename="../plugin/sensors/report.py" line="28"/>
         <source>control</source>
         <translation>osnowa</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="27"/>
+        <location filename="../plugin/sensors/report.py" line="28"/>
         <source>yes</source>
         <translation>tak</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="124"/>
+        <location filename="../build/template_texts.py" line="202"/>
         <source>Sensor model: {name}</source>
         <translation>Model sensora: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="119"/>
+        <location filename="../build/template_texts.py" line="197"/>
         <source>Each point was predicted by a fit to all others (leave-one-out), since check points are few.</source>
         <translation>Każdy punkt przewidziano z dopasowania do wszystkich pozostałych (leave-one-out), ponieważ punktów kontrolnych jest mało.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="120"/>
+        <location filename="../build/template_texts.py" line="198"/>
         <source>Errors are those of check points, which took no part in the fit.</source>
         <translation>Błędy są błędami punktów kontrolnych, które nie brały udziału w dopasowaniu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="110"/>
+        <location filename="../build/template_texts.py" line="188"/>
         <source>The recommended model stands out.</source>
         <translation>Zalecany model jest wyróżniony.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="111"/>
+        <location filename="../build/template_texts.py" line="189"/>
         <source>Table</source>
         <translation>Tabela</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="118"/>
+        <location filename="../build/template_texts.py" line="196"/>
         <source>Judged on</source>
         <translation>Podstawa oceny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="121"/>
+        <location filename="../build/template_texts.py" line="199"/>
         <source>Mean errors are root mean squares.</source>
         <translation>Błędy średnie to błędy średniokwadratowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="122"/>
+        <location filename="../build/template_texts.py" line="200"/>
         <source>Not fitted, or not to be trusted</source>
         <translation>Niedopasowane lub niewiarygodne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="123"/>
+        <location filename="../build/template_texts.py" line="201"/>
         <source>Why</source>
         <translation>Dlaczego</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="109"/>
+        <location filename="../build/template_texts.py" line="187"/>
         <source>Sensor models compared</source>
         <translation>Porównanie modeli sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="95"/>
+        <location filename="../plugin/sensors/report.py" line="104"/>
         <source>unknown</source>
         <translation>nieznane</translation>
     </message>
@@ -5069,159 +4789,124 @@
         <translation>{name} (mozaika, gruba)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="94"/>
+        <location filename="../build/template_texts.py" line="161"/>
         <source>Ground resolved distance: {name}</source>
         <translation>Terenowa zdolność rozdzielcza: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="95"/>
+        <location filename="../build/template_texts.py" line="175"/>
         <source>direction</source>
         <translation>kierunek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="96"/>
+        <location filename="../build/template_texts.py" line="140"/>
         <source>band</source>
         <translation>kanał</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="97"/>
+        <location filename="../build/template_texts.py" line="162"/>
         <source>distance, cm</source>
         <translation>GRD, cm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="98"/>
+        <location filename="../build/template_texts.py" line="168"/>
         <source>The target</source>
         <translation>Test</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="100"/>
-        <source>Full circles are bars, empty ones the gaps between them. The gaps must lie beyond the dashed line, which is {criterion:.0%} of the full amplitude away from the weakest bar. Grey lines: the ends of the line as drawn.</source>
-        <translation>Pełne kółka to kreski, puste – przerwy między nimi. Przerwy muszą leżeć za linią przerywaną, która jest oddalona od najsłabszej kreski o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="99"/>
+        <location filename="../build/template_texts.py" line="171"/>
         <source>Profiles</source>
         <translation>Profile</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="101"/>
+        <location filename="../build/template_texts.py" line="174"/>
         <source>Measurements</source>
         <translation>Pomiary</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="102"/>
+        <location filename="../build/template_texts.py" line="177"/>
         <source>bars</source>
         <translation>kreski</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="103"/>
+        <location filename="../build/template_texts.py" line="178"/>
         <source>amplitude, DN</source>
         <translation>amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="104"/>
+        <location filename="../build/template_texts.py" line="180"/>
         <source>full amplitude, DN</source>
         <translation>pełna amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="105"/>
+        <location filename="../build/template_texts.py" line="181"/>
         <source>modulation</source>
         <translation>modulacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="106"/>
+        <location filename="../build/template_texts.py" line="182"/>
         <source>shift, px</source>
         <translation>przesunięcie, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="107"/>
+        <location filename="../build/template_texts.py" line="183"/>
         <source>Reasons</source>
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="46"/>
-        <source>{direction}: {grd:.2f} cm</source>
-        <translation>{direction}: {grd:.2f} cm</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/report.py" line="48"/>
-        <source>geometric mean: {grd:.2f} cm</source>
-        <translation>średnia geometryczna: {grd:.2f} cm</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/report.py" line="49"/>
+        <location filename="../plugin/resolution/report.py" line="130"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="29"/>
+        <location filename="../build/template_texts.py" line="76"/>
         <source>Flagged windows</source>
         <translation>Oznaczone okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="30"/>
+        <location filename="../build/template_texts.py" line="77"/>
         <source>None: no window has a significant loss, and in none did the observer see one.</source>
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="151"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="177"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="1"/>
-        <source>{date}. {count} windows, {flagged} of them flagged: a significant loss, or one that the observer saw.</source>
-        <translation>{date}. Okien: {count}, w tym oznaczonych: {flagged} (strata istotna lub zauważona przez obserwatora).</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="2"/>
-        <source>Summary</source>
-        <translation>Podsumowanie</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="4"/>
+        <location filename="../build/template_texts.py" line="39"/>
         <source>windows</source>
         <translation>okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="13"/>
+        <location filename="../build/template_texts.py" line="60"/>
         <source>Causes</source>
         <translation>Przyczyny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="17"/>
+        <location filename="../build/template_texts.py" line="64"/>
         <source>of them flagged</source>
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="18"/>
+        <location filename="../build/template_texts.py" line="65"/>
         <source>Map</source>
         <translation>Mapa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="19"/>
+        <location filename="../build/template_texts.py" line="66"/>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="217"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="243"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="33"/>
-        <source>How to read it</source>
-        <translation>Jak to czytać</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="36"/>
+        <location filename="../build/template_texts.py" line="84"/>
         <source>Relative variance: the share of a clip&apos;s variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic&apos;s share at level 1 divided by a source&apos;s; a window&apos;s ratio is the largest over its sources.</source>
         <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział mozaiki na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
-    </message>
-    <message>
-        <location filename="../build/template_texts.py" line="37"/>
-        <source>The clips show, at 2x and all stretched alike, the part of the window where the mosaic lost most of the finest detail. JPEG takes a little of it from all of them.</source>
-        <translation>Wycinki pokazują, w powiększeniu 2x i z jednakowym rozciągnięciem, część okna, w której mozaika straciła najwięcej najdrobniejszych detali. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/packages.py" line="34"/>
@@ -5254,32 +4939,32 @@
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="38"/>
+        <location filename="../plugin/radiometry/charts.py" line="47"/>
         <source>where the peak should lie</source>
         <translation>gdzie powinno leżeć maksimum</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="42"/>
+        <location filename="../plugin/radiometry/charts.py" line="51"/>
         <source>value (DN)</source>
         <translation>wartość (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="43"/>
+        <location filename="../plugin/radiometry/charts.py" line="52"/>
         <source>pixels (%)</source>
         <translation>piksele (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="63"/>
+        <location filename="../plugin/radiometry/charts.py" line="83"/>
         <source>largest step at a seam (% of the largest value)</source>
         <translation>największy skok na linii mozaikowania (% największej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="64"/>
+        <location filename="../plugin/radiometry/charts.py" line="84"/>
         <source>contrast beside the seams (% of the range)</source>
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="184"/>
+        <location filename="../plugin/seams/desk/dock.py" line="173"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -5289,52 +4974,47 @@
         <translation>Ile szumu losowego ma ortofotomapa albo ortoobraz źródłowy w zaznaczonym oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="57"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="80"/>
         <source>Raster whose noise is measured: the mosaic, or a source that covers the window</source>
         <translation>Raster, którego szum jest mierzony: ortofotomapa albo ortoobraz źródłowy pokrywający okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="130"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="171"/>
         <source>Measure the noise</source>
         <translation>Pomiar szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="135"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="201"/>
         <source>Select a window, in the table or on the map, to see its noise.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego szum.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="150"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="216"/>
         <source>The measurement was stopped. Select the window again to measure it.</source>
         <translation>Pomiar przerwano. Zaznacz okno ponownie, aby je zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="45"/>
+        <location filename="../plugin/noise/noise_summary.py" line="116"/>
         <source>{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="57"/>
-        <source>sigma {sigma} DN, kurtosis by level {kurtosis}</source>
-        <translation>sigma {sigma} DN, kurtoza na kolejnych poziomach {kurtosis}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/noise_summary.py" line="67"/>
+        <location filename="../plugin/noise/noise_summary.py" line="155"/>
         <source>Low noise: the curve rises at every level</source>
         <translation>Mały szum: krzywa rośnie na każdym poziomie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="69"/>
+        <location filename="../plugin/noise/noise_summary.py" line="161"/>
         <source>Strong noise: the curve falls from level 1 to 2 and from 2 to 3</source>
         <translation>Silny szum: krzywa opada z poziomu 1 na 2 i z 2 na 3</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="71"/>
+        <location filename="../plugin/noise/noise_summary.py" line="163"/>
         <source>Moderate noise: the curve falls from level 1 to 2, then rises</source>
         <translation>Umiarkowany szum: krzywa opada z poziomu 1 na 2, potem rośnie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="72"/>
+        <location filename="../plugin/noise/noise_summary.py" line="164"/>
         <source>Moderate noise</source>
         <translation>Umiarkowany szum</translation>
     </message>
@@ -5354,62 +5034,62 @@
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>similarity</source>
         <translation>podobieństwa</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
@@ -5469,12 +5149,12 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="160"/>
+        <location filename="../build/template_texts.py" line="224"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="150"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -5564,7 +5244,7 @@
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="164"/>
+        <location filename="../build/template_texts.py" line="243"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
@@ -5584,7 +5264,7 @@
         <translation>{value} % jej pikseli nie pochodzi z żadnego z tych ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="168"/>
+        <location filename="../build/template_texts.py" line="247"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
@@ -5614,7 +5294,7 @@
         <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="169"/>
+        <location filename="../build/template_texts.py" line="248"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
@@ -5634,7 +5314,7 @@
         <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="170"/>
+        <location filename="../build/template_texts.py" line="249"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
@@ -5654,7 +5334,7 @@
         <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="171"/>
+        <location filename="../build/template_texts.py" line="250"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
@@ -5674,7 +5354,7 @@
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="173"/>
+        <location filename="../build/template_texts.py" line="252"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
@@ -5689,7 +5369,7 @@
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="177"/>
+        <location filename="../build/template_texts.py" line="256"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
@@ -5764,7 +5444,7 @@
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="188"/>
+        <location filename="../plugin/seams/measure/messages.py" line="192"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -5804,37 +5484,37 @@
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="15"/>
+        <location filename="../build/template_texts.py" line="62"/>
         <source>main cause in</source>
         <translation>główna przyczyna w</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="16"/>
+        <location filename="../build/template_texts.py" line="63"/>
         <source>took part in</source>
         <translation>udział w</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="31"/>
+        <location filename="../build/template_texts.py" line="80"/>
         <source>share, level</source>
         <translation>część, poziom</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="34"/>
+        <location filename="../build/template_texts.py" line="82"/>
         <source>Kept: the share of the sources&apos; detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
         <translation>Zachowane: część detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="35"/>
+        <location filename="../build/template_texts.py" line="83"/>
         <source>Verdicts by the seam: significant, where 70 % or less is kept (or what the inspection was set to), or the whole window is blurred badly; reduced, where surely less than all is; else preserved. The paper&apos;s rule looks at ratio 1 in whole clips: significant up to 0.5, reduced below 1. Observer: what the operator saw at 2x magnification.</source>
         <translation>Oceny według linii mozaikowania: strata istotna, gdy zachowano 70 % lub mniej (albo tyle, ile ustawiono przy kontroli) lub całe okno jest mocno rozmyte; obniżona, gdy na pewno zachowano mniej niż wszystko; inaczej zachowana. Reguła z artykułu patrzy na stosunek 1 w całych wycinkach: istotna do 0,5, obniżona poniżej 1. Obserwator: co operator widział w powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="7"/>
+        <location filename="../build/template_texts.py" line="54"/>
         <source>median</source>
         <translation>mediana</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="11"/>
+        <location filename="../build/template_texts.py" line="58"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
@@ -5844,7 +5524,7 @@
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="130"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
@@ -5899,22 +5579,22 @@
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="171"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="171"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5929,7 +5609,7 @@
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="118"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="75"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
@@ -5939,7 +5619,7 @@
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="125"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="63"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
@@ -6414,7 +6094,7 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
@@ -6484,7 +6164,7 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="189"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="255"/>
         <source>Relative variance of the details by level, 1 the finest. Only the bold curve is judged. The red bar at a level stands as high as the bold curve does one level before: in an image with little noise the curve rises above it. Where the bold curve is in the red, below the bar, noise lifted the finer level.</source>
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
@@ -6499,27 +6179,27 @@
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="146"/>
+        <location filename="../build/template_texts.py" line="226"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="147"/>
+        <location filename="../build/template_texts.py" line="227"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="148"/>
+        <location filename="../build/template_texts.py" line="228"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="149"/>
+        <location filename="../build/template_texts.py" line="229"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="150"/>
+        <location filename="../build/template_texts.py" line="230"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
@@ -6544,7 +6224,7 @@
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="10"/>
+        <location filename="../build/template_texts.py" line="57"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -6554,52 +6234,52 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="130"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="124"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="140"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="126"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="142"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="44"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="45"/>
         <source>Swipe</source>
         <translation>Kurtyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="45"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="46"/>
         <source>Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="142"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="143"/>
         <source>Compare the mosaic with {name}</source>
         <translation>Porównaj ortofotomapę z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="146"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="147"/>
         <source>No source here</source>
         <translation>Nie ma tu ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="148"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="149"/>
         <source>Exchange the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="150"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="151"/>
         <source>Lying handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="151"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="152"/>
         <source>Compare above and below instead of left and right</source>
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
@@ -6609,12 +6289,12 @@
         <translation>Otwórz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe.py" line="229"/>
+        <location filename="../plugin/seams/desk/swipe/swipe.py" line="233"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe.py" line="233"/>
+        <location filename="../plugin/seams/desk/swipe/swipe.py" line="237"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -6849,7 +6529,7 @@
         <translation>Najpierw okna, w których zachowano najmniej detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="63"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
@@ -6859,7 +6539,7 @@
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
@@ -6984,122 +6664,122 @@
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="64"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="33"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="64"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="33"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="66"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="35"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="67"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="36"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="80"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="49"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="80"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="49"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="82"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="51"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="161"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="120"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="179"/>
+        <location filename="../build/template_texts.py" line="186"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="181"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="138"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="40"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="34"/>
         <source>Save or copy the seam profile: as a picture, or as a table of all levels</source>
         <translation>Zapisz lub skopiuj profil linii mozaikowania: jako obraz albo jako tabelę wszystkich poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="45"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
         <source>All levels and distances</source>
         <translation>Wszystkie poziomy i odległości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="87"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="73"/>
         <source>Save seam profile</source>
         <translation>Zapisz profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="100"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="75"/>
         <source>The seam profile was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano profilu linii mozaikowania w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="103"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="75"/>
         <source>The seam profile was saved to {path}.</source>
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="140"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="115"/>
         <source>the picture could not be written</source>
         <translation>nie udało się zapisać obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="117"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="95"/>
         <source>Seam profile</source>
         <translation>Profil linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="118"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="96"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="147"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="120"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="151"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="185"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="157"/>
         <source>The profile is not at hand. Inspect again to see it.</source>
         <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="162"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="191"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="163"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="212"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="184"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -7119,22 +6799,22 @@
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="62"/>
+        <location filename="../plugin/seams/desk/dock.py" line="57"/>
         <source>Click: selects the window that is there, with Shift it too; else makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="260"/>
+        <location filename="../plugin/seams/desk/dock.py" line="249"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="266"/>
+        <location filename="../plugin/seams/desk/dock.py" line="255"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="270"/>
+        <location filename="../plugin/seams/desk/dock.py" line="259"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -7214,17 +6894,17 @@
         <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="173"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="174"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="218"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="219"/>
         <source>{metres:.1f} m aside, where it can be judged; with Ctrl here</source>
         <translation>{metres:.1f} m obok, gdzie można je ocenić; z Ctrl tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="223"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="224"/>
         <source>nearest place that can be judged: {metres:.1f} m {direction}</source>
         <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
     </message>
@@ -7389,37 +7069,37 @@
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="87"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="76"/>
         <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="276"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="276"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="61"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="63"/>
         <source>Windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="341"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="112"/>
         <source>In which order windows are shown and judged.</source>
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
@@ -7584,22 +7264,22 @@
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/messages.py" line="142"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="139"/>
+        <location filename="../plugin/seams/measure/messages.py" line="143"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = 'feathering'.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o '{name}', a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola '{field}': zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -7709,42 +7389,42 @@
         <translation>Okna skontrolowane i ocenione: pole 'observer' ze słowami 'visible' (stratę widać przy 2x) i 'invisible' ('unsure' nie jest oceną) oraz miary 'kept_1', 'composite_ratio_1', 'contrast_1' i 'ratio_1', o ile są.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="151"/>
+        <location filename="../build/template_texts.py" line="231"/>
         <source>90 % and more: even ground</source>
         <translation>90 % i więcej: jak teren wokół</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="152"/>
+        <location filename="../build/template_texts.py" line="233"/>
         <source>at most half of the finest detail would stay</source>
         <translation>zostałaby najwyżej połowa najdrobniejszych detali</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="153"/>
+        <location filename="../build/template_texts.py" line="234"/>
         <source>up to three quarters</source>
         <translation>do trzech czwartych</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="154"/>
+        <location filename="../build/template_texts.py" line="235"/>
         <source>more than three quarters</source>
         <translation>ponad trzy czwarte</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="155"/>
+        <location filename="../build/template_texts.py" line="236"/>
         <source>nothing to be feathered, or not comparable</source>
         <translation>nic do wtapiania albo nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="156"/>
+        <location filename="../build/template_texts.py" line="237"/>
         <source>significant loss</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="161"/>
+        <location filename="../build/template_texts.py" line="225"/>
         <source>width of the band</source>
         <translation>szerokość pasa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="163"/>
+        <location filename="../build/template_texts.py" line="242"/>
         <source>Window</source>
         <translation>Okno</translation>
     </message>
@@ -7799,32 +7479,32 @@
         <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="298"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="289"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć okna ({count}), w tym ocenione ({judged})?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="208"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="140"/>
+        <location filename="../plugin/seams/measure/messages.py" line="144"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="142"/>
+        <location filename="../plugin/seams/measure/messages.py" line="146"/>
         <source>The filter knows no geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -7832,6 +7512,3441 @@
         <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
         <source>Like the mosaic wherever they were compared: the mosaic again, or the one orthoimage that it was made from; check it if it is that.</source>
         <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
+        <source>wavelet</source>
+        <translation>falka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
+        <source>levels</source>
+        <translation>liczba poziomów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/report.py" line="62"/>
+        <source>mean detail {level}</source>
+        <translation>średnie detale {level}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/report.py" line="63"/>
+        <source>mean sigma (DN)</source>
+        <translation>średnia sigma (DN)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/report.py" line="130"/>
+        <source>largest possible</source>
+        <translation>największa możliwa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/report.py" line="130"/>
+        <source>grain (DN)</source>
+        <translation>ziarno (DN)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="42"/>
+        <source>Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
+        <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Ziarno grubsze niż piksel jest wyszukiwane w widmie najspokojniejszego terenu; gdzie mogłaby je ukryć tekstura, ocena jest niepewna (uncertain). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli. Okna są grupowane według swojego pola, np. użytkowania terenu lub skali.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="63"/>
+        <source>Name of the rasters</source>
+        <translation>Nazwa rastrów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="63"/>
+        <source>What the first group is called in chart and report. Empty: its file&apos;s name, or group 1.</source>
+        <translation>Nazwa pierwszej grupy na wykresie i w raporcie. Puste: nazwa jej pliku albo grupa 1.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="67"/>
+        <source>Name of the second group</source>
+        <translation>Nazwa drugiej grupy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="67"/>
+        <source>What the second group is called. Empty: its file&apos;s name, or group 2.</source>
+        <translation>Nazwa drugiej grupy. Puste: nazwa jej pliku albo grupa 2.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="77"/>
+        <source>Group windows by</source>
+        <translation>Grupuj okna według</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="77"/>
+        <source>A field of the windows, as land use, scale or film: chart and report compare its values.</source>
+        <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="86"/>
+        <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, and the verdict low, uncertain, moderate or strong.</source>
+        <translation>Jeden wiersz na okno, raster i kanał: wariancje względne, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, najwyższa możliwa wartość ziarna oraz ocena low, uncertain, moderate lub strong.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="100"/>
+        <source>Windows whose texture could hide grain</source>
+        <translation>Okna, których tekstura może skrywać ziarno</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="192"/>
+        <source>group {group}</source>
+        <translation>grupa {group}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/desk/window_classes.py" line="25"/>
+        <source>Field that windows are grouped by, as land use or scale: the range of all windows with the selected window&apos;s value stands behind its curves. Empty: no groups.</source>
+        <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="91"/>
+        <source>Group by</source>
+        <translation>Grupuj według</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="195"/>
+        <source>{value}: {band} of {count} of {all} windows</source>
+        <translation>{value}: {band}, okna: {count} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="20"/>
+        <source>uncertain</source>
+        <translation>niepewny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="106"/>
+        <source>no value</source>
+        <translation>brak wartości</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="118"/>
+        <source>{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
+        <translation>{finding}; w kanale {band} sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="133"/>
+        <source>sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}</source>
+        <translation>sigma {sigma} DN, z ziarnem najwyżej {largest} DN, kurtoza na kolejnych poziomach {kurtosis}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="147"/>
+        <source>Grain: {sigma} DN, {size} px.</source>
+        <translation>Ziarno: {sigma} DN, {size} px.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="150"/>
+        <source>At most {sigma} DN.</source>
+        <translation>Najwyżej {sigma} DN.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="157"/>
+        <source>Uncertain</source>
+        <translation>Szum niepewny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="159"/>
+        <source>Strong noise</source>
+        <translation>Silny szum</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/measure/messages.py" line="8"/>
+        <source>Windows are grouped by a field of theirs; give WINDOWS, or leave GROUP_FIELD empty.</source>
+        <translation>Okna są grupowane według ich pola; podaj WINDOWS albo pozostaw GROUP_FIELD puste.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/measure/messages.py" line="11"/>
+        <source>The windows have no field {field}; choose one that they have.</source>
+        <translation>Okna nie mają pola {field}; wybierz jedno z pól, które mają.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/measure/messages.py" line="34"/>
+        <source>The quiet ground has the spectrum of grain, noise coarser than a pixel; the curve alone does not show it.</source>
+        <translation>Spokojny teren ma widmo ziarna, czyli szumu grubszego niż piksel; sama krzywa tego nie pokazuje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/measure/messages.py" line="37"/>
+        <source>The curve rises, but noise coarser than a pixel (grain) can hide in this texture; measure smoother ground.</source>
+        <translation>Krzywa rośnie, ale w tej teksturze może się kryć szum grubszy niż piksel (ziarno); zmierz gładszy teren.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/measure/messages.py" line="40"/>
+        <source>The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a larger one.</source>
+        <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/charts.py" line="137"/>
+        <source>{field}: {value}</source>
+        <translation>{field}: {value}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/charts.py" line="137"/>
+        <source>All windows, {band}</source>
+        <translation>Wszystkie okna, {band}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/charts.py" line="160"/>
+        <source>1 window</source>
+        <translation>1 okno</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/charts.py" line="161"/>
+        <source>{name}: mean and range of {count} windows</source>
+        <translation>{name}: średnia i zakres, liczba okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
+        <source>What is written is {filters}, and {name} says something else; give it that ending.</source>
+        <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/layers.py" line="76"/>
+        <source>temporary layer</source>
+        <translation>warstwa tymczasowa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/pages/how_measured.py" line="109"/>
+        <source>about {size:.3g} m</source>
+        <translation>około {size:.3g} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/model_titles.py" line="10"/>
+        <source>quotients of order 2 at most, with the terms left out that the points do not speak for</source>
+        <translation>ilorazy stopnia najwyżej 2, bez wyrazów, za którymi punkty nie przemawiają</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/report.py" line="28"/>
+        <source>reference system of the points</source>
+        <translation>układ współrzędnych punktów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="8"/>
+        <source>No point is left to fit a model to: {why} Correct the layer, or choose another one.</source>
+        <translation>Nie ma już punktów do dopasowania modelu: {why} Popraw warstwę albo wybierz inną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="13"/>
+        <source>{name} holds no ground control points itself; choose a layer or a file of points.</source>
+        <translation>{name} nie zawiera fotopunktów; wybierz warstwę albo plik z punktami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
+        <source>A ground control point inside {name} is no number; choose a layer or a file of points.</source>
+        <translation>Fotopunkt zapisany w pliku {name} nie jest liczbą; wybierz warstwę albo plik z punktami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="17"/>
+        <source>The points are of the images {names}; choose one of them, since a file that names images is read for one.</source>
+        <translation>Punkty należą do obrazów {names}; wybierz jeden z nich, ponieważ plik, który podaje nazwy obrazów, jest czytany dla jednego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="32"/>
+        <source>it has no height, and others have one.</source>
+        <translation>nie ma wysokości, a inne mają.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="35"/>
+        <source>The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
+        <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="39"/>
+        <source>Point {name} is {height:.6g} m high, as no place on earth is; give heights in metres.</source>
+        <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma żadne miejsce na ziemi; podaj wysokości w metrach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="42"/>
+        <source>By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
+        <translation>Według punktów piksel ma w terenie {size:.2g} m; sprawdź, czy ich układ współrzędnych jest tym, w którym podano współrzędne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="46"/>
+        <source>The points&apos; rows are negative, as QGIS&apos;s georeferencer shows them; give them from the upper edge downwards, all positive, or the .points file itself.</source>
+        <translation>Wiersze punktów są ujemne, jak pokazuje je georeferencer QGIS; podaj je od górnej krawędzi w dół, wszystkie dodatnie, albo podaj sam plik .points.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="50"/>
+        <source>The points lie in the image only with columns and rows interchanged; interchange the two fields.</source>
+        <translation>Punkty leżą na obrazie tylko przy zamienionych kolumnach i wierszach; zamień te dwa pola.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="53"/>
+        <source>{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose their image.</source>
+        <translation>Punkty leżące poza obrazem {columns} x {rows} pikseli: {count} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="57"/>
+        <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m, so errors and recommendation mean nothing if the heights are wrong; check them and their unit.</source>
+        <translation>Wysokości punktów ({count}: {names}) wynoszą od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m, więc błędy i zalecenie nic nie znaczą, jeśli wysokości są złe; sprawdź je i ich jednostkę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="62"/>
+        <source>The image&apos;s RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, their reference system and heights, and that it is the RPC of this image.</source>
+        <translation>RPC obrazu widzi punkty {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ odniesienia i wysokości oraz czy jest to RPC tego obrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="66"/>
+        <source>By the image&apos;s RPC the points&apos; columns and rows are interchanged; interchange the two fields.</source>
+        <translation>Według RPC obrazu kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="69"/>
+        <source>By the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
+        <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="73"/>
+        <source>The share of check points is {share:g}; give a number from 0 to {most:g}.</source>
+        <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
+        <source>{name} is no number; give one, or leave it empty.</source>
+        <translation>{name} nie jest liczbą; podaj liczbę albo zostaw puste.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="111"/>
+        <source>{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for (ROBUST).</source>
+        <translation>Punkty odbiegające od modelu znacznie bardziej niż pozostałe: {count} ({names}); sprawdź je albo włącz szukanie błędów grubych (ROBUST).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
+        <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
+        <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
+        <source>The fit to these points runs away from them all; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
+        <translation>Wyrównanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="147"/>
+        <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
+        <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
+        <source>No image with the RPC is written: there is no image to copy; choose it.</source>
+        <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
+        <source>{name} holds no interior orientation that can be read; choose a YAML file of orthority or an AutoCal XML of MicMac.</source>
+        <translation>Plik {name} nie zawiera orientacji wewnętrznej, którą można odczytać; wybierz plik YAML z orthority albo plik XML AutoCal z programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
+        <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
+        <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
+        <source>By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
+        <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="186"/>
+        <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
+        <translation>Wszystkie kąty w {name} są mniejsze od 3.15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="190"/>
+        <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
+        <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
+        <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole and Brown cameras of orthority and MicMac&apos;s radial distortion are.</source>
+        <translation>Kamera z pliku {name} ma dystorsję, która nie jest tu znana ({kind}); znane są kamery pinhole i Brown programu orthority oraz dystorsja radialna programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="197"/>
+        <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa (degrees), a GeoJSON of orthority or an Orientation XML of MicMac.</source>
+        <translation>Plik {name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="201"/>
+        <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
+        <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
+        <source>An interior and an exterior orientation are needed together; give the one that is missing.</source>
+        <translation>Orientacja wewnętrzna i zewnętrzna są potrzebne razem; podaj tę, której brakuje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
+        <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
+        <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
+        <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
+        <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="217"/>
+        <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
+        <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
+        <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
+        <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
+        <source>The terrain model {name} has no heights at all; choose another one.</source>
+        <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
+        <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
+        <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
+        <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
+        <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
+        <source>{name} is no grid of the geoid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
+        <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
+        <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
+        <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="245"/>
+        <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
+        <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
+        <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
+        <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <source>The constant height is {height:.6g} m, as no place on earth has; give it in metres.</source>
+        <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
+        <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, as no place on earth has; set its nodata value, or choose another one.</source>
+        <translation>Numeryczny model terenu {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość nodata albo wybierz inny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
+        <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
+        <translation>Numeryczny model terenu {name} ma oczka {mesh:.0f} m: rzeźba między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
+        <translation>Numeryczny model terenu {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
+        <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
+        <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="287"/>
+        <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
+        <translation>Liczby fotopunktów to „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
+        <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
+        <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="293"/>
+        <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
+        <translation>Obraz nie ma RPC, według którego można planować; podaj plik, który z nim przyszedł, albo pomiń obraz, by przyjąć skaner nominalny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="296"/>
+        <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
+        <translation>Fotopunkty: {count}; oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="299"/>
+        <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
+        <translation>Fotopunkty: {count}; nieudane losowania: {failed}, liczą się jako najgorsze: {why}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="44"/>
+        <source>Plan control points</source>
+        <translation>Zaplanuj fotopunkty</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="45"/>
+        <source>Tells what accuracy to expect from number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. A planning figure: check points of your own say how accurate the image became.</source>
+        <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="55"/>
+        <source>The sensor model that is going to be fitted, with its order or form. rpc_bias needs an RPC.</source>
+        <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="59"/>
+        <source>Numbers of control points</source>
+        <translation>Liczby fotopunktów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="59"/>
+        <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
+        <translation>Jeden wiersz tabeli na każdą, na przykład 6, 10, 20. Punktów kontrolnych się nie liczy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="63"/>
+        <source>Spread</source>
+        <translation>Rozmieszczenie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="63"/>
+        <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
+        <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="67"/>
+        <source>Share of the corner</source>
+        <translation>Udział narożnika</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="67"/>
+        <source>Of the image&apos;s area, for the spread corner.</source>
+        <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="71"/>
+        <source>Standard deviation on the ground (metres)</source>
+        <translation>Odchylenie standardowe w terenie (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="71"/>
+        <source>Of each of a point&apos;s three ground coordinates, as they are going to be surveyed.</source>
+        <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="75"/>
+        <source>Standard deviation in the image (pixels)</source>
+        <translation>Odchylenie standardowe na obrazie (piksele)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="75"/>
+        <source>Of a point&apos;s column and row: how well it is identified.</source>
+        <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="79"/>
+        <source>Lowest terrain (metres)</source>
+        <translation>Najniższy teren (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="79"/>
+        <source>Highest terrain (metres)</source>
+        <translation>Najwyższy teren (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="83"/>
+        <source>Height above the ellipsoid. Every point lies anywhere between the lowest and the highest.</source>
+        <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="88"/>
+        <source>An RPC whose geometry is taken for true. Without it and without IMAGE: a nominal line scanner.</source>
+        <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <source>Of the nominal scanner, and for the model pushbroom.</source>
+        <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <source>Angle of the view (degrees)</source>
+        <translation>Kąt widzenia (stopnie)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <source>From the vertical; nominal scanner.</source>
+        <translation>Od pionu; skaner nominalny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <source>Pixel size (metres)</source>
+        <translation>Rozmiar piksela (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <source>On the ground; nominal scanner.</source>
+        <translation>W terenie; skaner nominalny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <source>Side of the image (km)</source>
+        <translation>Bok obrazu (km)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <source>The image is square; nominal scanner.</source>
+        <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="37"/>
+        <source>Seed</source>
+        <translation>Ziarno losowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="102"/>
+        <source>The same number gives the same draws.</source>
+        <translation>Ta sama liczba daje te same losowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="107"/>
+        <source>Expected accuracy</source>
+        <translation>Oczekiwana dokładność</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="107"/>
+        <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
+        <translation>Jeden wiersz na liczbę punktów: średnie błędy kwadratowe w metrach, obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
+        <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
+        <translation>Kąt widzenia od pionu w środku obrazu (stopnie)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
+        <source>Azimuth that the image was taken from (degrees)</source>
+        <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
+        <source>What the error of terrain heights moves the middle of the image by (m)</source>
+        <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="263"/>
+        <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
+        <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="288"/>
+        <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
+        <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="300"/>
+        <source>Error of terrain heights (metres)</source>
+        <translation>Błąd wysokości terenu (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="300"/>
+        <source>What an error of this size moves the orthoimage by is told, from the angle that the image was taken at.</source>
+        <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="308"/>
+        <source>Grid of the geoid</source>
+        <translation>Siatka geoidy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="308"/>
+        <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
+        <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
+        <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
+        <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>Image with the RPC</source>
+        <translation>Obraz z RPC</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>GeoTIFF files (*.tif *.TIF)</source>
+        <translation>Pliki GeoTIFF (*.tif *.TIF)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
+        <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>Points for the georeferencer</source>
+        <translation>Punkty dla georeferencera</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>GCP files (*.points)</source>
+        <translation>Pliki fotopunktów (*.points)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
+        <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
+        <source>Correction of the RPC in the middle of the image, columns (px)</source>
+        <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
+        <source>Correction of the RPC in the middle of the image, rows (px)</source>
+        <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="42"/>
+        <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
+        <translation>Umieszcza obraz na mapie z użyciem numerycznego modelu terenu: obraz satelitarny według pliku modelu z algorytmu 'Dopasuj model sensora', pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Robi to GDAL na wszystkich rdzeniach; odległość od modelu ścisłego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="60"/>
+        <source>The camera of an aerial photo: a YAML file of orthority, or MicMac&apos;s AutoCal XML.</source>
+        <translation>Kamera zdjęcia lotniczego: plik YAML programu orthority albo AutoCal XML programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="64"/>
+        <source>Exterior orientation</source>
+        <translation>Orientacja zewnętrzna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="64"/>
+        <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa (degrees), a GeoJSON of orthority, or MicMac&apos;s Orientation XML.</source>
+        <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="71"/>
+        <source>Reference system of the exterior orientation</source>
+        <translation>Układ współrzędnych orientacji zewnętrznej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="71"/>
+        <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
+        <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="76"/>
+        <source>Heights of the exterior orientation</source>
+        <translation>Wysokości orientacji zewnętrznej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="76"/>
+        <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
+        <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <source>{name} says &apos;{key}&apos; twice in one object; leave one.</source>
+        <translation>W pliku {name} klucz '{key}' występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
+        <translation>{place} w pliku {name}: nieznana wartość '{value}' klucza {key}; znane są {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
+        <translation>{place} w pliku {name}: '{key}' musi być liczbą nie mniejszą niż {least:g}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
+        <translation>{place} w pliku {name}: '{key}' musi być liczbą całkowitą nie mniejszą niż 1.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
+        <translation>{place} w pliku {name}: '{key}' musi mieć wartość true lub false.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/distance_words.py" line="31"/>
+        <source>geometric mean</source>
+        <translation>średnia geometryczna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="122"/>
+        <source>all of them</source>
+        <translation>wszyscy razem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="127"/>
+        <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
+        <translation>Terenowa zdolność rozdzielcza: jedna kreska najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="129"/>
+        <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
+        <translation>Terenowa zdolność rozdzielcza: jedna kreska i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="134"/>
+        <source>higher</source>
+        <translation>wyższy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="134"/>
+        <source>lower</source>
+        <translation>niższy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="135"/>
+        <source>the group&apos;s own bars against plain gaps</source>
+        <translation>własne kreski grupy względem gładkich przerw</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="135"/>
+        <source>that of the coarsest group</source>
+        <translation>amplituda najgrubszej grupy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="137"/>
+        <source>group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide</source>
+        <translation>szerokość grupy {group} wynosi {grd:.2f} cm, a grupa o następnym numerze ({coarser}) jest {step:.3f} razy szersza</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="139"/>
+        <source>bars in each group</source>
+        <translation>kreski w każdej grupie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="140"/>
+        <source>widths</source>
+        <translation>szerokości</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="142"/>
+        <source>widths are of</source>
+        <translation>szerokości dotyczą</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="28"/>
+        <source>one bar</source>
+        <translation>jedna kreska</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="142"/>
+        <source>a bar and a gap together</source>
+        <translation>kreska i przerwa razem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="143"/>
+        <source>criterion</source>
+        <translation>kryterium</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/report.py" line="144"/>
+        <source>full amplitude</source>
+        <translation>pełna amplituda</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="28"/>
+        <source>bar and gap</source>
+        <translation>kreska i przerwa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="29"/>
+        <source>of the group</source>
+        <translation>danej grupy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="29"/>
+        <source>of the coarsest group</source>
+        <translation>najgrubszej grupy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="32"/>
+        <source>Distance of the reference group: the width of what is chosen beside it.</source>
+        <translation>GRD grupy odniesienia: szerokość tego, co wybrano obok.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="33"/>
+        <source>What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
+        <translation>Czego szerokością jest wymiar: kreski i przerwy razem, zgodnie z definicją rozdzielczości, czy jednej kreski, jak w niektórych testach i raportach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="37"/>
+        <source>What the amplitude has to be half of: the group&apos;s own bars against plain gaps, or the full amplitude of the coarsest group, which is stricter.</source>
+        <translation>Połową czego musi być amplituda: własnych kresek grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
+        <source>Full amplitude</source>
+        <translation>Pełna amplituda</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/verdict_text.py" line="18"/>
+        <source>Group {group}, {distance}</source>
+        <translation>Grupa {group}, {distance}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/verdict_text.py" line="23"/>
+        <source>(amplitude {share:.0%} of the full one)</source>
+        <translation>(amplituda {share:.0%} pełnej)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/desk/verdict_text.py" line="27"/>
+        <source>All lines: {distances}</source>
+        <translation>Wszystkie linie: {distances}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="11"/>
+        <source>There is no full amplitude &apos;{word}&apos;; choose one of {known}.</source>
+        <translation>Nie ma pełnej amplitudy '{word}'; wybierz jedną z {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="12"/>
+        <source>A distance can&apos;t be that of &apos;{word}&apos;; choose one of {known}.</source>
+        <translation>Wartość GRD nie może dotyczyć '{word}'; wybierz jedno z: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
+        <source>Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.</source>
+        <translation>Grupa {group} jest za daleko od grupy odniesienia {reference}, by mieć szerokość; popraw jeden z numerów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
+        <source>Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at least, so the distance may be coarser than the sensor&apos;s best; haze and a low sun lower the contrast.</source>
+        <translation>Kreski i przerwy najgrubszej grupy różnią się {contrast:.1f} razy, a metoda wymaga co najmniej {least:g}, więc GRD może być gorsza od najlepszej dla tego sensora; zamglenie i niskie słońce obniżają kontrast.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="84"/>
+        <source>No plain place of the target tells the full amplitude, so the groups may seem better resolved than they are; draw lines across coarser groups too.</source>
+        <translation>Żadne jednolite miejsce testu nie wyznacza pełnej amplitudy, więc grupy mogą wydawać się lepiej rozróżnione, niż są; narysuj też linie w poprzek grubszych grup.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
+        <source>None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each across the bars of one group, on the image.</source>
+        <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje kresek, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek kresek jednej grupy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="93"/>
+        <source>The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}.</source>
+        <translation>Wymagana GRD wynosi {grd:g} cm; podaj dodatnią liczbę centymetrów od {least:g} do {most:g}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="96"/>
+        <source>The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.</source>
+        <translation>Wysokość odniesienia wynosi {height:g} m; podaj dodatnią liczbę metrów do {highest:g} albo pozostaw pole puste.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="102"/>
+        <source>&apos;{word}&apos; is no number; give metres and centimetres.</source>
+        <translation>'{word}' nie jest liczbą; podaj metry i centymetry.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="103"/>
+        <source>Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
+        <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="107"/>
+        <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
+        <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; 'height' jest w metrach, a 'grd' w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="111"/>
+        <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
+        <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; 'grd' jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="119"/>
+        <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
+        <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych 'python -m pip install opencv-python-headless'); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="123"/>
+        <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.</source>
+        <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="41"/>
+        <source>bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen there says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which has to be installed.</source>
+        <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="48"/>
+        <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
+        <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu kreskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek kresek każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej kreski, a amplituda kresek względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy kresek względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Kreski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="62"/>
+        <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
+        <translation>Jedna linia w poprzek kresek każdej grupy, od tła po jednej stronie do tła po drugiej, z polami 'group' (liczba całkowita) i 'direction' ('along' – wzdłuż albo 'across' – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do kresek. Obok może być zapisane, co widzieli obserwatorzy, 'visible' lub 'invisible', w polach 'observer', 'observer_2' i tak dalej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="73"/>
+        <source>How far either side of the line the profile is averaged; less where that is more than bars are long.</source>
+        <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość kresek.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="93"/>
+        <source>Of the reference group, centimetres on the ground: the width of what the next line says.</source>
+        <translation>GRD grupy odniesienia w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="97"/>
+        <source>Distances are widths of</source>
+        <translation>GRD to szerokość</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="97"/>
+        <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
+        <translation>cycle: kreska i przerwa razem, co odpowiada rozdzielczości. bar: jedna kreska, jak w niektórych testach i raportach. Kreska i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
+        <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
+        <translation>group: własne kreski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <source>Standard deviation along the flight (cm)</source>
+        <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <source>Standard deviation across the flight (cm)</source>
+        <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <source>Standard deviation of the mean (cm)</source>
+        <translation>Odchylenie standardowe średniej (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <source>Distance along the flight that all observers see (cm)</source>
+        <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <source>Distance across the flight that all observers see (cm)</source>
+        <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <source>Contrast of the target, bars to gaps</source>
+        <translation>Kontrast testu, kreski do przerw</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
+        <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
+        <translation>Jeden wiersz na przelot z polami 'height' (metry nad testem) i 'grd' (centymetry), a dla kilku obserwatorów 'grd', 'grd_2', 'grd_3' i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach 'sensor', 'image_type' i 'direction', o ile takie pola istnieją, tworzą grupę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="66"/>
+        <source>One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it.</source>
+        <translation>Jeden wiersz na grupę: liczba, średnia i rozrzuty (metry), tolerancja (%) oraz uwagi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/distance_words.py" line="36"/>
+        <source>seen by all observers {direction}: {grd:.2f} cm</source>
+        <translation>widoczne dla wszystkich obserwatorów {direction}: {grd:.2f} cm</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/distance_words.py" line="41"/>
+        <source>contrast of the target {contrast:.1f}:1</source>
+        <translation>kontrast testu {contrast:.1f}:1</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/distance_words.py" line="44"/>
+        <source>contrast of the target, bars to gaps, {band}: {contrast:.1f}:1</source>
+        <translation>kontrast testu, kreski do przerw, {band}: {contrast:.1f}:1</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/charts.py" line="157"/>
+        <source>group {group} {direction}</source>
+        <translation>grupa {group} {direction}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/charts.py" line="158"/>
+        <source>{grd:.2f} cm: {verdict}</source>
+        <translation>{grd:.2f} cm: {verdict}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="113"/>
+        <source>rules</source>
+        <translation>reguły</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/report.py" line="170"/>
+        <source>not measurable, for the reason above</source>
+        <translation>niemierzalne, z powyższej przyczyny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
+        <source>accepted</source>
+        <translation>przyjęto</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
+        <source>rejected</source>
+        <translation>odrzucono</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="29"/>
+        <source>undecided</source>
+        <translation>nie rozstrzygnięto</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="33"/>
+        <source>each band</source>
+        <translation>każdy kanał</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="34"/>
+        <source>luminosity</source>
+        <translation>luminancja</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="106"/>
+        <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
+        <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}, {y:.2f}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="120"/>
+        <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
+        <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}, {green:.1f}, {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}, {y:.2f}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="139"/>
+        <source>{check} is {value}; the limit is {limit}.</source>
+        <translation>{check}: {value}; granica: {limit}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="145"/>
+        <source>Not measurable and required: {checks}.</source>
+        <translation>Niemierzalne i wymagane: {checks}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="147"/>
+        <source>Not measurable and not required: {checks}.</source>
+        <translation>Niemierzalne i niewymagane: {checks}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="166"/>
+        <source>The rules set no limit that it could be held against.</source>
+        <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="163"/>
+        <source>Beyond their limits: {images}; by {checks}.</source>
+        <translation>Poza granicami: {images}; reguły: {checks}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="166"/>
+        <source>Not measurable and required: {checks}; in {images}.</source>
+        <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="170"/>
+        <source>Not looked at: {count}.</source>
+        <translation>Nie sprawdzono: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="174"/>
+        <source>Not measurable and not required: {checks}; in {images}.</source>
+        <translation>Niemierzalne i niewymagane: {checks}; obrazy: {images}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="177"/>
+        <source>All figures keep their limits.</source>
+        <translation>Wszystkie wartości mieszczą się w granicach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="188"/>
+        <source>{names} and {count} more</source>
+        <translation>{names} i jeszcze {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="52"/>
+        <source>Holds images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
+        <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="71"/>
+        <source>Ready rules</source>
+        <translation>Gotowe reguły</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="67"/>
+        <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
+        <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum histogramu i kontrast luminancji. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
+        <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
+        <source>Range of values</source>
+        <translation>Zakres wartości</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
+        <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
+        <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
+        <source>Grey areas</source>
+        <translation>Szare obszary</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
+        <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
+        <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia zafarbu od barwy terenu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
+        <source>What may be grey</source>
+        <translation>Obszary być może szare</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
+        <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
+        <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="116"/>
+        <source>The decision and all figures with the histograms on one HTML page.</source>
+        <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="117"/>
+        <source>Decision: accepted, rejected or undecided</source>
+        <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="118"/>
+        <source>Reasons of the decision</source>
+        <translation>Uzasadnienie decyzji</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="209"/>
+        <source>Decision: {word}.</source>
+        <translation>Decyzja: {word}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="7"/>
+        <source>{place} in {name}: &apos;{check}&apos; of {band} has a rule already; leave one.</source>
+        <translation>{place} w pliku {name}: '{check}' dla {band} ma już regułę; zostaw jedną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="9"/>
+        <source>{place} in {name}: &apos;{check}&apos; is taken between red, green and blue and has no &apos;band&apos;.</source>
+        <translation>{place} w pliku {name}: '{check}' jest liczone między czerwonym, zielonym i niebieskim i nie ma 'band'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="10"/>
+        <source>{place} in {name}: &apos;band&apos; has to be luminosity, each, or the name of a band such as red, nir or band_4.</source>
+        <translation>{place} w pliku {name}: 'band' musi mieć wartość luminosity, each albo nazwę kanału, np. red, nir lub band_4.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="13"/>
+        <source>{place} in {name}: &apos;value_range&apos; has to be two numbers, the smaller one first.</source>
+        <translation>{place} w pliku {name}: 'value_range' muszą tworzyć dwie liczby, najpierw mniejsza.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="14"/>
+        <source>The range of values has to be two numbers, the smaller one first, as 0,4095.</source>
+        <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="18"/>
+        <source>values of type {data_type} have no range of their own; give the range of values, or &apos;value_range&apos; in the rules file.</source>
+        <translation>wartości typu {data_type} nie mają własnego zakresu; podaj zakres wartości albo 'value_range' w pliku reguł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
+        <source>the files do not say how many bits their values have. The largest value of all such images ({count}) is {largest}, so {possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or &apos;value_range&apos; in the rules file.</source>
+        <translation>pliki nie podają, ile bitów mają ich wartości. Największa wartość wszystkich takich obrazów ({count}) wynosi {largest}, więc możliwa liczba bitów to {possible}. Podaj zakres wartości, np. od 0 do 4095 dla 12 bitów, albo 'value_range' w pliku reguł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="27"/>
+        <source>the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or &apos;value_range&apos; in the rules file.</source>
+        <translation>według pliku liczba bitów jego wartości to {bits}, a zawiera on wartości do {largest}; podaj zakres wartości albo 'value_range' w pliku reguł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
+        <source>no grey areas are given, and none that may be grey were found; draw roads or roofs and give them as grey areas.</source>
+        <translation>nie podano obszarów szarych i nie znaleziono takich, które mogą być szare; narysuj drogi lub dachy i podaj je jako obszary szare.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="42"/>
+        <source>no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near {x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of the ground as well. Look at them and give those that are grey.</source>
+        <translation>nie podano obszarów szarych. Znaleziono obszary 16 px, które mogą być szare: {count} ({share:.1%} obejrzanych, w pobliżu {x:.1f}, {y:.1f}); ich kanały czerwony, zielony i niebieski różnią się o {difference:.1%}, co może powodować zarówno dominanta barwna, jak i barwa terenu. Obejrzyj je i podaj te, które są szare.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="47"/>
+        <source>the grey areas show fewer than {least} valid pixels of it that are neither too dark nor too bright; draw more.</source>
+        <translation>w obszarach szarych jest mniej niż {least} jego pikseli z danymi, które nie są ani zbyt ciemne, ani zbyt jasne; narysuj więcej obszarów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="52"/>
+        <source>it has no red, green and blue to mix; name one of its bands in the rules.</source>
+        <translation>nie ma czerwonego, zielonego i niebieskiego do zmieszania; podaj w regułach nazwę jednego z jego kanałów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="53"/>
+        <source>it has no band {band}.</source>
+        <translation>nie ma kanału {band}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="57"/>
+        <source>{name}, what depends on the range of values is not judged: {why}</source>
+        <translation>{name}: to, co zależy od zakresu wartości, nie jest oceniane: {why}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="58"/>
+        <source>{name}: {share:.2%} of the pixels lie beyond the range of {low:g} to {high:g} that was given, and count as clipped; check the range.</source>
+        <translation>{name}: {share:.2%} pikseli leży poza podanym zakresem od {low:g} do {high:g} i liczy się jako obcięte; sprawdź zakres.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="63"/>
+        <source>seam {number}</source>
+        <translation>linia mozaikowania {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="64"/>
+        <source>seam {number} (feature {features} of {layer})</source>
+        <translation>linia mozaikowania {number} (obiekt {features} warstwy {layer})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="65"/>
+        <source>grey area {area} with {share:.1%}, the most of all</source>
+        <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
+        <source>least share kept along the seam</source>
+        <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/inspection_report.py" line="151"/>
+        <source>limit of the paper&apos;s rule, ratio 1</source>
+        <translation>granica według reguły z artykułu, stosunek 1</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/inspection_report.py" line="155"/>
+        <source>orthoimage</source>
+        <translation>ortoobraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
+        <source>Clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
+        <translation>Wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2x.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
+        <translation>Tabela profili linii mozaikowania nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/report.py" line="40"/>
+        <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it lost detail, its curves, its clips at 2x, cause and observer.</source>
+        <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według mozaik, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) to, co zachowuje ono w zależności od odległości od linii mozaikowania, miejsce straty detali, krzywe, wycinki 2x, przyczynę i obserwatora.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/report.py" line="62"/>
+        <source>The table of seam profiles of the same windows: how much detail is kept by distance from the seam.</source>
+        <translation>Tabela profili linii mozaikowania tych samych okien: ile detali zachowano w zależności od odległości od linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/report.py" line="78"/>
+        <source>The limit drawn into the seam profiles: that which the windows were inspected with.</source>
+        <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/kept_chart.py" line="31"/>
+        <source>least: {least:g}</source>
+        <translation>najmniej: {least:g}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/kept_chart.py" line="34"/>
+        <source>failed: {share:.2f} %</source>
+        <translation>niezgodne: {share:.2f} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/kept_chart.py" line="36"/>
+        <source>share of detail kept (kept_1)</source>
+        <translation>zachowana część detali (kept_1)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/kept_chart.py" line="37"/>
+        <source>metres that kept less (%)</source>
+        <translation>metry, które zachowały mniej (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
+        <source>stated for this decision ({parameter})</source>
+        <translation>określone dla tej decyzji ({parameter})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="115"/>
+        <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
+        <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="124"/>
+        <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
+        <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="6"/>
+        <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
+        <translation>Nie można zapisać warstwy usterek; wybierz inny folder i zamknij plik tam, gdzie jest otwarty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="9"/>
+        <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
+        <translation>Nie można zapisać folderu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="12"/>
+        <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
+        <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="15"/>
+        <source>There are pictures of the longest {shown} of {count} failures.</source>
+        <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="16"/>
+        <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
+        <translation>{name} nie jest obrazem strat zapisanym przez skanowanie i zostaje pominięty; wybierz LOSS ze skanowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="19"/>
+        <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless seamlines were given; scan again with the orthoimages that are missing.</source>
+        <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy. Tamtejszych linii mozaikowania nie ma w żadnej liczbie, chyba że podano linie; zeskanuj ponownie z brakującymi ortoobrazami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="23"/>
+        <source>{name}: the scan found the seams in the pixels, not all of which show theirs where a feather is wide. With the producer&apos;s SEAMLINES metres and lengths are those of all seams.</source>
+        <translation>{name}: linie mozaikowania znaleziono w pikselach, a nie wszystkie je pokazują, gdy feathering jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="27"/>
+        <source>{name} is a scan&apos;s picture of losses, no mosaic; no picture is cut from it.</source>
+        <translation>{name} jest obrazem strat ze skanowania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/messages.py" line="28"/>
+        <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
+        <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="69"/>
+        <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
+        <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="75"/>
+        <source>As the scan wrote it: the XML refers to it, and it says how the seams were measured.</source>
+        <translation>Taki, jaki zapisało badanie: XML się do niego odwołuje, a on sam mówi, jak zmierzono linie mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="22"/>
+        <source>Failures</source>
+        <translation>Usterki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="84"/>
+        <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
+        <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w folderze obok pliku. GeoPackage lub CSV.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="93"/>
+        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
+        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
+        <source>Quality record (ISO 19157)</source>
+        <translation>Zapis jakości (ISO 19157)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
+        <source>The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
+        <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="14"/>
+        <source>least detail kept</source>
+        <translation>najmniejsza zachowana część detali</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="15"/>
+        <source>share of the seams that failed</source>
+        <translation>niezgodna część linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="16"/>
+        <source>longest failure without a break</source>
+        <translation>najdłuższa nieprzerwana usterka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="17"/>
+        <source>share of the seams that was measured</source>
+        <translation>zmierzona część linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="18"/>
+        <source>failed pieces in the sample</source>
+        <translation>niezgodne odcinki w próbie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="21"/>
+        <source>normal inspection</source>
+        <translation>kontrola normalna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="22"/>
+        <source>tightened inspection</source>
+        <translation>kontrola obostrzona</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="23"/>
+        <source>reduced inspection</source>
+        <translation>kontrola ulgowa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="63"/>
+        <source>A piece of seam fails where the operator saw a loss in its window, whatever it kept.</source>
+        <translation>Odcinek jest niezgodny tam, gdzie operator widział stratę w jego oknie, niezależnie od tego, ile zachował.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="65"/>
+        <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
+        <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
+        <source>can&apos;t be told</source>
+        <translation>nie da się określić</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="45"/>
+        <source>Acceptance of an orthophoto mosaic: {names}</source>
+        <translation>Odbiór ortofotomapy: {names}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="83"/>
+        <source>The seams were measured (scanmosaic): {settings}.</source>
+        <translation>Linie mozaikowania zmierzono (scanmosaic): {settings}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="85"/>
+        <source>The delivery was decided on (acceptmosaic) by the rules &apos;{rules}&apos;.</source>
+        <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
+        <source>density</source>
+        <translation>gęstość</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
+        <source>length of a piece of seam (m)</source>
+        <translation>długość odcinka linii mozaikowania (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
+        <source>corridor (m)</source>
+        <translation>korytarz (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="114"/>
+        <source>file of the rules</source>
+        <translation>plik reguł</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="115"/>
+        <source>which pieces fail</source>
+        <translation>które odcinki są niezgodne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="117"/>
+        <source>layer of windows</source>
+        <translation>warstwa okien</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="120"/>
+        <source>reference system</source>
+        <translation>układ współrzędnych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="121"/>
+        <source>picture of losses</source>
+        <translation>obraz strat</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <source>of seam</source>
+        <translation>linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <source>of seam in the sample</source>
+        <translation>linii w próbie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <source>of it measured</source>
+        <translation>z tego zmierzono</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <source>of it failed</source>
+        <translation>z tego niezgodne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <source>of what was measured failed (95 % interval)</source>
+        <translation>ze zmierzonych jest niezgodne (przedział ufności 95 %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <source>failed without a break</source>
+        <translation>niezgodne bez przerwy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <source>says which pieces fail</source>
+        <translation>określa, które odcinki są niezgodne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <source>what the operator saw</source>
+        <translation>co widział operator</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <source>no loss in the window of a piece</source>
+        <translation>bez straty w oknie odcinka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
+        <source>at least {least} in each piece</source>
+        <translation>co najmniej {least} w każdym odcinku</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
+        <source>{sheet} (no seams)</source>
+        <translation>{sheet} (bez linii)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
+        <source>pieces that failed</source>
+        <translation>odcinki niezgodne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
+        <source>pieces that passed</source>
+        <translation>odcinki zgodne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
+        <source>{kept} kept</source>
+        <translation>zachowano {kept}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="222"/>
+        <source>{across} across.</source>
+        <translation>Szerokość {across}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <source>Left: {across} across</source>
+        <translation>Po lewej: szerokość {across}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <source>Left: a part of it, {across} across</source>
+        <translation>Po lewej: jego część, szerokość {across}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <source>{first}; right: where least is kept, {detail} across in full size.</source>
+        <translation>{first}; z prawej: miejsce, gdzie zachowano najmniej, szerokość {detail}, w pełnej wielkości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
+        <source>plan</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
+        <source>ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}</source>
+        <translation>ISO 2859-1, plan jednostopniowy, poziom {level}, {severity}, AQL {aql}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <source>code letter</source>
+        <translation>znak literowy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <source>lot</source>
+        <translation>partia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <source>{count} pieces of seam</source>
+        <translation>odcinki linii mozaikowania: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <source>sample</source>
+        <translation>próba</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <source>{count} pieces of seam, of which {measured} were measured</source>
+        <translation>odcinki linii mozaikowania: {count}, w tym zmierzone: {measured}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
+        <source>accepted up to</source>
+        <translation>przyjęcie do</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <source>{count} failed pieces in the sample</source>
+        <translation>niezgodne odcinki w próbie: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <source>found</source>
+        <translation>stwierdzono</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <source>producer&apos;s risk</source>
+        <translation>ryzyko dostawcy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <source>{risk}: a delivery as good as the AQL is rejected</source>
+        <translation>{risk}: odrzucenie dostawy o jakości równej AQL</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <source>consumer&apos;s risk</source>
+        <translation>ryzyko odbiorcy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <source>10 %: a delivery with {quality} of failed pieces is accepted</source>
+        <translation>10 %: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <source>seed of the drawing</source>
+        <translation>ziarno losowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <source>first and second observer</source>
+        <translation>pierwszy i drugi obserwator</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <source>first observer and tool</source>
+        <translation>pierwszy obserwator i narzędzie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="93"/>
+        <source>acceptance of the delivery</source>
+        <translation>odbiór dostawy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="93"/>
+        <source>Whether the delivery keeps to the rules.</source>
+        <translation>Czy dostawa spełnia reguły.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="93"/>
+        <source>All rules together: the delivery is accepted where none of them fails.</source>
+        <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="104"/>
+        <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
+        <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="108"/>
+        <source>Each piece of seam: what the operator saw in its window.</source>
+        <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="115"/>
+        <source>Length of the pieces of seam that failed, by the length that was measured.</source>
+        <translation>Długość niezgodnych odcinków względem długości zmierzonej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="126"/>
+        <source>Length of the longest row of failed pieces that follow each other without a break, across sheets too.</source>
+        <translation>Długość najdłuższego nieprzerwanego ciągu niezgodnych odcinków, także przez granice arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="138"/>
+        <source>Share of the finest detail of the orthoimages that is left in the piece of seam that kept least.</source>
+        <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="148"/>
+        <source>ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; accepted up to {most} failed pieces.</source>
+        <translation>ISO 2859-1, plan jednostopniowy: poziom kontroli {level}, {severity}, AQL {aql}, znak literowy {letter}; liczba kwalifikująca (niezgodne odcinki): {most}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="156"/>
+        <source>Drawn at random with the seed {seed}.</source>
+        <translation>Wylosowano z ziarnem losowania {seed}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="157"/>
+        <source>{count} pieces of seam of {sheets} sheets</source>
+        <translation>odcinki linii mozaikowania: {count}, arkusze: {sheets}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="163"/>
+        <source>Each piece of seam of the sample.</source>
+        <translation>Każdy odcinek linii mozaikowania z próby.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="164"/>
+        <source>Pieces of seam in the sample that failed.</source>
+        <translation>Niezgodne odcinki w próbie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
+        <source>risks of the plan of sampling</source>
+        <translation>ryzyka planu kontroli wyrywkowej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
+        <source>Producer&apos;s risk: probability that a delivery as good as the AQL is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of 10 % (consumer&apos;s risk).</source>
+        <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy o jakości równej AQL. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem 10 % (ryzyko odbiorcy).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
+        <source>producer&apos;s risk; limiting quality</source>
+        <translation>ryzyko dostawcy; jakość graniczna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="183"/>
+        <source>From the results of all pieces of seam.</source>
+        <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="185"/>
+        <source>Length of seam that could be measured, by the length of all seams.</source>
+        <translation>Długość linii mozaikowania, którą można było zmierzyć, do długości wszystkich linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
+        <source>95 % interval of the share that failed</source>
+        <translation>95 % przedział ufności udziału niezgodnych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
+        <source>Where the share of failed metres lies with a confidence of 95 %.</source>
+        <translation>Gdzie z ufnością 95 % leży udział niezgodnych metrów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
+        <source>lower end; upper end</source>
+        <translation>dolny koniec; górny koniec</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="201"/>
+        <source>agreement of two observers (kappa)</source>
+        <translation>zgodność dwóch obserwatorów (kappa)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="201"/>
+        <source>agreement of the observer with the measurement (kappa)</source>
+        <translation>zgodność obserwatora z pomiarem (kappa)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <source>Cohen&apos;s kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as often as by chance.</source>
+        <translation>Kappa Cohena dla okien ocenionych przez obu (liczba okien: {count}): 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <source>Windows judged by eye at 2x magnification.</source>
+        <translation>Okna oceniane okiem w powiększeniu 2x.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <source>Windows as they were placed on the seams.</source>
+        <translation>Okna tak, jak rozmieszczono je na liniach mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <source>Windows on the seams of the delivery.</source>
+        <translation>Okna na liniach mozaikowania dostawy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <source>kappa; lower end; upper end (95 %)</source>
+        <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
+        <source>AQL {aql} %: rejected in {risk} % (producer&apos;s risk)</source>
+        <translation>AQL {aql} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
+        <source>limiting quality {quality} %: accepted in 10 % (consumer&apos;s risk)</source>
+        <translation>jakość graniczna {quality} %: przyjęcie w 10 % przypadków (ryzyko odbiorcy)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/charts.py" line="120"/>
+        <source>failed pieces in the delivery (%)</source>
+        <translation>niezgodne odcinki w dostawie (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/charts.py" line="121"/>
+        <source>probability of acceptance (%)</source>
+        <translation>prawdopodobieństwo przyjęcia (%)</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="11"/>
+        <source>Sheets</source>
+        <translation>Arkusze</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/sheet_index.py" line="37"/>
+        <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
+        <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="7"/>
+        <source>The layer of sheets says nowhere what they are called; it needs one of the fields {fields}.</source>
+        <translation>Warstwa arkuszy nie podaje ich nazw; potrzebuje jednego z pól {fields}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="10"/>
+        <source>No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system.</source>
+        <translation>W żadnym arkuszu nie leży ani jeden odcinek linii mozaikowania; wybierz skorowidz tej dostawy i sprawdź jego układ współrzędnych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="13"/>
+        <source>{count} pieces of seam lie in none of the sheets and keep their layer&apos;s name.</source>
+        <translation>Odcinki linii mozaikowania, które nie leżą w żadnym z arkuszy i zachowują nazwę swojej warstwy: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="15"/>
+        <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); leave one.</source>
+        <translation>Plik {name} zawiera dwie reguły dla '{check}' ({place} to druga); zostaw jedną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
+        <source>{name} says nowhere what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
+        <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą 'kept'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="17"/>
+        <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
+        <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę 'failed_share', 'longest_failure' lub 'sampling'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
+        <source>{place} in {name}: the check &apos;{check}&apos; needs &apos;{key}&apos;; give it.</source>
+        <translation>{place} w pliku {name}: kontrola '{check}' wymaga '{key}'; podaj tę wartość.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="21"/>
+        <source>{place} in {name}: &apos;{key}&apos; is {limit:g} and a share is at most 1; write 2 % as 0.02.</source>
+        <translation>{place} w pliku {name}: '{key}' wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
+        <source>{place} in {name}: the AQL &apos;{aql}&apos; is none of the standard&apos;s; known are {known}.</source>
+        <translation>{place} w pliku {name}: AQL '{aql}' nie należy do wartości normy; znane są {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
+        <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
+        <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="26"/>
+        <source>The ready rules &apos;{ready}&apos; and the rules in {name} are given; leave one of the two.</source>
+        <translation>Podano gotowe reguły '{ready}' i reguły z pliku {name}; zostaw jedne z nich.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
+        <source>nothing of it</source>
+        <translation>nic o tym</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="29"/>
+        <source>There are no pieces of seam to plan an inspection of; choose layers with lines.</source>
+        <translation>Brak odcinków linii mozaikowania, dla których można by zaplanować kontrolę; wybierz warstwy z liniami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
+        <source>The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.</source>
+        <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="31"/>
+        <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
+        <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
+        <source>Lots with {good:g} % failing pieces are to be accepted and with {bad:g} % rejected; the first has to be smaller, both between 0 and 100.</source>
+        <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="39"/>
+        <source>The producer&apos;s risk is {producers:g} % and the consumer&apos;s {consumers:g} %; both have to lie between 0 and 100.</source>
+        <translation>Ryzyko dostawcy wynosi {producers:g} %, a odbiorcy {consumers:g} %; oba muszą leżeć między 0 a 100.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="42"/>
+        <source>No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks.</source>
+        <translation>Żaden plan nie odróżni {good:g} % od {bad:g} % przy tych ryzykach; podaj wartości bardziej od siebie odległe albo większe ryzyka.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="45"/>
+        <source>A sample of {count} pieces was asked for; give 1 or more.</source>
+        <translation>Podano próbę o liczności {count}; podaj 1 lub więcej odcinków.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
+        <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
+        <translation>Okna są rozmieszczane na pikselach mozaiki; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
+        <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
+        <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
+        <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
+        <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
+        <source>No layer of seams has the field {field}; choose one that says which sheet it is.</source>
+        <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
+        <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
+        <translation>Odcinki, które nie leżą na mozaice i nie należą do partii: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="53"/>
+        <source>None of the seams lies on the mosaic; check the reference systems of both.</source>
+        <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
+        <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail (ISO 2859-1, level {level}, AQL {aql}, code letter {letter}): of lots with {allowed} failing pieces, the AQL, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted.</source>
+        <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} (ISO 2859-1, poziom {level}, AQL {aql}, znak literowy {letter}): z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
+        <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail: with {good:.2%} failing pieces a lot is rejected with {producers:.1%}, with {bad:.2%} accepted with {consumers:.1%}.</source>
+        <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance}: partia z {good:.2%} niezgodnych jest odrzucana z prawdopodobieństwem {producers:.1%}, a partia z {bad:.2%} przyjmowana z prawdopodobieństwem {consumers:.1%}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
+        <source>Pieces of one seam are alike by {correlation:.2f}, which makes the sample {effect:.2f} times as large; the risks are those of a production that such lots come from.</source>
+        <translation>Podobieństwo odcinków jednej linii wynosi {correlation:.2f}, co powiększa próbę {effect:.2f} razy; ryzyka dotyczą produkcji, z której pochodzą takie partie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
+        <source>The lot is too small for risks of {producers:.1%} and {consumers:.1%}: not even all {lot} pieces keep both, since pieces of one seam are alike and there are few seams; plan for more seams at once, or take larger risks.</source>
+        <translation>Partia jest za mała na ryzyka {producers:.1%} i {consumers:.1%}: nawet wszystkie odcinki ({lot}) nie zapewniają obu, bo odcinki jednej linii są podobne, a linii jest mało; zaplanuj więcej linii naraz albo przyjmij większe ryzyka.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="71"/>
+        <source>The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.</source>
+        <translation>Plan wymaga odcinków w liczbie {size}, a warstwy zawierają {drawn}; wylosuj pozostałe z reszty partii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="74"/>
+        <source>{size} of {lot} pieces are drawn; the log of acceptmosaic tells what that is worth.</source>
+        <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik acceptmosaic.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
+        <source>Accepted by &apos;{rules}&apos;: {why}.</source>
+        <translation>Przyjęta według reguł '{rules}': {why}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
+        <source>Rejected by &apos;{rules}&apos;: {why}.</source>
+        <translation>Odrzucona według reguł '{rules}': {why}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
+        <source>{why}; {also}</source>
+        <translation>{why}; {also}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
+        <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
+        <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
+        <source>{value:.2%} of the measured metres failed and only {limit:.2%} may</source>
+        <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <source>the longest failure without a break is {value:.1f} m and {limit:.1f} m may be</source>
+        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <source>the longest failure without a break is {value:.1f} m and only {limit:.1f} m may be</source>
+        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <source>{value:.1%} of the metres were measured and {limit:.1%} have to be</source>
+        <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <source>only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can&apos;t be told</source>
+        <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
+        <source>nothing was measured, so it can&apos;t be told</source>
+        <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
+        <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, code letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted)</source>
+        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} (ISO 2859-1, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, code letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected)</source>
+        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} (ISO 2859-1, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
+        <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
+        <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
+        <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be told</source>
+        <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}, 95 % interval {low:.2%} to {high:.2%} for seams made in the same way.</source>
+        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}, przedział ufności 95 % od {low:.2%} do {high:.2%} dla linii mozaikowania wykonanych w ten sam sposób.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
+        <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <source>{metres:.1f} m can&apos;t be told apart from the limit of {limit:g}: their 95 % intervals hold it.</source>
+        <translation>Odcinki o łącznej długości {metres:.1f} m nie dają się odróżnić od granicy {limit:g}: zawierają ją ich przedziały ufności 95 %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
+        <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}, {y:.1f}; arkusze: {sheets}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <source>So many seams failed and meet that not every way through them was tried; a longer failure may be there.</source>
+        <translation>Tyle linii jest niezgodnych i styka się ze sobą, że nie sprawdzono każdej drogi przez nie; może istnieć dłuższa usterka.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <source>Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some {longest:.0f} m, all failed metres to some {all:.0f} m.</source>
+        <translation>Początki i końce usterek wewnątrz odcinków oszacowano z tego, co te zachowały: najdłuższą zna się z dokładnością do około {longest:.0f} m, wszystkie niezgodne metry do około {all:.0f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
+        <source>The longest failure, {low:.0f} to {high:.0f} m, can&apos;t be told apart from the limit of {limit:.1f} m; scan with a shorter PIECE to know it better.</source>
+        <translation>Najdłuższej usterki, od {low:.0f} do {high:.0f} m, nie da się odróżnić od granicy {limit:.1f} m; skanuj z krótszymi odcinkami (PIECE), by poznać ją lepiej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
+        <source>The failed share, {low:.2%} to {high:.2%} of the measured metres, can&apos;t be told apart from the limit of {limit:.2%}; scan with a shorter PIECE to know it better.</source>
+        <translation>Udziału niezgodnego, od {low:.2%} do {high:.2%} zmierzonych metrów, nie da się odróżnić od granicy {limit:.2%}; skanuj z krótszymi odcinkami (PIECE), by poznać go lepiej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
+        <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
+        <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
+        <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
+        <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="133"/>
+        <source>A piece fails when it keeps less than 0, which none can: what was measured passes whatever it kept.</source>
+        <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
+        <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
+        <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
+        <source>The limits are for all metres of a delivery, and here they speak of the sample alone; decide by the plan that it was drawn for, or give the layers of the scan.</source>
+        <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy ze skanowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
+        <source>how long the longest failure is can&apos;t be told from a sample</source>
+        <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
+        <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
+        <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
+        <source>The operators&apos; words are in the windows; give WINDOWS, or judge by the tool.</source>
+        <translation>Słowa operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="148"/>
+        <source>None of the {count} windows was judged; judge them in the dock and save the edits of their layer, or judge by the tool.</source>
+        <translation>Żadne okno nie zostało ocenione (okna: {count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
+        <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
+        <source>The windows in {name} were neither inspected nor judged: they lend the failures no cause and no remark.</source>
+        <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
+        <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
+        <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
+        <translation>Obaj operatorzy ocenili okna w liczbie {count}, w tym zgodnie {agreed}: kappa {kappa:.2f}, 95 % przedział ufności od {low:.2f} do {high:.2f}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
+        <source>Both operators judged {count} windows and agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
+        <translation>Obaj operatorzy ocenili okna w liczbie {count}, w tym zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
+        <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
+        <translation>Operator ocenił okna w liczbie {count}, w tym zgodnie z narzędziem {agreed}: kappa {kappa:.2f}, 95 % przedział ufności od {low:.2f} do {high:.2f}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
+        <translation>Operator ocenił okna w liczbie {count}, w tym zgodnie z narzędziem {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
+        <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
+        <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy 'Odcinki linii mozaikowania' z jednego lub wielu badań.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
+        <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
+        <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
+        <translation>{name} nie zawiera linii; wybierz warstwę 'Odcinki linii mozaikowania' z badania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
+        <translation>{name}: brak pola 'kept_1'; wybierz warstwę 'Odcinki linii mozaikowania' z badania, a nie linie mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
+        <source>{name} is empty: no seam of it can be judged.</source>
+        <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <source>{name} is given twice and counts once.</source>
+        <translation>{name} podano dwa razy; liczy się raz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <source>The layers of seams are empty; choose those of a scan that found seams.</source>
+        <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
+        <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <source>{name}: features without a line are left out ({count}).</source>
+        <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
+        <source>{count} pieces of seam are given twice, the same line that kept the same; they count once.</source>
+        <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
+        <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
+        <translation>W {sheets} {metres:.0f} m linii leży na innych liniach i liczy się ponownie; pomiń to, co zmierzono dwa razy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
+        <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
+        <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <source>kept_1 of {count} pieces of {name} is no number (&apos;{value}&apos;, say; a decimal point is a point); they count as not measured.</source>
+        <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
+        <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
+        <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); check whether they are shares.</source>
+        <translation>kept_1 jest większe, niż można zachować (odcinki w {name}: {count}, największe {value:g}); sprawdź, czy to udziały.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <source>The field length of {count} pieces of {name} says something else than their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
+        <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <source>The layers are in degrees; places and lengths are told in {system}.</source>
+        <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
+        <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
+        <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <source>{parameter} is {value:g}; give 0 or more.</source>
+        <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
+        <source>{parameter} is {value:g}; give a number.</source>
+        <translation>{parameter} wynosi {value:g}; podaj liczbę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
+        <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
+        <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <source>The AQL {aql} is none of the standard&apos;s; known are {known}.</source>
+        <translation>Normy nie przewidują AQL {aql}; znane są {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
+        <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
+        <translation>{parameter} to '{value}'; znane są {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="42"/>
+        <source>Accept or reject a delivery</source>
+        <translation>Przyjmij lub odrzuć dostawę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="43"/>
+        <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece of seam fails when it kept less than is asked for. What could not be measured never counts as passed.</source>
+        <translation>Rozstrzyga o dostawie według linii mozaikowania z jednego badania albo z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy i czy według reguł lub planu ISO 2859-1 dostawa jest przyjęta, wraz z ryzykiem tej decyzji. Odcinek linii mozaikowania jest niezgodny, gdy zachował mniej, niż jest wymagane. To, czego nie można było zmierzyć, nigdy nie liczy się jako zgodne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="54"/>
+        <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
+        <translation>Warstwy 'Odcinki linii mozaikowania' z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm 'Zaplanuj kontrolę'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="68"/>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="63"/>
+        <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lot.</source>
+        <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="71"/>
+        <source>Rules that come with the plugin, instead of the limits above; these then stay as they are.</source>
+        <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="75"/>
+        <source>A JSON file of your own with limits and where they come from, instead of the limits above; these then stay as they are. The documentation shows one.</source>
+        <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="82"/>
+        <source>Windows that were inspected, and judged perhaps: their causes and remarks go to the failures in them, and the agreement of operators and tool is told.</source>
+        <translation>Okna skontrolowane, ewentualnie z opiniami: ich przyczyny i uwagi trafiają do usterek, które w nich leżą, a zgodność operatorów i narzędzia jest podawana.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="89"/>
+        <source>Who judges</source>
+        <translation>Kto ocenia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="89"/>
+        <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what nobody judged counts as not measured.</source>
+        <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="99"/>
+        <source>The plan&apos;s operating characteristic; without a plan how many metres kept how much.</source>
+        <translation>Krzywa operacyjno-charakterystyczna planu; bez planu: ile metrów zachowało ile detali.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <source>Accepted (1) or not (0)</source>
+        <translation>Przyjęta (1) lub nie (0)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <source>Length that was measured (metres)</source>
+        <translation>Długość zmierzona (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <source>Length that failed (metres)</source>
+        <translation>Długość niezgodna (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <source>Share of the measured length that failed (%)</source>
+        <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="181"/>
+        <source>Longest failure without a break (metres)</source>
+        <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="178"/>
+        <source>Least share of detail kept</source>
+        <translation>Najmniejsza zachowana część detali</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="171"/>
+        <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
+        <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="175"/>
+        <source>Largest share that may fail (%)</source>
+        <translation>Największy udział niezgodnych (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="175"/>
+        <source>Of the metres of seam that were measured.</source>
+        <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="181"/>
+        <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
+        <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="187"/>
+        <source>Least share that has to be measured (%)</source>
+        <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="187"/>
+        <source>With less of the metres measured a delivery is not accepted.</source>
+        <translation>Jeśli zmierzono mniejszą część metrów, dostawa nie jest przyjmowana.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="53"/>
+        <source>Plan an inspection</source>
+        <translation>Zaplanuj kontrolę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="54"/>
+        <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the dock to be judged. The same seed draws the same sample.</source>
+        <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu 'Przyjmij lub odrzuć dostawę' albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="63"/>
+        <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
+        <translation>Warstwy 'Odcinki linii mozaikowania' z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="68"/>
+        <source>How many: iso2859, as the standard&apos;s tables say for the lot; risk, as few as keep the risks below; count, as many as you say.</source>
+        <translation>Liczność próby: iso2859 – według tablic normy dla danej partii; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="76"/>
+        <source>How many are drawn with the plan &apos;count&apos;.</source>
+        <translation>Ile odcinków jest losowanych przy planie 'count'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="83"/>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="83"/>
+        <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
+        <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach mozaiki.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="87"/>
+        <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
+        <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="98"/>
+        <source>Length of a piece (metres)</source>
+        <translation>Długość odcinka (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="98"/>
+        <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
+        <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="102"/>
+        <source>Field of the sheets</source>
+        <translation>Pole arkuszy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="102"/>
+        <source>Whose values the sample is drawn from in proportion. Empty: layer by layer.</source>
+        <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="107"/>
+        <source>Sample</source>
+        <translation>Próba</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="107"/>
+        <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
+        <translation>Próba: jej pole 'sample' numeruje odcinki w kolejności losowania, a 'lot_size' podaje, z ilu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="111"/>
+        <source>Pieces in the sample</source>
+        <translation>Odcinki w próbie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="111"/>
+        <source>How many of them may fail</source>
+        <translation>Ile z nich może być niezgodnych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="111"/>
+        <source>Pieces in the lot</source>
+        <translation>Odcinki w partii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="116"/>
+        <source>Code letter of the plan</source>
+        <translation>Znak literowy planu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="157"/>
+        <source>Of the plan &apos;risk&apos;, in percent of the pieces.</source>
+        <translation>Dla planu 'risk', w procentach odcinków.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="158"/>
+        <source>Good: failing pieces (%)</source>
+        <translation>Dobra: odcinki niezgodne (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="159"/>
+        <source>Producer&apos;s risk (%)</source>
+        <translation>Ryzyko dostawcy (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="159"/>
+        <source>How often a lot that is good may be rejected.</source>
+        <translation>Jak często może być odrzucona partia, która jest dobra.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="164"/>
+        <source>Bad: failing pieces (%)</source>
+        <translation>Zła: odcinki niezgodne (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="165"/>
+        <source>Consumer&apos;s risk (%)</source>
+        <translation>Ryzyko odbiorcy (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="165"/>
+        <source>How often a lot that is bad may be accepted.</source>
+        <translation>Jak często może być przyjęta partia, która jest zła.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="170"/>
+        <source>Likeness along a seam</source>
+        <translation>Podobieństwo wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="170"/>
+        <source>How much alike pieces of one seam are, 0 to 1 (intraclass correlation); the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
+        <translation>Jak bardzo odcinki jednej linii mozaikowania są do siebie podobne, od 0 do 1 (korelacja wewnątrzklasowa); próba rośnie wraz z nią. Puste pole: według kept_1 z badania albo 0,3, gdy badania nie ma.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="178"/>
+        <source>What counts as failed where likeness along seams is taken from a scan.</source>
+        <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="292"/>
+        <source>Sample (windows)</source>
+        <translation>Próba (okna)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="292"/>
+        <source>Sample (pieces)</source>
+        <translation>Próba (odcinki)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="20"/>
+        <source>Lot size</source>
+        <translation>Liczność partii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="20"/>
+        <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
+        <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="24"/>
+        <source>Acceptance quality limit (AQL)</source>
+        <translation>Akceptowany poziom jakości (AQL)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="24"/>
+        <source>The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it.</source>
+        <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="28"/>
+        <source>Inspection level</source>
+        <translation>Poziom kontroli</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="28"/>
+        <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
+        <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="32"/>
+        <source>Inspection</source>
+        <translation>Kontrola</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="32"/>
+        <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
+        <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="37"/>
+        <source>Of the drawing: the same seed draws the same sample again.</source>
+        <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="52"/>
+        <source>photo</source>
+        <translation>zdjęcie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="70"/>
+        <source>marks measured</source>
+        <translation>znaczki zmierzone</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="70"/>
+        <source>marks given</source>
+        <translation>znaczki podane</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="70"/>
+        <source>marks failed</source>
+        <translation>znaczki odrzucone</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="77"/>
+        <source>root mean square of the residuals</source>
+        <translation>średnia kwadratowa odchyłek</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="111"/>
+        <source>pixel size</source>
+        <translation>wielkość piksela</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="112"/>
+        <source>rotation</source>
+        <translation>obrót</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="113"/>
+        <source>shear</source>
+        <translation>nieprostopadłość osi</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="114"/>
+        <source>principal point</source>
+        <translation>punkt główny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="118"/>
+        <source>focal length</source>
+        <translation>ogniskowa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="124"/>
+        <source>calibration</source>
+        <translation>kalibracja</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="127"/>
+        <source>marks drawn as</source>
+        <translation>znaczki narysowane jako</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="130"/>
+        <source>template</source>
+        <translation>wzorzec</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="133"/>
+        <source>smallest correlation</source>
+        <translation>najmniejsza korelacja</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="134"/>
+        <source>search</source>
+        <translation>zasięg szukania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="135"/>
+        <source>surface</source>
+        <translation>powierzchnia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="136"/>
+        <source>farthest that a mark may be off</source>
+        <translation>największe dopuszczalne odchylenie znaczka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/report.py" line="148"/>
+        <source>failed; it should be here</source>
+        <translation>odrzucony; powinien być tutaj</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="69"/>
+        <source>The mark &apos;{mark}&apos; stands out: the others, which agree well, want it {worst:.2f} mm elsewhere; look at its picture.</source>
+        <translation>Znaczek '{mark}' odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="73"/>
+        <source>No mark of {name} can be trusted ({why}); check the positions, their names and the calibration.</source>
+        <translation>Żadnemu znaczkowi z {name} nie można ufać ({why}); sprawdź położenia, nazwy znaczków i kalibrację.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="98"/>
+        <source>the given place lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most; check it and its name</source>
+        <translation>podane miejsce leży {worst:.2f} mm od tego, na które wskazują pozostałe znaczki, a dopuszczalne jest {limit:.2f} mm; sprawdź je i jego nazwę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="124"/>
+        <source>The measurement {name} can&apos;t be read ({error}); remove it from the folder or mend it.</source>
+        <translation>Nie można odczytać pomiaru {name} ({error}); usuń go z folderu albo popraw.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="125"/>
+        <source>The mark &apos;{mark}&apos; in {name} has no column and row; complete or remove it.</source>
+        <translation>Znaczek '{mark}' w {name} nie ma kolumny ani wiersza; uzupełnij go lub usuń.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <source>Give each of the two measurements either as a layer or as a folder.</source>
+        <translation>Podaj każdy z dwóch pomiarów albo jako warstwę, albo jako folder.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
+        <source>The folder {path} does not exist; choose the folder with the measured marks.</source>
+        <translation>Folder {path} nie istnieje; wybierz folder ze zmierzonymi znaczkami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <source>The folder {path} holds no measured marks: neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
+        <translation>Folder {path} nie zawiera zmierzonych znaczków: ani warstw z polem 'mark', ani plików MeasuresIm-*.xml z programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <source>Marks that only one of the measurements has, so that they are not compared: {count} ({names}).</source>
+        <translation>Znaczki, które ma tylko jeden z pomiarów i które nie są porównywane: {count} ({names}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="135"/>
+        <source>A measurement has the mark &apos;{mark}&apos; twice{where}; give both layers a field &apos;photo&apos; that tells photos apart.</source>
+        <translation>Pomiar zawiera znaczek '{mark}' dwa razy{where}; dodaj w obu warstwach pole 'photo', które rozróżnia zdjęcia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="138"/>
+        <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
+        <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola 'mark' i 'photo'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <source>correlation</source>
+        <translation>korelacja</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <source>brightness</source>
+        <translation>jasność</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <source>cross</source>
+        <translation>krzyż</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <source>dot</source>
+        <translation>kropka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <source>ring with dot</source>
+        <translation>pierścień z kropką</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <source>ring with cross</source>
+        <translation>pierścień z krzyżem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <source>wedge</source>
+        <translation>klin</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="43"/>
+        <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value though the file calls it nodata.</source>
+        <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="58"/>
+        <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by 180 degrees is measured by its own centre, else by its middle.</source>
+        <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="74"/>
+        <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that lies off by more than a thousandth of the frame fails as a measured mark does.</source>
+        <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="125"/>
+        <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in um, correlation, status, reason and the photo&apos;s name.</source>
+        <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="145"/>
+        <source>MicMac measurement</source>
+        <translation>Pomiar MicMac</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="145"/>
+        <source>XML files (*.xml)</source>
+        <translation>Pliki XML (*.xml)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="145"/>
+        <source>The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo&apos;s whole file name, as in MeasuresIm-114.jpg.xml.</source>
+        <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="40"/>
+        <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos are compared in one run: give folders, or merged layers with a field &apos;photo&apos;.</source>
+        <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj foldery albo połączone warstwy z polem 'photo'.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="55"/>
+        <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo in their field &apos;photo&apos;, else of the one that the file is called like) and MicMac&apos;s MeasuresIm-*.xml.</source>
+        <translation>Zamiast warstwy: wszystkie pliki tego folderu, warstwy z polem 'mark' (dla zdjęcia z ich pola 'photo', a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
+        <source>First measurement, a folder</source>
+        <translation>Pierwszy pomiar, folder</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
+        <source>Second measurement, a folder</source>
+        <translation>Drugi pomiar, folder</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="70"/>
+        <source>Largest mean distance (px)</source>
+        <translation>Największa średnia odległość (px)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="70"/>
+        <source>The verdict is &apos;within&apos; where the mean distance is at most that; in the paper 0.25 px.</source>
+        <translation>Ocena brzmi 'within', gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="84"/>
+        <source>Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row for each unit.</source>
+        <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, granica i ocena, po jednym wierszu na jednostkę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="91"/>
+        <source>Photos</source>
+        <translation>Zdjęcia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="91"/>
+        <source>Count, mean, maximum (px) and verdict of each photo.</source>
+        <translation>Liczba, średnia, maksimum (px) i ocena każdego zdjęcia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="105"/>
+        <source>Marks in both measurements</source>
+        <translation>Znaczki w obu pomiarach</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="105"/>
+        <source>1 where the mean distance is within the limit, else 0</source>
+        <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="170"/>
+        <source>The mean distance is within the limit of {limit:g} px.</source>
+        <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="170"/>
+        <source>The mean distance is beyond the limit of {limit:g} px.</source>
+        <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="1"/>
+        <source>Acceptance of an orthophoto mosaic</source>
+        <translation>Odbiór ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="2"/>
+        <source>rule</source>
+        <translation>reguła</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="3"/>
+        <source>value</source>
+        <translation>wartość</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="6"/>
+        <source>inspected by</source>
+        <translation>osoba kontrolująca</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="7"/>
+        <source>decided by</source>
+        <translation>osoba decydująca</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="8"/>
+        <source>Where the seams failed</source>
+        <translation>Gdzie linie mozaikowania są niezgodne</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="9"/>
+        <source>The pieces of seam of the sample; numbers are those of the failures below.</source>
+        <translation>Odcinki linii z próby; liczby to numery usterek podanych niżej.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="10"/>
+        <source>The seams of all sheets; numbers are those of the failures below.</source>
+        <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="12"/>
+        <source>sheet</source>
+        <translation>arkusz</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="13"/>
+        <source>seams</source>
+        <translation>linie mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="14"/>
+        <source>measured</source>
+        <translation>zmierzono</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="15"/>
+        <source>metres failed</source>
+        <translation>metry niezgodne</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="16"/>
+        <source>share failed</source>
+        <translation>udział niezgodnych</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="17"/>
+        <source>longest failure</source>
+        <translation>najdłuższa usterka</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="18"/>
+        <source>pieces failed</source>
+        <translation>niezgodne odcinki</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="20"/>
+        <source>Shares are of the metres that were measured. The longest failure of a sheet ends at its edge.</source>
+        <translation>Udziały odnoszą się do zmierzonych metrów. Najdłuższa usterka arkusza kończy się na jego brzegu.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="21"/>
+        <source>Unclear: pieces whose 95 % interval holds the limit; they are counted by their value.</source>
+        <translation>Niejasne: odcinki, których 95 % przedział ufności obejmuje granicę; liczą się według swojej wartości.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="23"/>
+        <source>None: no piece of seam that was measured failed.</source>
+        <translation>Brak: żaden zmierzony odcinek nie jest niezgodny.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="24"/>
+        <source>no.</source>
+        <translation>nr</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="25"/>
+        <source>length</source>
+        <translation>długość</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="26"/>
+        <source>kept (95 %)</source>
+        <translation>zachowano (95 %)</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="27"/>
+        <source>band width</source>
+        <translation>szerokość pasa</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="28"/>
+        <source>orthoimages (dates)</source>
+        <translation>ortoobrazy (daty)</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="29"/>
+        <source>place</source>
+        <translation>miejsce</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="30"/>
+        <source>cause, remark</source>
+        <translation>przyczyna, uwaga</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="31"/>
+        <source>The longest {shown} of {count} failures; all of them are in the layer of failures.</source>
+        <translation>Najdłuższe usterki: {shown} z {count}; wszystkie są w warstwie usterek.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="32"/>
+        <source>A failure is a row of failed pieces without a break. Kept and the orthoimages are those of its piece that kept least, the width of the band is its widest.</source>
+        <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków. Zachowanie detali i ortoobrazy dotyczą tego odcinka, który zachował najmniej, a szerokość pasa jest największą w ciągu.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="33"/>
+        <source>Pictures of the failures</source>
+        <translation>Obrazy usterek</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="34"/>
+        <source>Pictures of the longest {shown} of {count} failures.</source>
+        <translation>Obrazy najdłuższych usterek: {shown} z {count}.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="35"/>
+        <source>The plan of sampling and its risk</source>
+        <translation>Plan kontroli i jego ryzyko</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="36"/>
+        <source>Operating characteristic: how likely a delivery is accepted by its share of failed pieces.</source>
+        <translation>Krzywa operacyjno-charakterystyczna: prawdopodobieństwo przyjęcia dostawy w zależności od udziału niezgodnych odcinków.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="37"/>
+        <source>Agreement of the observers</source>
+        <translation>Zgodność obserwatorów</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="38"/>
+        <source>who</source>
+        <translation>kto</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="40"/>
+        <source>agreed</source>
+        <translation>zgodne</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="41"/>
+        <source>both saw a loss</source>
+        <translation>obaj widzieli stratę</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="42"/>
+        <source>first alone</source>
+        <translation>tylko pierwszy</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="43"/>
+        <source>second alone</source>
+        <translation>tylko drugi</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="44"/>
+        <source>kappa (95 %)</source>
+        <translation>kappa (95 %)</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="45"/>
+        <source>Kappa is the agreement beyond chance: 1 where both always agree, 0 where they agree as often as by chance.</source>
+        <translation>Kappa to zgodność ponad przypadkową: 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="46"/>
+        <source>seams read from</source>
+        <translation>linie mozaikowania wczytane z</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="47"/>
+        <source>And {count} more.</source>
+        <translation>I jeszcze: {count}.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="48"/>
+        <source>Kept: the share of the orthoimages&apos; finest detail that is left in the strip along a piece of seam, relative to the ground around it, so that what was done to the whole mosaic does not count; with its 95 % interval.</source>
+        <translation>Zachowane: część najdrobniejszych detali ortoobrazów, która pozostała w pasie wzdłuż odcinka linii mozaikowania, w odniesieniu do terenu obok, więc to, co zrobiono z całą ortofotomapą, się nie liczy; z 95 % przedziałem ufności.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="49"/>
+        <source>Windows: {count}, flagged: {flagged}</source>
+        <translation>Okna: {count}, oznaczone: {flagged}</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="50"/>
+        <source>Flagged is a significant loss, or one that the observer saw.</source>
+        <translation>Oznaczona jest strata istotna lub zauważona przez obserwatora.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="78"/>
+        <source>lost detail over the mosaic; in the frame the clips</source>
+        <translation>strata detali na tle mozaiki; w ramce wycinki</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="81"/>
+        <source>detail that is kept</source>
+        <translation>zachowane detale</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="85"/>
+        <source>Seam profile: the share of the detail that is kept by distance from the seam, level 1 the finest, with its 95 % interval; where it drops below the dashed line, the loss is significant.</source>
+        <translation>Profil linii mozaikowania: część zachowanych detali w zależności od odległości od linii, poziom 1 najdrobniejszy, z 95 % przedziałem ufności; gdzie opada poniżej linii przerywanej, strata jest istotna.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="86"/>
+        <source>Lost detail: the colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
+        <translation>Utracone detale: barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="87"/>
+        <source>The clips show, all stretched alike, the part of the window where the mosaic lost most of the finest detail. JPEG takes a little of it from all of them.</source>
+        <translation>Wycinki pokazują, z jednakowym rozciągnięciem, część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali. JPEG zabiera ich trochę wszystkim.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="102"/>
+        <source>The cross stands where the mark was found, of a failed one where the others put it: column, row.</source>
+        <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="107"/>
+        <source>element</source>
+        <translation>element</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="110"/>
+        <source>How it was measured</source>
+        <translation>Jak przebiegał pomiar</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="111"/>
+        <source>date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="112"/>
+        <source>software</source>
+        <translation>oprogramowanie</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="113"/>
+        <source>name and office</source>
+        <translation>nazwisko i stanowisko</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="114"/>
+        <source>place and date</source>
+        <translation>miejsce i data</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="115"/>
+        <source>signature</source>
+        <translation>podpis</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="116"/>
+        <source>file</source>
+        <translation>plik</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="117"/>
+        <source>size</source>
+        <translation>wielkość</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="119"/>
+        <source>bands</source>
+        <translation>kanały</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="121"/>
+        <source>Picture of losses: the share of detail that is kept, cell by cell.</source>
+        <translation>Obraz strat: część zachowanych detali, komórka po komórce.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="122"/>
+        <source>How the quality was measured, by {software}.</source>
+        <translation>Jak zmierzono jakość, program {software}.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="125"/>
+        <source>decision</source>
+        <translation>decyzja</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="131"/>
+        <source>number</source>
+        <translation>numer</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="133"/>
+        <source>where</source>
+        <translation>gdzie</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="134"/>
+        <source>coordinates</source>
+        <translation>współrzędne</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="136"/>
+        <source>The numbers are those of the table.</source>
+        <translation>Liczby są zgodne z tabelą.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="138"/>
+        <source>The available range is not known.</source>
+        <translation>Dostępny zakres nie jest znany.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="141"/>
+        <source>Sources of the limits</source>
+        <translation>Źródła granic</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="142"/>
+        <source>The figures</source>
+        <translation>Wartości</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="143"/>
+        <source>Clipping, peak and contrast come from the histogram of all valid pixels, of the luminosity (0.299 R + 0.587 G + 0.114 B) or of bands as the rules say. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range.</source>
+        <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi, zależnie od reguł dla jasności (0,299 R + 0,587 G + 0,114 B) albo dla kanałów. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="145"/>
+        <source>Colour balance: the means of red, green and blue on the grey areas that were given, each area counted once; their largest difference as a share of the range. Without such areas it is not measurable.</source>
+        <translation>Balans barw: średnie czerwieni, zieleni i niebieskiego na podanych szarych obszarach, każdy obszar liczony raz; największa różnica między nimi jako część zakresu. Bez takich obszarów nie można go zmierzyć.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="151"/>
+        <source>Groups are compared by their luminance, or the first band.</source>
+        <translation>Grupy są porównywane według luminancji albo pierwszego kanału.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="157"/>
+        <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. A window is judged by its noisiest band; one that several images of a group show counts once (Pyka 2009).</source>
+        <translation>Każde okno jest rozkładane falką {wavelet} na poziomy w liczbie {levels}; detale poziomu to udział jego trzech komponentów detali w wariancji okna. Okno jest oceniane według kanału o największym szumie; okno, które pokazuje kilka obrazów grupy, liczy się raz (Pyka 2009).</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="159"/>
+        <source>Largest possible is the most that noise can be, grain of up to 1.1 px included: no level has more than its quietest ground varies. Where grain of that strength would make the verdict worse, it is uncertain.</source>
+        <translation>Największy możliwy to najwyższa wartość, jaką może mieć szum, łącznie z ziarnem do 1,1 px: żaden poziom nie ma go więcej, niż wynosi zmienność najspokojniejszego terenu. Gdy ziarno tej siły pogorszyłoby ocenę, jest ona niepewna.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="160"/>
+        <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground. Coefficients that see the window&apos;s opposite border take no part.</source>
+        <translation>Kurtoza to czwarty moment detali poziomu podzielony przez kwadrat ich wariancji: 3 dla szumu gaussowskiego, więcej tam, gdzie krawędzie wyróżniają się na spokojnym tle. Współczynniki, na które wpływa przeciwległy brzeg okna, nie są brane pod uwagę.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="163"/>
+        <source>± is one standard deviation, from the errors of the amplitudes. A distance is that of a group, so it lies up to one step of the target on the coarse side besides.</source>
+        <translation>± oznacza jedno odchylenie standardowe, z błędów amplitud. Wymiar jest wymiarem grupy, więc może ponadto leżeć do jednego kroku testu po stronie grubszych grup.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="164"/>
+        <source>Observers</source>
+        <translation>Obserwatorzy</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="165"/>
+        <source>The finest group whose bars an observer tells apart, before one that is not.</source>
+        <translation>Najdrobniejsza grupa, której kreski obserwator rozróżnia, przed pierwszą nierozróżnioną.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="166"/>
+        <source>along the flight, cm</source>
+        <translation>wzdłuż kierunku lotu, cm</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="167"/>
+        <source>across the flight, cm</source>
+        <translation>w poprzek kierunku lotu, cm</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="169"/>
+        <source>contrast of the target</source>
+        <translation>kontrast testu</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="170"/>
+        <source>bars to gaps of the coarsest group</source>
+        <translation>kreski do przerw najgrubszej grupy</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="172"/>
+        <source>Full circles are bars, empty ones the gaps between them. The gaps&apos; mean must lie beyond the dashed line, which is {criterion:.0%} of the full amplitude away from the inner bars. Grey lines: the ends of the line as drawn.</source>
+        <translation>Pełne kółka to kreski, puste – przerwy między nimi. Średnia przerw musi leżeć za linią przerywaną, która jest oddalona od wewnętrznych kresek o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="173"/>
+        <source>Values in DN, places along the line in px.</source>
+        <translation>Wartości w DN, położenia wzdłuż linii w px.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="176"/>
+        <source>± cm</source>
+        <translation>± cm</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="179"/>
+        <source>± DN</source>
+        <translation>± DN</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="185"/>
+        <source>groups</source>
+        <translation>grupy</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="232"/>
+        <source>given</source>
+        <translation>podane</translation>
     </message>
 </context>
 </TS>

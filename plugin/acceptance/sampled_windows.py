@@ -32,7 +32,7 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
     if side > min(grid.columns, grid.rows):
         raise SettingsError(messages.MOSAIC_SMALLER_THAN_WINDOW(pixels=side, side=side_m))
     if side < limits.MIN_SIDE_PX:
-        raise SettingsError(messages.SIDE_TOO_SHORT(side=side_m, pixels=side, least=limits.MIN_SIDE_PX))
+        raise SettingsError(messages.WINDOW_SIDE_TOO_SHORT(side=side_m, pixels=side, least=limits.MIN_SIDE_PX))
     place = middle_on(mosaic, piece, wkt)
     if place is None:
         return None
