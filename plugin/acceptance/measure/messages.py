@@ -47,7 +47,9 @@ WINDOWS_WITHOUT_MOSAIC = Message("Windows are placed on the mosaic's pixels; giv
 MOSAIC_SMALLER_THAN_WINDOW = Message(
     "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE."
 )
-WINDOW_SIDE_TOO_SHORT = Message("A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
+WINDOW_SIDE_TOO_SHORT = Message(
+    "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE."
+)
 SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose one that says which sheet it is.")
 PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are no part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
