@@ -14,7 +14,7 @@ from .measure.bar_lines import BarLine, MeasuredLine, measure_line
 from .measure.profiles import Segment
 from .measure.target import Target
 
-MeasuredLines = dict[tuple[Optional[Segment], int, float], MeasuredLine]
+MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]
 """By place, bars in a group and width."""
 
 

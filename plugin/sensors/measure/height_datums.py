@@ -96,7 +96,7 @@ class Geoid:
         return grid
 
 
-Datum = Union[str, Geoid]
+Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class when QGIS unloads it
 """One of ``limits.HEIGHT_DATUMS`` but ``geoid``, or the grid of that."""
 
 

@@ -160,7 +160,8 @@ def test_a_run_that_is_stopped_leaves_no_layer_without_the_failures(tmp_path: Pa
     path = tmp_path / "failures.gpkg"
     given = {"DEFECTS": str(path), "REPORT": str(tmp_path / "r.html"), "QUALITY": None, "CHART": None}
     run("acceptmosaic", log, SEAMS=[seams(KEPT)], MOSAIC=[mosaic], **given)
-    assert [(row["length"], row["picture"]) for row in rows(path)] == [(75, NULL), (25, NULL)]
+    assert [row["length"] for row in rows(path)] == pytest.approx([75, 25], abs=3)  # where they end is estimated
+    assert [row["picture"] for row in rows(path)] == [NULL, NULL]
     assert any("The run was stopped: the failures have no pictures" in said for said in log.warnings + log.errors)
     assert not (tmp_path / "r.html").exists()
 

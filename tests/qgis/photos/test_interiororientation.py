@@ -50,7 +50,8 @@ def distances(outcome: Run, truth: dict[str, Place]) -> dict[str, float]:
 
 
 def test_marks_of_a_photo_that_nobody_looked_at(scene: PhotoScene, tmp_path: Path) -> None:
-    files = {name: str(tmp_path / name) for name in ("PARAMETERS", "WORLD_FILE", "REPORT")}
+    names = {"PARAMETERS": "parameters.json", "WORLD_FILE": "photo.bpw", "REPORT": "report.html"}
+    files = {parameter: str(tmp_path / name) for parameter, name in names.items()}
     outcome = run("interiororientation", **scene.inputs, **CROSS, **files)
     assert outcome.complaint is None
     assert outcome.layer().fields().names() == FIELDS
