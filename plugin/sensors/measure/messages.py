@@ -180,6 +180,9 @@ INTERIOR_OF_ANOTHER_SHAPE = Message(
     "The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; "
     "choose the camera's own image, uncropped and not turned."
 )
+YAML_MISSING = Message(
+    "{name} is read by the Python package PyYAML, which is not there; install it, or give an AutoCal XML of MicMac."
+)
 PIXELS_NOT_SQUARE = Message(
     "By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are interchanged."
 )

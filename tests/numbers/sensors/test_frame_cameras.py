@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import csv
 import json
+import sys
 from pathlib import Path
 
 import cv2
@@ -195,6 +196,12 @@ def test_what_can_t_be_used_is_said(folder: Path, files: dict[str, str], complai
     with pytest.raises(SeamInspectorError) as raised:
         oriented(folder)
     assert complaint in str(raised.value)
+
+
+def test_without_pyyaml_it_is_named(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "yaml", None)
+    with pytest.raises(SeamInspectorError, match="PyYAML, which is not there"):
+        oriented(folder)
 
 
 @pytest.mark.parametrize(("system", "complaint"), [

@@ -56,8 +56,10 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
 
 def _orthority(content: bytes, path: Path, camera: str) -> tuple[FrameInterior, np.ndarray]:
     """A pinhole or a Brown camera (OpenSfM's, with k1, k2, k3, p1, p2)."""
-    import yaml
-
+    try:
+        import yaml
+    except ImportError:
+        raise SensorModelError(messages.YAML_MISSING(name=path.name)) from None
     try:
         cameras = yaml.safe_load(content)
     except yaml.YAMLError:
