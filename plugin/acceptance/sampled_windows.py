@@ -36,6 +36,4 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
     place = middle_on(mosaic, piece, wkt)
     if place is None:
         return None
-    window = standard_window(grid, *place, side)
-    column, row = min(max(window.column, 0), grid.columns - side), min(max(window.row, 0), grid.rows - side)
-    return PixelWindow(column, row, side, side)
+    return standard_window(grid, *place, side).moved_into(grid.columns, grid.rows)

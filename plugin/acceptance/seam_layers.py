@@ -29,6 +29,7 @@ from qgis.core import (
 
 from ..imagery.errors import SettingsError
 from ..imagery.message import Message
+from ..imagery.reference_systems import utm_wkt
 from ..toolkit import layers
 from ..toolkit.attribute_values import Attributes, attributes, number, text, whole_number
 from .measure import messages
@@ -188,8 +189,7 @@ def common_system(
         place = QgsCoordinateTransform(first.crs, wgs84, transforms).transform(middle)
     except QgsCsException:
         raise SettingsError(messages.NOT_TRANSFORMED(name=first.sheet)) from None
-    zone = int(min(max((place.x() + 180) // 6, 0), 59)) + 1
-    return QgsCoordinateReferenceSystem(f"EPSG:{(32600 if place.y() >= 0 else 32700) + zone}")
+    return QgsCoordinateReferenceSystem.fromWkt(utm_wkt(place.x(), place.y()))
 
 
 def _pieces(

@@ -101,9 +101,12 @@ def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutli
 
 
 def _sheet_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float]) -> str | None:
+    return next(_sheets_at(outlines, place), None)
+
+
+def _sheets_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float]) -> Iterator[str]:
     point = QgsPointXY(*place)
-    inside = (name for name, outline in outlines if outline.boundingBox().contains(point) and outline.contains(point))
-    return next(inside, None)
+    return (name for name, outline in outlines if outline.boundingBox().contains(point) and outline.contains(point))
 
 
 def _sheet_parts(outlines: list[tuple[str, QgsGeometry]], piece: DeliveredPiece, sheet: str) -> tuple[SheetPart, ...]:
@@ -125,9 +128,7 @@ def _sheet_parts(outlines: list[tuple[str, QgsGeometry]], piece: DeliveredPiece,
     for start, stop in zip(stops, stops[1:]):
         if stop - start < _SHORTEST:
             continue
-        middle = piece.point((start + stop) / 2)
-        here = [name for name, outline in outlines if outline.boundingBox().contains(QgsPointXY(*middle))
-                and outline.contains(QgsPointXY(*middle))]
+        here = list(_sheets_at(outlines, piece.point((start + stop) / 2)))
         name = sheet if sheet in here or not here else here[0]
         begin = parts[-1].stop if parts else 0.0
         if parts and parts[-1].sheet == name:

@@ -53,6 +53,12 @@ class PixelWindow:
         """One of its size so far to the right and down."""
         return PixelWindow(self.column + columns, self.row + rows, self.width, self.height)
 
+    def moved_into(self, columns: int, rows: int) -> PixelWindow:
+        """One of its size, as near as it gets inside a raster of that size; one that is larger begins at the corner."""
+        column = min(max(self.column, 0), max(columns - self.width, 0))
+        row = min(max(self.row, 0), max(rows - self.height, 0))
+        return PixelWindow(column, row, self.width, self.height)
+
     def margins_of(self, part: PixelWindow) -> tuple[tuple[int, int], tuple[int, int]]:
         """What lies around a part of it, as numpy pads: rows above and below, columns to the left and to the right."""
         above, left = part.row - self.row, part.column - self.column

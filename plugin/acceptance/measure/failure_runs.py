@@ -9,6 +9,7 @@ it, and so does a gap between two sheets. Where a run begins and ends inside its
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -41,7 +42,7 @@ def failure_runs(
         run_ends.count_neighbours(walk.steps for walk in walks)
     runs = [_run(walk.steps, walk.is_longest, pieces, run_ends) for walk in walks]
     runs.sort(key=lambda run: -run.length_m)
-    return tuple(_numbered(run, number) for number, run in enumerate(runs, 1))
+    return tuple(replace(run, number=number) for number, run in enumerate(runs, 1))
 
 
 def _usual(pieces: Sequence[DeliveredPiece], states: Sequence[PieceState], places: PiecePlaces) -> UsualKept:
@@ -72,7 +73,3 @@ def _run(
     return FailureRun(
         0, float(lengths[-1]), numbers, sheets, parts[half].middle(pieces[parts[half].piece]), parts, within, is_longest
     )
-
-
-def _numbered(run: FailureRun, number: int) -> FailureRun:
-    return FailureRun(**{**vars(run), "number": number})

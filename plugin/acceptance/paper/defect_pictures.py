@@ -106,9 +106,7 @@ def _beside(panels: Sequence[np.ndarray]) -> np.ndarray:
 
 def _inside(window: PixelWindow, mosaic: Raster) -> PixelWindow:
     """Moved as far as it takes to lie on the mosaic, and cut where that is smaller."""
-    column = min(max(window.column, 0), max(mosaic.columns - window.width, 0))
-    row = min(max(window.row, 0), max(mosaic.rows - window.height, 0))
-    return PixelWindow(column, row, window.width, window.height).cut_to(mosaic.columns, mosaic.rows)
+    return window.moved_into(mosaic.columns, mosaic.rows).cut_to(mosaic.columns, mosaic.rows)
 
 
 def _square(middle: np.ndarray, side: int) -> PixelWindow:

@@ -261,10 +261,7 @@ def clicked_window(grid: Grid, centre: Point, inputs: Inputs) -> PixelWindow:
     if side_px * side_px > imagery_limits.MAX_WINDOW_PIXELS:
         most = imagery_limits.MAX_WINDOW_PIXELS // 1_000_000
         raise WindowError(imagery_messages.WINDOW_TOO_LARGE(width=side_px, height=side_px, most=most))
-    centred = standard_window(grid, *centre, side_px)
-    column = min(max(centred.column, 0), grid.columns - side_px)
-    row = min(max(centred.row, 0), grid.rows - side_px)
-    return PixelWindow(column, row, side_px, side_px)
+    return standard_window(grid, *centre, side_px).moved_into(grid.columns, grid.rows)
 
 
 def drawn_extent(grid: Grid, anchor: Point, end: Point, is_square: bool) -> Extent:

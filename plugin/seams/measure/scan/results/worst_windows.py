@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Callable
 
 import numpy as np
@@ -79,7 +78,7 @@ def _fitting(
         window = standard_window(grid, x, y, side)
         by = side * 3 // 8
         for down, across in ((0, 0), *((i, j) for i in (0, -by, by) for j in (0, -by, by) if i or j)):
-            moved = _inside(window.moved_by(across, down), grid)
+            moved = window.moved_by(across, down).moved_into(grid.columns, grid.rows)
             if is_valid(moved):
                 return moved
         side //= 2
@@ -91,10 +90,3 @@ def _middle(vertices: np.ndarray) -> tuple[float, float]:
     along = vertex_stations(vertices)
     x, y = points_at(vertices, along, along[-1:] / 2)[0].tolist()
     return x, y
-
-
-def _inside(window: PixelWindow, grid: Grid) -> PixelWindow:
-    return replace(
-        window, column=min(max(window.column, 0), grid.columns - window.width),
-        row=min(max(window.row, 0), grid.rows - window.height),
-    )
