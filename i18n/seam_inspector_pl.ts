@@ -9265,8 +9265,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
-        <source>10 %: a delivery with {quality} of failed pieces is accepted</source>
-        <translation>10 %: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
+        <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
+        <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
@@ -9430,8 +9430,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
-        <source>limiting quality {quality} %: accepted in 10 % (consumer&apos;s risk)</source>
-        <translation>jakość graniczna {quality} %: przyjęcie w 10 % przypadków (ryzyko odbiorcy)</translation>
+        <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
+        <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/charts.py" line="120"/>

@@ -241,8 +241,8 @@ def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
         (tr("found"), tr("{count} failed pieces in the sample").format(count=found.nonconforming)),
         (tr("producer's risk"), tr("{risk}: a delivery as good as the AQL is rejected").format(
             risk=share(risk.producers_risk, 1))),
-        (tr("consumer's risk"), tr("10 %: a delivery with {quality} of failed pieces is accepted").format(
-            quality=share(risk.limiting_quality, 1))),
+        (tr("consumer's risk"), tr("{risk}: a delivery with {quality} of failed pieces is accepted").format(
+            risk=share(risk.consumers_risk, 1), quality=share(risk.limiting_quality, 1))),
     ]  # fmt: skip
     if found.seed is not None:
         facts.append((tr("seed of the drawing"), str(found.seed)))

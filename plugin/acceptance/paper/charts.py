@@ -109,8 +109,9 @@ def oc_figure(found: PlanOutcome) -> Figure:
         (aql, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
          tr("AQL {aql} %: rejected in {risk} % (producer's risk)").format(
              aql=_plain(aql), risk=_plain(100 * characteristic.producers_risk))),
-        (quality, 10.0, PAPER.limit,
-         tr("limiting quality {quality} %: accepted in 10 % (consumer's risk)").format(quality=_plain(quality))),
+        (quality, 100 * characteristic.consumers_risk, PAPER.limit,
+         tr("limiting quality {quality} %: accepted in {risk} % (consumer's risk)").format(
+             quality=_plain(quality), risk=_plain(100 * characteristic.consumers_risk))),
     ):
         axes.plot([x, x, 0], [0, y, y], color=colour, linewidth=0.9, linestyle="--")
         axes.plot([x], [y], "o", color=colour, markersize=5, label=words)

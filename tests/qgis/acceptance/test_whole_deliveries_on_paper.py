@@ -1,6 +1,7 @@
 """The papers name every sheet, say by whose word pieces failed, and draw what their sentences say."""
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
@@ -129,15 +130,15 @@ def test_the_marks_of_an_operating_characteristic_lie_on_its_curve(pieces: int) 
     curve = next(one for one in axes.lines if one.get_linewidth() == 1.6)
     for mark in (one for one in axes.lines if one.get_marker() == "o"):
         x, y = mark.get_xdata()[0], mark.get_ydata()[0]
-        assert lies_on(curve, x, y), (x, y)
+        assert y == pytest.approx(height_of(curve, x), abs=0.01), mark.get_label()
+        told = float(re.findall(r"in ([\d.]+) %", mark.get_label())[0])
+        assert told == pytest.approx(y if "accepted" in mark.get_label() else 100 - y, abs=0.06)
 
 
-def lies_on(curve: Line2D, x: float, y: float) -> bool:
-    """On a level part of the steps, or on a fall between two of them."""
-    xs, ys = np.asarray(curve.get_xdata()), np.asarray(curve.get_ydata())
+def height_of(curve: Line2D, x: float) -> float:
+    """Of the level part of the steps that begins at ``x`` or goes on there."""
     assert curve.get_drawstyle() == "steps-post"
-    before, at = ys[np.searchsorted(xs, x - 1e-9) - 1], ys[np.searchsorted(xs, x + 1e-9) - 1]
-    return bool(at - 0.01 <= y <= before + 0.01)
+    return float(np.asarray(curve.get_ydata())[np.searchsorted(curve.get_xdata(), x + 1e-9) - 1])
 
 
 @pytest.mark.parametrize(("output", "name"), [
