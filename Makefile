@@ -13,7 +13,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qgis test-desktop demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
+.PHONY: help install link lint test test-numbers test-qgis test-desktop guide check-links demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -47,6 +47,12 @@ test-desktop: link ## Run the tests of the real application, on a virtual screen
 ifneq ($(wildcard tests/desktop/test_*.py),)
 	xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" $(PYTHON) -m pytest -p no:pytest_qgis tests/desktop
 endif
+
+guide: link ## Make the guide of docs, in build/guide/index.html
+	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html docs build/guide
+
+check-links: link ## Follow the guide's links to other sites, by the network
+	$(PYTHON) -m sphinx -q -b linkcheck docs build/links
 
 demo: link ## Inspect a generated block, or with DATA=folder your own rasters; results in output/demo
 	QT_QPA_PLATFORM=offscreen $(PYTHON) -m demo.run --output output/demo $(if $(DATA),--data "$(DATA)") \

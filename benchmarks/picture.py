@@ -1,6 +1,6 @@
-"""The picture of docs/causes.md: a feathered window, what it follows and where it is a mixture.
+"""The picture of docs/method/causes.md: a feathered window, what it follows and where it is a mixture.
 
-    python -m benchmarks.picture BRIGHTON_FOLDER docs/causes.png
+    python -m benchmarks.picture BRIGHTON_FOLDER docs/pictures/causes.png
 """
 from __future__ import annotations
 

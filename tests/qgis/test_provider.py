@@ -65,9 +65,9 @@ def test_what_the_provider_offers(provider: QgsProcessingProvider) -> None:
     assert os.path.isfile(provider.svgIconPath())
 
 
-def test_the_readme_names_what_the_provider_offers(repository: Path, provider: QgsProcessingProvider) -> None:
-    page = (repository / "README.md").read_text(encoding="utf-8")
-    named = re.findall(r"^\| `(seaminspector:\w+)` \|", page, re.MULTILINE)
+def test_the_guide_names_what_the_provider_offers(repository: Path, provider: QgsProcessingProvider) -> None:
+    page = (repository / "docs" / "algorithms" / "index.md").read_text(encoding="utf-8")
+    named = re.findall(r"^\| \[?`(seaminspector:\w+)`", page, re.MULTILINE)
     assert sorted(named) == sorted(one.id() for one in provider.algorithms())
 
 

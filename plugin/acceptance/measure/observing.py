@@ -10,7 +10,7 @@ from ...imagery.statistics.observers import DECIDED, INVISIBLE, VISIBLE
 from .decision import Observers
 from .delivery import DeliveredPiece, SeenWindow
 
-_TOOL_WORDS = {"significant": VISIBLE, "reduced": INVISIBLE, "preserved": INVISIBLE}  # docs/judging.md
+_TOOL_WORDS = {"significant": VISIBLE, "reduced": INVISIBLE, "preserved": INVISIBLE}  # docs/desk/judging.md
 
 
 def windows_over(piece: DeliveredPiece, windows: Sequence[SeenWindow], extents: np.ndarray) -> tuple[SeenWindow, ...]:

@@ -9,7 +9,7 @@ from seam_inspector.plugin.seams.verdict_words import VERDICTS
 
 from tests.colour_sight import DICHROMATS, Lab, ciede2000, seen_colour
 
-LEAST = 18.0  # as docs/map.md says; from some 10 on colours are told apart at a glance
+LEAST = 18.0  # as docs/desk/map.md says; from some 10 on colours are told apart at a glance
 
 
 # Sharma, Wu, Dalal 2005, table 1: pairs that implementations get wrong
