@@ -1,6 +1,6 @@
 """How Sphinx makes the guide: plain Markdown in, build/guide/index.html out (`make guide`).
 
-The pages are to be read on GitHub as well, so they hold no directive but what Markdown knows. What Sphinx wants besides,
+They are read on GitHub as well, so they hold no directive but what Markdown knows. What Sphinx wants besides,
 the tree of pages, comes from the lists and tables of `index.md`: a page that is linked there is a page of the guide.
 """
 from __future__ import annotations
@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 
 HERE = Path(__file__).parent
 _HEADING = re.compile(r"^## (.+)$")
-_ENTRY = re.compile(r"^(?:- |[0-9]+\. |\| )\[[^]]+\]\((?![a-z]+:|\.\.)([\w/]+)\.md\)")  # the link that a line begins with
+_ENTRY = re.compile(r"^(?:- |[0-9]+\. |\| )\[[^]]+\]\((?![a-z]+:|\.\.)([\w/]+)\.md\)")  # it begins with a link
 
 
 def _metadata() -> configparser.SectionProxy:

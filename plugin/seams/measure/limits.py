@@ -6,7 +6,7 @@ MIN_MISREGISTRATION_PX = 0.4  # half a pixel less what a shift measured in a sma
 LINEAR, COSINE, GAUSSIAN = "linear", "cosine", "gaussian"
 RAMPS = (LINEAR, COSINE, GAUSSIAN)
 """How a feather leads from one source to the other."""
-MAX_SIGNIFICANT_KEPT = 0.7  # of the finest detail's variance beside a seam; docs/method/default_limits.md gives the reasons
+MAX_SIGNIFICANT_KEPT = 0.7  # of the finest detail's variance beside a seam; reasons: docs/method/default_limits.md
 MAX_SIGNIFICANT_SHARPNESS_SQUARED = 0.15  # of the whole window; bilinear resampling at half a pixel leaves 0.19
 SEAMS, FULL = "seams", "full"
 DENSITIES = (SEAMS, FULL)

@@ -1,7 +1,7 @@
 """What pieces of seam kept where no orthoimage is given, with intervals, and which length of seam can be judged.
 
 kept_1 is the finest detail in the strip beside the seam over that of the ground on both sides, each over what ground
-like that is expected to have. docs/method/seams_without_sources.md has the figures that the constants below follow from.
+like that is expected to have. The figures behind the constants below: docs/method/seams_without_sources.md.
 """
 from __future__ import annotations
 
