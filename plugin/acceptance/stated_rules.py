@@ -1,7 +1,6 @@
 """The rules that a run's parameters state: ready ones, a file, or limits one by one; never two of these at once."""
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any
 
@@ -56,9 +55,7 @@ def stated_rules(run: Run) -> AcceptanceRules:
 
 
 def check_limit(name: str, value: float, most: float | None = None) -> None:
-    """Raise SettingsError for what is no number, or one below 0, or above the most there can be."""
-    if not math.isfinite(value):
-        raise SettingsError(messages.LIMIT_NO_NUMBER(parameter=name, value=value))
+    """Raise SettingsError for a number below 0, or above the most there can be."""
     if value < 0:
         raise SettingsError(messages.LIMIT_NEGATIVE(parameter=name, value=value))
     if not (most is None or value <= most):

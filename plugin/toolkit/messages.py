@@ -15,6 +15,9 @@ WINDOW_EMPTY = Message("The window has no outline; draw it anew.")
 WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangle.")
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
 WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
+# numbers
+NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
+NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
 NO_RASTERS = Message("No rasters are given; choose at least one.")
 NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")

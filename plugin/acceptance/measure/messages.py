@@ -212,7 +212,6 @@ NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both."
 )
 LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
-LIMIT_NO_NUMBER = Message("{parameter} is {value:g}; give a number.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
 AQL_UNKNOWN = Message("The AQL {aql} is none of the standard's; known are {known}.")
 WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")

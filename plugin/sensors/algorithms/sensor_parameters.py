@@ -1,7 +1,6 @@
 """What the algorithms of sensor models share: their points, images, heights, and those parameters."""
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -146,7 +145,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         from ..measure.points import choose_check_points
 
         share = run.real(CHECK_SHARE)
-        if not 0 <= share <= MOST_CHECK_SHARE:  # QGIS lets what is no number pass
+        if not 0 <= share <= MOST_CHECK_SHARE:
             raise SettingsError(messages.CHECK_SHARE_UNSOUND(share=share, most=MOST_CHECK_SHARE))
         points, with_roles, notices = self._points_given(run, image)
         run.tell(*notices)
@@ -210,8 +209,6 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
         """As given, else by the satellite that the image's metadata name, else the default."""
         given = run.real(ORBIT_HEIGHT)
-        if math.isnan(given):
-            raise SettingsError(messages.NUMBER_MISSING(name=tr("Height of the orbit (km)")))
         if given > 0:
             return given * 1000
         from ..measure.sensor_images import satellite_name

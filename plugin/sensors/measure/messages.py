@@ -71,7 +71,6 @@ RPC_SEES_TURNED = Message(
     "left corner of the image that the RPC belongs to."
 )
 CHECK_SHARE_UNSOUND = Message("The share of check points is {share:g}; give a number from 0 to {most:g}.")
-NUMBER_MISSING = Message("{name} is no number; give one, or leave it empty.")
 # points that do not determine a model
 NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "

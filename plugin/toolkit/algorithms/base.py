@@ -91,6 +91,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         try:
             refuse_overwriting(self, parameters, context)  # models and scripts may not have checked the values
             run = Run(self, parameters, context, feedback)
+            common.check_numbers(self, parameters, context)
             run.check_pages(self._pages())
             self.prepare(run)
         except SeamInspectorError as error:
@@ -119,6 +120,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         try:
             refuse_overwriting(self, parameters, context)
             run = Run(self, parameters, context)
+            common.check_numbers(self, parameters, context)
             run.check_pages(self._pages())
             self.check(run)
         except SeamInspectorError as error:

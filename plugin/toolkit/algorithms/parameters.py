@@ -1,10 +1,14 @@
 """Parameters that several algorithms have, and how their values are read."""
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from typing import Any
 
 from qgis.core import (
     QgsProcessing,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
@@ -16,6 +20,8 @@ from qgis.core import (
 )
 
 from ...imagery import limits as imagery_limits
+from ...imagery.errors import SettingsError
+from .. import messages
 from ..translation import tr
 
 Described = tuple[QgsProcessingParameterDefinition, str]
@@ -29,6 +35,8 @@ MAX_RATIO = "MAX_RATIO"
 SCHEDULER = "SCHEDULER"
 CHART = "CHART"
 REPORT = "REPORT"
+
+_LARGEST_WHOLE = 2**31 - 1  # Qt's int; of a larger number QGIS makes another one
 
 
 def choice(
@@ -128,3 +136,15 @@ def report(description: str, filters: str = "HTML (*.html)", by_default: bool = 
 
 def _file(name: str, title: str, filters: str, by_default: bool) -> QgsProcessingParameterDefinition:
     return QgsProcessingParameterFileDestination(name, title, filters, optional=True, createByDefault=by_default)
+
+
+def check_numbers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
+    """Raise SettingsError for NaN, infinite numbers, and whole ones that are too large: QGIS lets them pass."""
+    for definition in algorithm.parameterDefinitions():
+        if not isinstance(definition, QgsProcessingParameterNumber):
+            continue
+        title, value = definition.description(), algorithm.parameterAsDouble(values, definition.name(), context)
+        if not math.isfinite(value):
+            raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
+        if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > _LARGEST_WHOLE:
+            raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=_LARGEST_WHOLE))

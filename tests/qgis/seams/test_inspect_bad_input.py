@@ -1,7 +1,6 @@
 """Bad input of ``seaminspector:inspectwindows``: one sentence, and what can be measured is measured."""
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -311,7 +310,6 @@ BAD_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"MAX_RATIO": 0}, r"ratio of a significant loss is 0\.0; give a number between 0 and 1"),
     ({"MAX_RATIO": 2}, r"is 2\.0; give a number between 0 and 1"),
     ({"MAX_RATIO": -0.5}, r"is -0\.5; give a number"),
-    ({"MAX_RATIO": math.nan}, "is nan; give a number"),
     ({"MOSAIC": None}, "is not a raster layer"),
     ({"MOSAIC": lambda: layer("Polygon", [])}, "made is not a raster layer"),
     ({"SOURCES": None}, "No sources are given; choose the orthoimages .* or their index layer"),

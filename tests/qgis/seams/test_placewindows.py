@@ -226,12 +226,9 @@ def test_cancelled_before_it_began(scene: Scene) -> None:
 BAD_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"SIDE": 0}, r"side is 0\.0 m"),
     ({"SIDE": -5}, r"side is -5\.0 m"),
-    ({"SIDE": math.nan}, "side is nan m"),
-    ({"SIDE": math.inf}, "side is inf m"),
     ({"SIDE": 3}, r"32 px a side .* give a side of 6\.4 m"),
     ({"SPACING": 0}, r"spacing is 0\.0 m"),
     ({"SPACING": -1}, r"spacing is -1\.0 m"),
-    ({"SPACING": math.nan}, "spacing is nan m"),
     ({"LEVELS": 0}, "0 levels"),
     ({"LEVELS": 9}, "9 levels"),
     ({"LEVELS": 7}, r"7 levels need at least 128 px; give a side of 12\.8 m"),

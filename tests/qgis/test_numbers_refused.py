@@ -1,0 +1,42 @@
+"""No algorithm takes NaN, an infinite number, or a whole number that is too large for any parameter."""
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from qgis.core import QgsProcessingParameterNumber
+
+from tests.qgis.runs import algorithm, assert_refused, run_unchecked
+from tests.qgis.test_provider import NAMES
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+MODELS = {"inspect_mosaic"}  # their steps refuse what they are given
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in MODELS])
+def test_numbers_that_are_none_are_refused(name: str) -> None:
+    job = algorithm(name)  # which its definitions live with
+    for definition in job.parameterDefinitions():
+        if isinstance(definition, QgsProcessingParameterNumber):
+            for value in (math.nan, math.inf, -math.inf):
+                words = f"'{definition.description()}' is {value:g}; give a number"
+                assert_refused(name, words.replace("(", r"\(").replace(")", r"\)"), **{definition.name(): value})
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf])
+@pytest.mark.parametrize("parameter", ["side", "spacing"])
+def test_numbers_that_are_none_are_refused_by_the_steps_of_models(
+    given: dict[str, Any], parameter: str, value: float
+) -> None:
+    values = {"seamlines": given["seams"], "mosaic": given["mosaic"], "sources": given["sources"], parameter: value}
+    outcome = run_unchecked("inspect_mosaic", **values)
+    assert f"is {value:g}; give a number" in str(outcome.complaint)
+    assert "Traceback" not in str(outcome.complaint)
+
+
+def test_whole_numbers_are_such_that_they_can_be_held(given: dict[str, Any]) -> None:
+    for value in (2**31, -(2**31), 1e300):
+        assert_refused("measureresolution", "give a whole number between", RASTER=given["target"],
+                       GROUPS=given["bars"], BARS=value)
