@@ -13,7 +13,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qgis test-desktop guide check-links demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
+.PHONY: help install link lint test test-numbers test-qgis test-desktop guide help-pages check-links demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -50,6 +50,10 @@ endif
 
 guide: link ## Make the guide of docs, in build/guide/index.html
 	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html docs build/guide
+
+help-pages: link ## Make the tables of docs/algorithms and the help that comes with the plugin anew
+	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/algorithm_tables.py
+	$(PYTHON) tools/help_pages.py
 
 check-links: link ## Follow the guide's links to other sites, by the network
 	$(PYTHON) -m sphinx -q -b linkcheck docs build/links

@@ -37,6 +37,11 @@ def model_paths() -> list[str]:
     return [str(path) for path in sorted((_RESOURCES / "models").glob("*.model3"))]
 
 
+def help_url(page: str) -> str:
+    """The address of a page of the help that comes with the plugin, for a browser without internet."""
+    return (_RESOURCES / "help" / f"{page}.html").as_uri()
+
+
 def translations_path() -> str:
     """The folder of the compiled translations."""
     return str(_PLUGIN / "i18n")

@@ -67,8 +67,8 @@ def test_what_the_provider_offers(provider: QgsProcessingProvider) -> None:
 
 def test_the_guide_names_what_the_provider_offers(repository: Path, provider: QgsProcessingProvider) -> None:
     page = (repository / "docs" / "algorithms" / "index.md").read_text(encoding="utf-8")
-    named = re.findall(r"^\| \[?`(seaminspector:\w+)`", page, re.MULTILINE)
-    assert sorted(named) == sorted(one.id() for one in provider.algorithms())
+    named = re.findall(r"^\| \[(.+)\]\((\w+)\.md\) \| `(seaminspector:\w+)` \|", page, re.MULTILINE)
+    assert sorted(named) == sorted((one.displayName(), one.name(), one.id()) for one in provider.algorithms())
 
 
 def test_every_algorithm_says_what_it_does(provider: QgsProcessingProvider) -> None:

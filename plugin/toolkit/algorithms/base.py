@@ -16,7 +16,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ...imagery.errors import CancelledError, SeamInspectorError
 from ..packages import missing_packages_sentence
-from ..resources import icon_path
+from ..resources import help_url, icon_path
 from ..translation import sentence, tr
 from . import groups
 from . import parameters as common
@@ -57,6 +57,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             if definition.help()
         )
         return "".join(f"<p>{paragraph}</p>" for paragraph in (tr(self.HELP), *described))
+
+    def helpUrl(self) -> str:
+        return help_url(self.ID)
 
     def icon(self) -> QIcon:
         return QIcon(icon_path())

@@ -12,6 +12,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import SettingsError
+from ..resources import help_url
 from ..translation import sentence
 from .overwriting import refuse_overwriting
 
@@ -25,6 +26,9 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         copy.setProvider(self.provider())
         copy.setSourceFilePath(self.sourceFilePath())
         return copy
+
+    def helpUrl(self) -> str:
+        return help_url(self.name())
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         try:

@@ -1,0 +1,95 @@
+"""The pages of the algorithms, and the help that is made of them: as the dialogs say, and there without internet."""
+from __future__ import annotations
+
+import importlib.util
+import re
+from pathlib import Path
+from types import ModuleType
+from urllib.parse import unquote, urlsplit
+from urllib.request import url2pathname
+
+import pytest
+from qgis.core import QgsProcessingAlgorithm, QgsProcessingProvider
+
+from tests.qgis.runs import algorithm
+
+TITLE = re.compile(r"<title>(.+)</title>")
+LINK = re.compile(r'<a href="([^"]+)"')
+PAGES = Path(__file__).parents[3] / "docs" / "algorithms"
+NAMES = sorted(path.stem for path in PAGES.glob("*.md") if path.stem != "index")
+SECTIONS = ["Parameters", "Outputs"]
+
+
+def tool(repository: Path, name: str) -> ModuleType:
+    """A script of tools, which is no package."""
+    spec = importlib.util.spec_from_file_location(name, repository / "tools" / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def help_file(one: QgsProcessingAlgorithm) -> Path:
+    address = urlsplit(one.helpUrl())
+    assert address.scheme == "file"
+    return Path(url2pathname(unquote(address.path)))
+
+
+def test_the_help_button_opens_the_page_of_its_algorithm(provider: QgsProcessingProvider) -> None:
+    for one in provider.algorithms():
+        for made in (one, one.create()):
+            page = help_file(made).read_text("utf-8")
+            found = TITLE.search(page)
+            assert found is not None
+            assert found[1] == one.displayName()
+
+
+def test_the_tables_of_the_pages_are_those_of_the_dialogs(repository: Path, provider: QgsProcessingProvider) -> None:
+    """`make help-pages` renews them."""
+    tables = tool(repository, "algorithm_tables")
+    for one in provider.algorithms():
+        page = (tables.PAGES / f"{one.name()}.md").read_text("utf-8")
+        assert page == tables.with_tables(page, one.create()), one.name()
+
+
+def test_a_table_names_every_parameter_and_output(repository: Path, provider: QgsProcessingProvider) -> None:
+    for one in provider.algorithms():
+        made = algorithm(one.name())
+        page = (repository / "docs" / "algorithms" / f"{one.name()}.md").read_text("utf-8")
+        named = re.findall(r"^\| (?:.+? )?`([\w:]+)`(?: \(advanced\))? \|", page, re.MULTILINE)
+        wanted = [definition.name() for definition in made.parameterDefinitions()]
+        wanted += [output.name() for output in made.outputDefinitions()]
+        assert set(wanted) <= set(named), one.name()
+
+
+def test_the_help_is_that_of_the_guide(repository: Path) -> None:
+    """`make help-pages` renews it."""
+    help_pages = tool(repository, "help_pages")
+    pages = help_pages.sources()
+    assert sorted(path.name for path in help_pages.HELP.iterdir()) == sorted(f"{name}.html" for name in pages)
+    for name in pages:
+        assert (help_pages.HELP / f"{name}.html").read_text("utf-8") == help_pages.rendered(name, pages), name
+
+
+def test_links_of_the_help_lead_to_its_pages_or_to_the_homepage(repository: Path) -> None:
+    help_pages = tool(repository, "help_pages")
+    homepage = help_pages.metadata()["homepage"]
+    for path in sorted(help_pages.HELP.glob("*.html")):
+        page = path.read_text("utf-8")
+        assert "<script" not in page
+        assert "<img" not in page
+        for link in LINK.findall(page):
+            near, _, anchor = link.partition("#")
+            if link.startswith(homepage):
+                inside = near[len(homepage) :].strip("/")
+                assert not inside or (repository / "docs" / inside).with_suffix(".md").is_file(), link
+            elif "://" not in link:
+                target = (path.parent / near if near else path).read_text("utf-8")
+                assert not anchor or f'id="{anchor}"' in target, (path.name, link)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_page_has_its_sections(repository: Path, name: str) -> None:
+    page = (repository / "docs" / "algorithms" / f"{name}.md").read_text("utf-8")
+    assert re.findall(r"^##+ (.+)$", page, re.MULTILINE) == SECTIONS

@@ -1,0 +1,138 @@
+"""Render the help that comes with the plugin: resources/help/NAME.html of docs/algorithms/NAME.md and the first steps.
+
+A machine without internet shows them as well as any: one file each, no script, no picture. Links among them stay
+among them, others lead to the guide at the homepage of metadata.txt.
+"""
+from __future__ import annotations
+
+import configparser
+import html
+import posixpath
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+
+REPOSITORY = Path(__file__).parents[1]
+DOCS = REPOSITORY / "docs"
+HELP = REPOSITORY / "resources" / "help"
+ALGORITHMS = "algorithms"
+_LINE_OF_PICTURES = re.compile(r"^!\[[^]]*\]\([^)]*\)\n", re.MULTILINE)
+_COMMENT = re.compile(r"^<!--.*?-->\n", re.MULTILINE)
+
+PAGE = """\
+<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>
+:root {{ color-scheme: light dark; --ink: #1d2530; --soft: #5a6675; --paper: #fff; --shade: #f3f5f8; --line: #d8dee6;
+  --link: #1a5fb4; }}
+@media (prefers-color-scheme: dark) {{ :root {{ --ink: #e3e7ec; --soft: #a2adba; --paper: #1b1f24; --shade: #252b32;
+  --line: #3a424c; --link: #83b6f5; }} }}
+body {{ margin: 0 auto; max-width: 60rem; padding: 1rem 1.5rem 3rem; background: var(--paper); color: var(--ink);
+  font: 16px/1.55 "Open Sans", "Segoe UI", "Helvetica Neue", Arial, sans-serif; }}
+nav {{ color: var(--soft); font-size: .875rem; border-bottom: 1px solid var(--line); padding-bottom: .5rem; }}
+h1 {{ font-size: 1.75rem; line-height: 1.25; margin: 1.25rem 0 .5rem; }}
+h2 {{ font-size: 1.25rem; margin: 2rem 0 .5rem; }}
+h3 {{ font-size: 1rem; margin: 1.5rem 0 .25rem; }}
+a {{ color: var(--link); }}
+code {{ background: var(--shade); border-radius: 3px; font: .875em "DejaVu Sans Mono", Consolas, Menlo, monospace;
+  padding: .1em .25em; }}
+pre {{ background: var(--shade); border: 1px solid var(--line); border-radius: 4px; overflow-x: auto;
+  padding: .75rem 1rem; line-height: 1.4; }}
+pre code {{ background: none; padding: 0; }}
+div.table {{ overflow-x: auto; }}
+table {{ border-collapse: collapse; font-size: .875rem; line-height: 1.4; width: 100%; }}
+th, td {{ border-bottom: 1px solid var(--line); padding: .4rem .75rem .4rem 0; text-align: left; vertical-align: top; }}
+th {{ color: var(--soft); font-weight: 600; }}
+td:first-child {{ min-width: 9rem; }}
+td:first-child code {{ overflow-wrap: anywhere; }}
+@media print {{ nav {{ display: none; }} body {{ max-width: none; padding: 0; }} }}
+</style>
+</head>
+<body>
+<nav>Seam Inspector {version}{trail} · <a href="{homepage}">more on the internet</a></nav>
+<main>
+{body}</main>
+</body>
+</html>
+"""
+
+
+def sources() -> dict[str, Path]:
+    """The pages that become help, by the names of their files without ending."""
+    pages = sorted((DOCS / ALGORITHMS).glob("*.md"))
+    return {path.stem: path for path in pages}
+
+
+def rendered(name: str, pages: dict[str, Path]) -> str:
+    """A page as HTML."""
+    known = metadata()
+    text = _LINE_OF_PICTURES.sub("", _COMMENT.sub("", pages[name].read_text("utf-8")))
+    markdown = MarkdownIt("commonmark").enable("table")
+    tokens = markdown.parse(text)
+    _give_anchors(tokens)
+    for token in tokens:
+        for child in token.children or ():
+            if child.type == "link_open":
+                target = _target(str(child.attrs["href"]), pages[name].parent, pages, known["homepage"])
+                child.attrs["href"] = target
+    body = markdown.renderer.render(tokens, markdown.options, {})
+    body = body.replace("<table>", '<div class="table"><table>').replace("</table>", "</table></div>")
+    trail = "" if name == "index" else ' · <a href="index.html">all algorithms</a>'
+    return PAGE.format(title=html.escape(title(tokens)), version=known["version"], trail=trail,
+                       homepage=html.escape(known["homepage"]), body=body)
+
+
+def title(tokens: Sequence[Token]) -> str:
+    """The first heading in plain words."""
+    place = next(index for index, token in enumerate(tokens) if token.type == "heading_open")
+    return "".join(child.content for child in tokens[place + 1].children or ())
+
+
+def metadata() -> configparser.SectionProxy:
+    """Of the plugin."""
+    parser = configparser.ConfigParser(interpolation=None)
+    parser.read(REPOSITORY / "metadata.txt", encoding="utf-8")
+    return parser["general"]
+
+
+def _give_anchors(tokens: Sequence[Token]) -> None:
+    """To headings, as GitHub and Sphinx do."""
+    for heading, words in zip(tokens, tokens[1:]):
+        if heading.type == "heading_open":
+            plain = re.sub(r"[^\w\s-]", "", words.content).strip().lower()
+            heading.attrSet("id", plain.replace(" ", "-"))
+
+
+def _target(link: str, folder: Path, pages: dict[str, Path], homepage: str) -> str:
+    """Where a link of the guide leads from a page of the help."""
+    address, sharp, anchor = link.partition("#")
+    if not address or ":" in address:
+        return link
+    place = (folder / address).resolve()
+    near = next((name for name, path in pages.items() if path.resolve() == place), None)
+    if near is not None:
+        return f"{near}.html{sharp}{anchor}"
+    inside = posixpath.splitext(place.relative_to(DOCS.resolve()).as_posix())
+    ending = ".html" if inside[1] == ".md" else inside[1]
+    return f"{homepage.rstrip('/')}/{inside[0]}{ending}{sharp}{anchor}"
+
+
+def main() -> None:
+    pages = sources()
+    HELP.mkdir(exist_ok=True)
+    for path in HELP.glob("*.html"):
+        if path.stem not in pages:
+            path.unlink()
+    for name in pages:
+        (HELP / f"{name}.html").write_text(rendered(name, pages), encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()
