@@ -2,8 +2,6 @@
 
 PYTHON := .venv/bin/python
 PACKAGE := build/plugins/seam_inspector
-VERSION = $(shell sed -n 's/^version=//p' metadata.txt)
-ZIP = build/seam_inspector-$(VERSION).zip
 # Tests of one file share what they make, so a file goes to one process
 SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile
 TRANSLATIONS := $(patsubst %.ts,%.qm,$(wildcard i18n/*.ts))
@@ -82,10 +80,9 @@ translate: link ## Collect new texts into the translations, then compile them
 		-ts i18n/seam_inspector_pl.ts
 	$(MAKE) link
 
-package: link ## Make the plugin's zip of the last commit, in build/
-	git -c tar.umask=022 archive --format=zip --output=$(ZIP) \
-		--prefix=seam_inspector/i18n/ $(addprefix --add-file=,$(TRANSLATIONS)) --prefix=seam_inspector/ HEAD
-	@echo $(ZIP)
+package: link ## Make the plugin's zip and the workers' wheel of the last commit, in build/, and check the zip
+	@zip=$$($(PYTHON) -m tools.make_package) && wheel=$$($(PYTHON) -m tools.make_wheel) && \
+		$(PYTHON) -m tools.check_package "$$zip" && echo "$$zip" && echo "$$wheel"
 
 icon: link ## Draw the PNG of the icon anew from its SVG
 	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/draw_icon.py

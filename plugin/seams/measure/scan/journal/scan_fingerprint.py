@@ -8,11 +8,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from hashlib import blake2b
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree
+from xml.etree.ElementTree import ParseError, tostring
 
 import numpy as np
 from osgeo import gdal
 
+from .....imagery.documents.xml_documents import xml_root
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.message import Message
 from .....imagery.rasters import RasterRef
@@ -130,16 +131,16 @@ def _said_beside(path: str) -> str:
     try:
         if os.path.getsize(path) > _MOST_SAID:
             return _local_state(path)
-        root = ElementTree.parse(path).getroot()
+        root = xml_root(Path(path).read_bytes())
     except OSError:
         return ""
-    except ElementTree.ParseError:
+    except ParseError:
         return _local_state(path)
     for parent in list(root.iter()):
         for child in [one for one in parent if one.tag in _OF_NO_CONSEQUENCE]:
             parent.remove(child)
     kept = [band for band in root if len(band) or (band.text or "").strip()]
-    return "".join(re.sub(r"\s+", " ", ElementTree.tostring(one, "unicode")) for one in kept)
+    return "".join(re.sub(r"\s+", " ", tostring(one, "unicode")) for one in kept)
 
 
 def _local_state(path: str) -> str:

@@ -1,0 +1,130 @@
+"""The plugin's zip and the workers' wheel: the last commit and nothing else, the same bytes wherever they are made, and
+nothing that the plugin repository refuses."""
+from __future__ import annotations
+
+import os
+import subprocess
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from tests.releases import built, cloned, run_tool
+from tools.check_package import check_metadata, check_package
+
+ELSEWHERE = {"TZ": "Pacific/Auckland", "LC_ALL": "pl_PL.UTF-8", "LANG": "pl_PL.UTF-8", "QT_HASH_SEED": "7"}
+TRANSLATION = "i18n/seam_inspector_pl.qm"
+
+
+@pytest.fixture(scope="module")
+def clone(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return cloned(repository, tmp_path_factory.mktemp("clone") / "seam-inspector")
+
+
+@pytest.fixture(scope="module")
+def package(clone: Path) -> Path:
+    return built(clone, "make_package")
+
+
+def git(clone: Path, *arguments: str) -> str:
+    return subprocess.run(["git", *arguments], cwd=clone, capture_output=True, text=True, check=True).stdout
+
+
+def test_another_machine_at_another_time_makes_the_same_bytes(
+    clone: Path, package: Path, repository: Path, tmp_path: Path
+) -> None:
+    other = cloned(repository, tmp_path / "a clone with spaces")
+    for setting in ("core.autocrlf=true", "core.eol=crlf", "tar.umask=0077"):
+        git(other, "config", *setting.split("="))
+    for path in [other, *other.rglob("*")]:
+        os.utime(path, (1_000_000_000, 1_000_000_000))
+    for tool, expected in (("make_package", package), ("make_wheel", built(clone, "make_wheel"))):
+        made = built(other, tool, environment=ELSEWHERE, umask=0o077)
+        assert made.name == expected.name
+        assert made.read_bytes() == expected.read_bytes()
+
+
+def test_it_holds_what_is_committed_and_the_compiled_translations(clone: Path, package: Path) -> None:
+    """All that git lists, but what .gitattributes keeps out."""
+    names = git(clone, "ls-files").splitlines()
+    told = git(clone, "check-attr", "export-ignore", "--", *names).splitlines()
+    folders = [line.removesuffix(" export-ignore")[1:] for line in (clone / ".gitattributes").read_text().splitlines()]
+    ignored = {line.split(": ")[0] for line in told if line.endswith(": set")}
+    wanted = {name for name in names if name not in ignored and name.split("/")[0] not in folders}
+    with zipfile.ZipFile(package) as found:
+        assert set(found.namelist()) == {f"seam_inspector/{name}" for name in wanted | {TRANSLATION}}
+        assert found.testzip() is None
+        assert {one.external_attr >> 16 for one in found.infolist()} == {0o100644}
+        for name in wanted:
+            assert found.read(f"seam_inspector/{name}") == (clone / name).read_bytes()
+        assert len(found.read(f"seam_inspector/{TRANSLATION}")) > 100_000
+    assert {name.split("/")[0] for name in wanted} >= {"__init__.py", "LICENSE", "metadata.txt", "plugin", "resources"}
+    assert not {"tests", "docs", "demo", "tools", "Makefile"} & {name.split("/")[0] for name in wanted}
+
+
+def test_what_is_not_committed_is_refused_and_never_inside(clone: Path, package: Path, tmp_path: Path) -> None:
+    other = cloned(clone, tmp_path / "clone")
+    for name in ("metadata.txt", "i18n/seam_inspector_pl.ts"):
+        (other / name).write_text("other", encoding="utf-8")
+    (other / "plugin" / "new.py").write_text("", encoding="utf-8")
+    for tool in ("make_package", "make_wheel"):
+        run = run_tool(other, tool)
+        assert run.returncode == 1
+        assert "Commit these first" in run.stderr
+        assert "metadata.txt" in run.stderr
+        assert "plugin/new.py" in run.stderr
+        assert "Traceback" not in run.stderr
+    assert not list(other.glob("build/*"))
+    code = "import pathlib, tools.make_package as tool; print(tool.make_package(pathlib.Path('build')))"
+    made = subprocess.run(["python3", "-c", code], cwd=other, capture_output=True, text=True, check=True).stdout
+    assert (other / made.strip()).read_bytes() == package.read_bytes()
+
+
+def test_the_plugin_repository_has_nothing_against_it(package: Path) -> None:
+    """What bandit tells and the repository takes is for reading; placeholders are for the publisher."""
+    found = check_package(package)
+    assert [one for one in found if one.is_error] == []
+    rules = {one.rule.partition(":")[0].split()[0] for one in found}
+    assert rules <= {"bandit", "metadata.txt"}, found
+    assert all("placeholder" in one.rule for one in found if one.rule.startswith("metadata.txt"))
+
+
+def test_a_bad_package_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "bad.zip"
+    with zipfile.ZipFile(path, "w") as bad:
+        bad.writestr("my-plugin/metadata.txt", "[general]\nname=a\nauthor=a/b\ntracker=nowhere\nicon=i.png\n")
+        bad.writestr("my-plugin/__init__.py", "import pickle\nx = pickle.loads(b'')\nprint(undefined)\nassert x\n")
+        bad.writestr("my-plugin/broken.py", "def (:\n")
+        bad.writestr("my-plugin/key.txt", "aws_key = 'AKIA" + "QYLPMN5HHHFPZAM2'\n")
+        bad.writestr("my-plugin/__pycache__/a.pyc", b"")
+        bad.writestr("my-plugin/tests/test_a.py", "")
+        bad.writestr("my-plugin/.hidden", "")
+        bad.writestr("my-plugin/run.sh", "")
+        bad.writestr("../outside.txt", "")
+    run = run_tool(Path(__file__).parents[2], "check_package", str(path))
+    assert run.returncode == 1
+    for said in (
+        "ERROR    more than one folder", "ERROR    the folder at the top can't be imported: my-plugin",
+        "ERROR    LICENSE is missing", "ERROR    metadata.txt lacks a field: homepage",
+        "ERROR    metadata.txt: not an address: tracker", "ERROR    metadata.txt: a slash in the author's name",
+        "ERROR    a file that is never wanted", "ERROR    a program: my-plugin/run.sh", "ERROR    bandit B301",
+        "ERROR    detect-secrets: AWS Access Key: my-plugin/key.txt:1", "ERROR    flake8 F821", "ERROR    flake8 E9",
+        "ERROR    a path that leads out of the folder: ../outside.txt", "warning  a hidden file: my-plugin/.hidden",
+        "warning  a test: my-plugin/tests/test_a.py", "warning  bandit B101", "warning  metadata.txt: the icon",
+    ):  # fmt: skip
+        assert said in run.stdout, run.stdout + run.stderr
+
+
+@pytest.mark.parametrize("name", ["nothing.zip", "empty.zip", "text.zip"])
+def test_what_is_no_package_is_told_in_a_sentence(tmp_path: Path, name: str) -> None:
+    (tmp_path / "text.zip").write_text("text")
+    zipfile.ZipFile(tmp_path / "empty.zip", "w").close()
+    run = run_tool(Path(__file__).parents[2], "check_package", str(tmp_path / name))
+    assert run.returncode == 1
+    assert len(run.stderr.splitlines()) == 1, run.stderr
+
+
+def test_placeholders_are_told_until_the_publisher_fills_them_in() -> None:
+    text = "[general]\nhomepage=https://example.org/a\nemail=a@example.org\ntracker=https://notexample.organic/x\n"
+    told = [one.place for one in check_metadata(text, ["a/metadata.txt"]) if "placeholder" in one.rule]
+    assert told == ["homepage", "email"]
