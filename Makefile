@@ -1,6 +1,7 @@
 # Seam Inspector: `make help` lists the targets.
 
 PYTHON := .venv/bin/python
+QT6 := .venv-qt6/bin/python
 PACKAGE := build/plugins/seam_inspector
 # Tests of one file share what they make, so a file goes to one process
 SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile
@@ -11,10 +12,10 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qgis test-desktop guide help-pages check-links demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
+.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
 
 help: ## Show this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 22
+	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
 
 install: ## Install what the other targets need; does nothing when it is all there
 	@tools/install.sh
@@ -32,10 +33,16 @@ lint: link ## Check style and types
 	$(PYTHON) -m ruff check .
 	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py))
 
-test: lint test-numbers test-qgis test-desktop ## Check style and types, then run all tests
+test: lint test-numbers test-qt6 test-qgis test-desktop ## Check style and types, then run all tests
 
 test-numbers: link ## Run the tests of the numbers, without QGIS
 	$(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
+
+test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what draws without QGIS
+	@tools/install_qt6.sh
+	$(QT6) -m tools.qt6.check_names
+	$(QT6) -m tools.qt6.check_types
+	QT_QPA_PLATFORM=offscreen $(QT6) -m pytest tests/qt6
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings

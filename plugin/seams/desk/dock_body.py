@@ -42,11 +42,11 @@ class DockBody(QWidget):
         layout.setSpacing(3)
         layout.addLayout(self._head)
         layout.addWidget(self._splitter, 1)
-        self.scroll = ScrollBody(upper)
+        self.scrolled = ScrollBody(upper)
         self._windows, self._judge, self._whole = windows, judge, QVBoxLayout(self)
         self._whole.setContentsMargins(4, 2, 4, 4)
         self._whole.setSpacing(3)
-        self._whole.addWidget(self.scroll, 1)
+        self._whole.addWidget(self.scrolled, 1)
         self._whole.addWidget(judge)
         self._whole.addWidget(progress)
 

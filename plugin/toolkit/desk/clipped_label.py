@@ -60,7 +60,7 @@ class ClippedLabel(QWidget):
             self._fit()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        QToolTip.showText(event.globalPos(), self.toolTip(), self)
+        QToolTip.showText(self.mapToGlobal(event.pos()), self.toolTip(), self)
 
     def sizeHint(self) -> QSize:
         metrics, margins = self.fontMetrics(), self.contentsMargins()

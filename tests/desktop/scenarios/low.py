@@ -24,10 +24,10 @@ def play(desk: Desk) -> None:
     desk.report["dock"] = [desk.dock.width(), desk.dock.height()]
     desk.screenshot(shots / "low_inputs.png")
     body, judge = desk.dock.widget(), desk.dock.judge
-    desk.report["scrolls"] = body.scroll.verticalScrollBar().maximum() > 0
+    desk.report["scrolls"] = body.scrolled.verticalScrollBar().maximum() > 0
     bottom = judge.mapTo(body, judge.rect().bottomLeft()).y()
     desk.report["reached"] = 0 < bottom <= body.height()
-    body.scroll.ensureWidgetVisible(desk.dock.windows.table)
+    body.scrolled.ensureWidgetVisible(desk.dock.windows.table)
     desk.pause(0.3)
     desk.screenshot(shots / "low_judge.png")
     inputs.box.fold(True)

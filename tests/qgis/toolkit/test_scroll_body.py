@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from qgis.PyQt.QtCore import QPoint, QPointF, Qt
@@ -13,7 +14,7 @@ from seam_inspector.plugin.toolkit.desk.scroll_body import ScrollBody
 
 @pytest.fixture
 def body(qgis_app: QApplication) -> Iterator[ScrollBody]:
-    content = QWidget()
+    content: Any = QWidget()  # with its fields
     layout = QVBoxLayout(content)
     content.number, content.choice, content.label = QSpinBox(), QComboBox(), QLabel("high")
     content.choice.addItems(["a", "b", "c"])
@@ -53,7 +54,7 @@ def test_it_scrolls_where_there_is_no_room_and_is_never_too_narrow(body: ScrollB
 
 
 def test_the_wheel_changes_only_what_has_the_focus(body: ScrollBody) -> None:
-    content = body.widget()
+    content: Any = body.widget()
     for field, value in ((content.number, content.number.value), (content.choice, content.choice.currentIndex)):
         field.clearFocus()
         before = value()

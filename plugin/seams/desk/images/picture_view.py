@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import (
+    QFocusEvent,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
@@ -27,7 +28,9 @@ from .viewport import Viewport
 _WHEEL_STEP = 120  # eighths of a degree: one notch
 _KEY_PAN = 0.25  # of a view
 _READING_OPACITY = 0.25
-_ARROWS = {Qt.Key.Key_Left: (1, 0), Qt.Key.Key_Right: (-1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)}
+_ARROWS: dict[int, tuple[int, int]] = {
+    Qt.Key.Key_Left: (1, 0), Qt.Key.Key_Right: (-1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)
+}  # fmt: skip
 
 
 class PictureView(QWidget):
@@ -197,7 +200,7 @@ class PictureView(QWidget):
         scale, ratio, (left, top) = self._viewport.scale, self.devicePixelRatioF(), self._viewport.origin()
         x, y = left + inside.column * scale, top + inside.row * scale
         box = QRectF(x / ratio, y / ratio, inside.width * scale / ratio, inside.height * scale / ratio)
-        box.translate(self.image_rect().topLeft())
+        box.translate(QPointF(self.image_rect().topLeft()))
         paint_outline(painter, box)
 
     # The linked cursor
@@ -236,11 +239,11 @@ class PictureView(QWidget):
         self._viewport.set_cursor(None)
         self.hovered.emit(self, False)
 
-    def focusInEvent(self, event: QEvent) -> None:
+    def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self.focused.emit(self, True)
 
-    def focusOutEvent(self, event: QEvent) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.focused.emit(self, False)
 

@@ -162,7 +162,10 @@ def metres_box(usual: float, step: float, parent: QWidget) -> QgsDoubleSpinBox:
 def show_value(box: QgsDoubleSpinBox | QgsSpinBox, value: float) -> None:
     """Set a number; where it is there already the box is left alone, for another may be being typed."""
     if box.value() != value:
-        box.setValue(value)
+        if isinstance(box, QgsSpinBox):
+            box.setValue(int(value))
+        else:
+            box.setValue(value)
 
 
 def add_field(grid: QGridLayout, row: int, text: str, *fields: QWidget) -> None:

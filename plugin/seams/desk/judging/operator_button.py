@@ -1,6 +1,7 @@
 """Who judges, whether blind, and how well both agree: a button with a menu."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from qgis.PyQt.QtCore import Qt, pyqtSignal
@@ -68,7 +69,7 @@ class OperatorButton(QToolButton):
         self._judging.change(is_blind=blind)
 
     @staticmethod
-    def _checkable(menu: QMenu, text: str, tip: str, slot: object) -> QAction:
+    def _checkable(menu: QMenu, text: str, tip: str, slot: Callable[..., None]) -> QAction:
         action = QAction(text, menu)
         action.setCheckable(True)
         action.setToolTip(tip)

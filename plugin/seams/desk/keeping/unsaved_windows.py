@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Callable
 
 from qgis.core import QgsFeature, QgsFeatureRequest, QgsProject, QgsVectorLayer
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
 
 from ....imagery.errors import SettingsError
 from ....imagery.records.record_file import RecordFile
@@ -45,7 +45,7 @@ class UnsavedWindows(QObject):
         self._numbers: dict[int, int] = {}  # by feature id
         self._is_saving = False
         self._writer = single_shot(self, self._write)
-        self._connections = [
+        self._connections: list[tuple[pyqtBoundSignal, Callable[..., None]]] = [
             (layer.featureAdded, self._touch),
             (layer.featureDeleted, self._touch),
             (layer.attributeValueChanged, self._touch),

@@ -51,7 +51,7 @@ class SwipeHandle(QWidget):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._is_dragged:
             view = self._canvas.viewport()
-            at = view.mapFromGlobal(event.globalPos())
+            at = view.mapFromGlobal(self.mapToGlobal(event.pos()))
             share = at.x() / view.width() if self._is_upright else at.y() / view.height()
             self.moved.emit(min(max(share, 0.0), 1.0))
 

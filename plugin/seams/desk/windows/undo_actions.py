@@ -15,11 +15,13 @@ from qgis.gui import QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtGui import QKeyEvent, QKeySequence
-from qgis.PyQt.QtWidgets import QAction, QMainWindow, QUndoStack, QWidget
+from qgis.PyQt.QtWidgets import QAction, QMainWindow, QWidget
 
 from ....toolkit.translation import tr
 
 if TYPE_CHECKING:
+    from qgis.PyQt.QtGui import QUndoStack  # Qt 5 has it in QtWidgets, and QGIS brings it to neither place
+
     from ..session import Session
 
 _CONTROL, _SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier

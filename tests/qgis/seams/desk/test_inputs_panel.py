@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -261,13 +262,14 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
         expected = replace(expected, **{field: value})
         assert desk.session.inputs == expected
     more = desk.panel.more
-    for spin, field, value in (
+    spins: tuple[tuple[Any, str, float], ...] = (
         (desk.panel.side, "side_m", 50.0),
         (more.spacing, "spacing_m", 300.0),
         (more.levels, "levels", 4),
         (more.min_kept, "min_kept", 0.6),
         (more.max_ratio, "max_ratio", 0.6),
-    ):
+    )
+    for spin, field, value in spins:
         spin.setValue(value)
         expected = replace(expected, **{field: value})
         assert desk.session.inputs == expected

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from qgis.core import Qgis, QgsApplication
+from qgis.core import Qgis, QgsApplication, QgsGeometry
 
 from tests.qgis.scenes import layer, line
 from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks
@@ -33,7 +33,7 @@ def log(qgis_app: QgsApplication) -> Iterator[Log]:
     QgsApplication.messageLog().messageReceived.disconnect(made.take)
 
 
-def place(desk: Desk, lines: list[str]) -> str:
+def place(desk: Desk, lines: list[QgsGeometry]) -> str:
     """What is told once windows are placed along some lines."""
     seams = layer("LineString", lines)
     desk.project.addMapLayer(seams)

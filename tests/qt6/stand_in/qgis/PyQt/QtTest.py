@@ -1,0 +1,2 @@
+"""As ``qgis.PyQt.QtTest`` of QGIS 4."""
+from PyQt6.QtTest import *  # noqa: F403

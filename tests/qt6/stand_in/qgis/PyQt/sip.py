@@ -1,0 +1,2 @@
+"""As ``qgis.PyQt.sip`` of QGIS 4."""
+from PyQt6.sip import *  # noqa: F403
