@@ -23,15 +23,16 @@ _SETTINGS = """\
 overrideFlag=true
 userLocale={locale}
 
-[PythonPlugins]
-seam_inspector=true
-
 [UI]
 UITheme={theme}
 
 [qgis]
 checkVersion=false
 iconSize=24
+"""
+_ENABLED = """
+[PythonPlugins]
+seam_inspector=true
 """
 
 
@@ -70,10 +71,14 @@ def play(
     theme: str = "default",
     scale: int = 1,
     locale: str = "en_US",
+    linked: bool = True,
 ) -> Run:
-    """Start QGIS, play a scenario, wait for the end of the process. The profile is made in the folder."""
+    """Start QGIS, play a scenario, wait for the end of the process. The profile is made in the folder.
+
+    It has the checkout as its plugin, ``linked``, or none.
+    """
     folder.mkdir(parents=True, exist_ok=True)
-    profiles = _make_profile(folder / "profiles", theme, locale)
+    profiles = _make_profile(folder / "profiles", theme, locale, linked)
     job, status_file, log = folder / "job.json", folder / "status.json", folder / "qgis.log"
     status_file.unlink(missing_ok=True)
     job.write_text(
@@ -129,14 +134,15 @@ def _run(command: list[str], environment: dict[str, str], output: Any, seconds: 
                     continue
 
 
-def _make_profile(folder: Path, theme: str, locale: str) -> Path:
-    """A profile with nothing but the plugin, linked and enabled."""
+def _make_profile(folder: Path, theme: str, locale: str, linked: bool) -> Path:
+    """A profile with nothing but the plugin, linked and enabled, or with nothing at all."""
     shutil.rmtree(folder, ignore_errors=True)
     plugins, settings = folder / "profiles/default/python/plugins", folder / "profiles/default/QGIS/QGIS3.ini"
-    for path in (plugins, settings.parent):
-        path.mkdir(parents=True)
-    (plugins / "seam_inspector").symlink_to(_PLUGIN.resolve(), target_is_directory=True)
-    settings.write_text(_SETTINGS.format(locale=locale, theme=theme))
+    settings.parent.mkdir(parents=True)
+    settings.write_text(_SETTINGS.format(locale=locale, theme=theme) + (_ENABLED if linked else ""))
+    if linked:
+        plugins.mkdir(parents=True)
+        (plugins / "seam_inspector").symlink_to(_PLUGIN.resolve(), target_is_directory=True)
     return folder
 
 
