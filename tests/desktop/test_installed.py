@@ -46,8 +46,9 @@ def use_from_the_command_line(program: str, profiles: Path, block: Path, output:
     unwanted = ("PYTHONPATH", "QGIS_PLUGINPATH")
     environment = {name: value for name, value in os.environ.items() if name not in unwanted} | settings
     command = [
-        program, "--json", "run", "seaminspector:placewindows", f"--SEAMLINES={block}/seamlines.gpkg|layername=seamlines",
-        f"--MOSAIC={block}/mosaic.tif", f"--SIDE={SIDE_M}", f"--SPACING={2 * SIDE_M}", f"--OUTPUT={output}",
+        program, "--json", "run", "seaminspector:placewindows",
+        f"--SEAMLINES={block}/seamlines.gpkg|layername=seamlines", f"--MOSAIC={block}/mosaic.tif",
+        f"--SIDE={SIDE_M}", f"--SPACING={2 * SIDE_M}", f"--OUTPUT={output}",
     ]  # fmt: skip
     run = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300, check=False)
     assert run.returncode == 0, run.stdout + run.stderr

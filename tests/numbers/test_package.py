@@ -5,14 +5,20 @@ from __future__ import annotations
 import os
 import subprocess
 import zipfile
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+from seam_inspector.plugin.toolkit.executors import measuring_modules
 
 from tests.releases import built, cloned, run_tool
 from tools.check_package import check_metadata, check_package
 
 ELSEWHERE = {"TZ": "Pacific/Auckland", "LC_ALL": "pl_PL.UTF-8", "LANG": "pl_PL.UTF-8", "QT_HASH_SEED": "7"}
+CHECKED = pytest.mark.skipif(
+    not all(map(find_spec, ("bandit", "detect_secrets", "flake8"))),
+    reason="bandit, detect-secrets or flake8 is missing",
+)
 TRANSLATION = "i18n/seam_inspector_pl.qm"
 
 
@@ -62,6 +68,17 @@ def test_it_holds_what_is_committed_and_the_compiled_translations(clone: Path, p
     assert not {"tests", "docs", "demo", "tools", "Makefile"} & {name.split("/")[0] for name in wanted}
 
 
+def test_the_wheel_holds_what_a_cluster_is_given(clone: Path) -> None:
+    given = {path.relative_to(clone).as_posix() for path in measuring_modules(clone / "plugin")}
+    given |= {"__init__.py", "plugin/__init__.py"}
+    with zipfile.ZipFile(built(clone, "make_wheel")) as wheel:
+        names = {name for name in wheel.namelist() if ".dist-info/" not in name}
+        assert names == {f"seam_inspector/{name}" for name in given}
+        told = next(name for name in wheel.namelist() if name.endswith("/METADATA"))
+        assert b"Requires-Dist: numpy" in wheel.read(told)
+    assert "plugin/seams/measure/inspection.py" in given
+
+
 def test_what_is_not_committed_is_refused_and_never_inside(clone: Path, package: Path, tmp_path: Path) -> None:
     other = cloned(clone, tmp_path / "clone")
     for name in ("metadata.txt", "i18n/seam_inspector_pl.ts"):
@@ -80,6 +97,7 @@ def test_what_is_not_committed_is_refused_and_never_inside(clone: Path, package:
     assert (other / made.strip()).read_bytes() == package.read_bytes()
 
 
+@CHECKED
 def test_the_plugin_repository_has_nothing_against_it(package: Path) -> None:
     """What bandit tells and the repository takes is for reading; placeholders are for the publisher."""
     found = check_package(package)
@@ -89,6 +107,7 @@ def test_the_plugin_repository_has_nothing_against_it(package: Path) -> None:
     assert all("placeholder" in one.rule for one in found if one.rule.startswith("metadata.txt"))
 
 
+@CHECKED
 def test_a_bad_package_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "bad.zip"
     with zipfile.ZipFile(path, "w") as bad:

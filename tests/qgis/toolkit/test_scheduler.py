@@ -2,7 +2,9 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
+import venv
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,6 +16,7 @@ from tests.numbers.synthetic import write_raster
 from tests.qgis.clusters import needs_dask, two_workers
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, whole, windows
+from tests.releases import built, cloned
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -131,3 +134,29 @@ def test_without_dask_a_scheduler_gets_a_sentence(scene: Scene, monkeypatch: pyt
     outcome = inspect(scene, SCHEDULER="tcp://127.0.0.1:9")
     assert_sentence(outcome.complaint, r"Dask is not installed; install 'dask\[distributed\]' or leave .* empty")
     assert inspect(scene).complaint is None
+
+
+@needs_dask
+def test_workers_that_have_the_wheel_alone_measure(scene: Scene, repository: Path, tmp_path: Path) -> None:
+    """An environment that sees the system's GDAL and numpy, with the released wheel and Dask."""
+    import distributed
+
+    environment = tmp_path / "venv"
+    venv.create(environment, system_site_packages=True, with_pip=True)
+    python = str(environment / "bin" / "python")
+    wheel = built(cloned(repository, tmp_path / "clone"), "make_wheel")
+    install = [python, "-I", "-m", "pip", "install", "--quiet", "--no-deps", "--no-index", str(wheel)]
+    subprocess.run(install, check=True, capture_output=True)
+    (packages,) = environment.glob("lib/python*/site-packages")
+    (packages / "dask.pth").write_text(str(Path(distributed.__file__).parents[1]), encoding="utf-8")
+    (tmp_path / "cluster").mkdir()
+    expected = inspect(scene)
+    with two_workers(tmp_path / "cluster", python, has_the_wheel=True) as address:
+        with distributed.Client(address) as client:
+            homes = client.run(eval, "__import__('seam_inspector').__file__").values()
+            assert all(str(packages) in home for home in homes)
+        found = inspect(scene, SCHEDULER=address)
+    assert found.complaint is None
+    assert found.column("verdict") == expected.column("verdict")
+    for ratio, other in zip(found.column("ratio_1"), expected.column("ratio_1")):
+        assert ratio == (other if other is None else pytest.approx(other, rel=1e-5))
