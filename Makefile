@@ -12,7 +12,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
+.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links pictures demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -59,6 +59,9 @@ guide: link ## Make the guide of docs, in build/guide/index.html
 help-pages: link ## Make the tables of docs/algorithms and the help that comes with the plugin anew
 	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/algorithm_tables.py
 	$(PYTHON) tools/help_pages.py
+
+pictures: link ## Make the pictures of the guide's first pages anew, of what `make demo` left
+	$(PYTHON) -m demo.guide --block output/demo/block --output docs/pictures
 
 check-links: link ## Follow the guide's links to other sites, by the network
 	$(PYTHON) -m sphinx -q -b linkcheck docs build/links

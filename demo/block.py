@@ -19,7 +19,7 @@ Lengths scale with the extent, so a small block holds the same story.
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Callable
 
@@ -79,10 +79,11 @@ class Layout:
     north: tuple[Curve, ...]
     south: tuple[Curve, ...]
     between: Curve
+    feather_m: float = FEATHER
 
     def weights(self, x: np.ndarray, y: np.ndarray) -> dict[str, np.ndarray]:
         """Share of each source in the mosaic; the shares add up to 1."""
-        feather, wide = FEATHER * self.scale, WIDE_FEATHER * self.scale
+        feather, wide = self.feather_m * self.scale, WIDE_FEATHER * self.scale
         south = ramp((y - self.between(x)) / feather)
         first, second = (ramp((x - seam(y)) / width) for seam, width in zip(self.north, (feather, wide)))
         east = ramp((x - self.south[0](y)) / feather)
@@ -93,15 +94,15 @@ class Layout:
 
 
 def make_block(folder: str | Path, extent_m: Extent = (500.0, 400.0), seed: int = 2010,
-               progress: Callable[[str], None] = lambda message: None) -> Block:
-    """Draw the scene, photograph it, mosaic it and write the files into a folder."""
+               progress: Callable[[str], None] = lambda message: None, feather_m: float = FEATHER) -> Block:
+    """Draw the scene, photograph it, mosaic it and write the files into a folder. ``feather_m``: of the usual seam."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     rng = np.random.default_rng(seed)
     scale = extent_m[0] / WIDTH
     progress("Drawing the scene")
     scene = make_scene(extent_m, MARGIN * scale + 1.5, rng)
-    layout = make_layout(extent_m, scene, rng)
+    layout = replace(make_layout(extent_m, scene, rng), feather_m=feather_m)
     images = []
     for exposure in EXPOSURES:
         progress(f"Taking orthoimage {exposure.name}")

@@ -14,6 +14,8 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QTabWidget, QWidget
 from qgis.utils import iface, plugins
 
+from demo.project import SEAM_COLOUR, SEAM_WIDTH_MM
+
 PATIENCE = 4  # times what a wait may take on a machine of its own: a slow or busy one is no fault of the plugin
 Point = tuple[float, float]
 _LEFT, _NO_KEY = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -109,8 +111,8 @@ class Desk:
         """Add the layer ``seamlines`` of a GeoPackage, in a colour that is seen on the mosaic."""
         layer = QgsVectorLayer(f"{path}|layername=seamlines", "seamlines")
         assert layer.isValid()
-        layer.renderer().symbol().setColor(QColor("#00e5ff"))
-        layer.renderer().symbol().setWidth(0.4)
+        layer.renderer().symbol().setColor(QColor(SEAM_COLOUR))
+        layer.renderer().symbol().setWidth(SEAM_WIDTH_MM)
         self.project.addMapLayer(layer)
         return layer
 

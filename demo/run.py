@@ -28,6 +28,7 @@ from seam_inspector.plugin.provider import SeamInspectorProvider
 from demo.block import Damage, make_block
 from demo.findings import print_table, print_windows, read_curves, read_profiles, read_windows, representative
 from demo.pictures import draw
+from demo.project import write_project
 
 RASTERS = {".tif", ".tiff", ".jp2", ".vrt", ".img", ".png", ".jpg"}
 VECTORS = {".gpkg", ".shp", ".geojson"}
@@ -89,7 +90,10 @@ def make_demonstration(folder: Path) -> Inputs:
         done.write_text(json.dumps([(one.cause, one.bounds) for one in block.damage]), encoding="utf-8")
     sources = sorted(path for path in folder.glob("*.tif") if path.name != "mosaic.tif")
     damage = (Damage(cause, tuple(bounds)) for cause, bounds in json.loads(done.read_text(encoding="utf-8")))
-    return Inputs(folder / "mosaic.tif", tuple(sources), folder / "seamlines.gpkg", tuple(damage))
+    mosaic, seamlines, project = folder / "mosaic.tif", folder / "seamlines.gpkg", folder / "block.qgz"
+    if not project.exists():
+        write_project(project, mosaic, sources, seamlines)
+    return Inputs(mosaic, tuple(sources), seamlines, tuple(damage))
 
 
 def find_inputs(folder: Path) -> list[Inputs]:

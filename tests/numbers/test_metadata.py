@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from cffconvert import Citation
 
 WANTED_BY_THE_PLUGIN_REPOSITORY = (
     "name description about version author email tracker repository homepage "
@@ -50,6 +51,15 @@ def test_version_is_the_newest_of_both_changelogs(metadata: dict[str, str], repo
     assert newest
     assert newest[1] == metadata["version"]
     assert metadata["changelog"].split()[0] == metadata["version"]
+
+
+def test_citation_is_valid_and_of_this_version(metadata: dict[str, str], repository: Path) -> None:
+    citation = Citation((repository / "CITATION.cff").read_text(encoding="utf-8"))
+    citation.validate()
+    assert citation.cffobj["version"] == metadata["version"]
+    assert citation.cffobj["title"] == metadata["name"]
+    assert citation.cffobj["license"] == metadata["license"]
+    assert citation.cffobj["repository-code"] == metadata["repository"]
 
 
 def test_icon_is_a_square_png_with_its_svg(metadata: dict[str, str], repository: Path) -> None:
