@@ -12,7 +12,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links pictures demo benchmark benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
+.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -73,6 +73,9 @@ demo: link ## Inspect a generated block, or with DATA=folder your own rasters; r
 
 benchmark: link ## Measure the speed, on one core
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run
+
+speed: link ## Measure the README's table of speed, three runs on one core, and write it there
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.speed --write README.md
 
 benchmark-scan: link ## Measure the scan of a whole mosaic against the bare read of its files, on all cores; SIDE=3000 for a try
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.scan \

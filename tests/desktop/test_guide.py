@@ -15,7 +15,8 @@ def test_the_first_inspection_goes_as_the_page_says(
 ) -> None:
     """Open the block, place, inspect, read, judge, report."""
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
-    subprocess.run([sys.executable, "-m", "demo.project", str(small_block)], cwd=repository, env=environment, check=True)
+    command = [sys.executable, "-m", "demo.project", str(small_block)]
+    subprocess.run(command, cwd=repository, env=environment, check=True, timeout=120)
     parameters = {"project": str(small_block / "block.qgz"), "screenshots": str(screenshots)}
     run = play(SCENARIOS / "first_inspection.py", tmp_path, parameters, screen="1400x900")
     check(run)

@@ -1,7 +1,7 @@
 """The first inspection of the guide (docs/start/first_inspection.md), step by step, with a picture of each.
 
-Parameters: ``project`` (of the block, as demo/project.py writes it), ``screenshots`` (folder). What a step of the page says is done here by the same button, key or
-click; what the page says will be seen is asserted.
+Parameters: ``project`` (of the block, as demo/project.py writes it), ``screenshots`` (folder). What a step of the page
+says is done here by the same button, key or click; what the page says will be seen is asserted.
 """
 from __future__ import annotations
 
