@@ -71,6 +71,9 @@ demo: link ## Inspect a generated block, or with DATA=folder your own rasters; r
 		$(if $(SIDE),--side $(SIDE)) $(if $(SPACING),--spacing $(SPACING))
 	$(if $(DATA),,@$(PYTHON) -m demo.screenshot --block output/demo/block --output output/demo)
 
+demo-data: link ## Make all data that the examples of docs/algorithms take, in output/demo
+	QT_QPA_PLATFORM=offscreen $(PYTHON) -m demo.data output/demo
+
 benchmark: link ## Measure the speed, on one core
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run
 

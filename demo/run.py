@@ -26,11 +26,14 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.provider import SeamInspectorProvider
 
 from demo.block import Damage, make_block
+from demo.canvas import Extent
 from demo.findings import print_table, print_windows, read_curves, read_profiles, read_windows, representative
 from demo.pictures import draw
 from demo.project import write_project
 
 RASTERS = {".tif", ".tiff", ".jp2", ".vrt", ".img", ".png", ".jpg"}
+DONE = "done"  # the file that says that a folder of generated data is whole
+EXTENT: Extent = (500.0, 400.0)  # m
 VECTORS = {".gpkg", ".shp", ".geojson"}
 FEWEST_VALUES = 32  # in an orthoimage; labels and masks have fewer
 LOOK_PX = 512  # longer side of the overview in which they are counted
@@ -82,11 +85,11 @@ def main() -> int:
     return 0
 
 
-def make_demonstration(folder: Path) -> Inputs:
+def make_demonstration(folder: Path, extent_m: Extent = EXTENT) -> Inputs:
     """The generated block, made once."""
-    done = folder / "done"
+    done = folder / DONE
     if not done.exists():
-        block = make_block(folder, progress=print)
+        block = make_block(folder, extent_m, progress=print)
         done.write_text(json.dumps([(one.cause, one.bounds) for one in block.damage]), encoding="utf-8")
     sources = sorted(path for path in folder.glob("*.tif") if path.name != "mosaic.tif")
     damage = (Damage(cause, tuple(bounds)) for cause, bounds in json.loads(done.read_text(encoding="utf-8")))
