@@ -11,13 +11,24 @@ from urllib.request import url2pathname
 import pytest
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingProvider
 
+from tests.qgis.guide.page_examples import NAMES, page
 from tests.qgis.runs import algorithm
 
 TITLE = re.compile(r"<title>(.+)</title>")
 LINK = re.compile(r'<a href="([^"]+)"')
-PAGES = Path(__file__).parents[3] / "docs" / "algorithms"
-NAMES = sorted(path.stem for path in PAGES.glob("*.md") if path.stem != "index")
-SECTIONS = ["Parameters", "Outputs"]
+LINKED = re.compile(r"^\| `(\w+)\.([\w:]+)` \| `(\w+)\.(\w+)` \|", re.MULTILINE)
+SECTIONS = [
+    "When to use it", "Parameters", "Outputs", "Reading the results", "What it refuses",
+    "Examples", "Toolbox", "Modeler", "Command line", "Python",
+]  # fmt: skip
+TAKEN = {
+    "source": {"outputVector"},
+    "multilayer": {"outputVector", "outputRaster"},
+    "raster": {"outputRaster"},
+    "file": {"outputFile"},
+    "number": {"outputNumber"},
+}
+"""Which outputs the modeler offers for an input, by their types."""
 
 
 def tool(repository: Path, name: str) -> ModuleType:
@@ -90,6 +101,20 @@ def test_links_of_the_help_lead_to_its_pages_or_to_the_homepage(repository: Path
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_page_has_its_sections(repository: Path, name: str) -> None:
-    page = (repository / "docs" / "algorithms" / f"{name}.md").read_text("utf-8")
-    assert re.findall(r"^##+ (.+)$", page, re.MULTILINE) == SECTIONS
+def test_every_page_has_its_sections(name: str) -> None:
+    assert re.findall(r"^##+ (.+)$", page(name), re.MULTILINE) == SECTIONS
+
+
+@pytest.mark.usefixtures("provider")
+@pytest.mark.parametrize("name", NAMES)
+def test_what_the_modeler_joins_fits(name: str) -> None:
+    """Outputs and inputs of the page's table are there, and of kinds that the modeler joins."""
+    for giver, output, taker, wanted in LINKED.findall(page(name)):
+        assert name in (giver, taker)
+        first, second = algorithm(giver), algorithm(taker)  # held: definitions go with their algorithms
+        made, asked = first.outputDefinition(output), second.parameterDefinition(wanted)
+        assert made is not None, (giver, output)
+        assert asked is not None, (taker, wanted)
+        assert made.type() in TAKEN[asked.type()], (giver, output, taker, wanted)
+    joined = page(name).split("### Modeler\n\n")[1].split("###")[0]
+    assert joined.strip()

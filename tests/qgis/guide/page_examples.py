@@ -1,0 +1,43 @@
+"""The examples on the pages of the algorithms, as a reader would copy them."""
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+from typing import Any
+
+PAGES = Path(__file__).parents[3] / "docs" / "algorithms"
+NAMES = sorted(path.stem for path in PAGES.glob("*.md") if path.stem != "index")
+Call = tuple[str, dict[str, Any]]
+_BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def page(name: str) -> str:
+    """The page of an algorithm."""
+    return (PAGES / f"{name}.md").read_text("utf-8")
+
+
+def blocks(name: str, language: str) -> list[str]:
+    """What stands in a page's blocks of a language."""
+    return [code for found, code in _BLOCK.findall(page(name)) if found == language]
+
+
+def shell_call(block: str) -> Call:
+    """What a block asks qgis_process for: a parameter that comes more than once is a list."""
+    program, run, algorithm, *options = shlex.split(block.replace("\\\n", " "))
+    assert (program, run) == ("qgis_process", "run")
+    parameters: dict[str, Any] = {}
+    for option in options:
+        name, equals, value = option.partition("=")
+        assert name.startswith("--")
+        assert equals
+        before = parameters.get(name[2:])
+        parameters[name[2:]] = value if before is None else [*(before if isinstance(before, list) else [before]), value]
+    return algorithm, parameters
+
+
+def same_call(call: Call) -> tuple[str, dict[str, list[str]]]:
+    """A call in words, to compare those of two ways."""
+    algorithm, parameters = call
+    lists = ((name, value if isinstance(value, list) else [value]) for name, value in parameters.items())
+    return algorithm, {name: [str(one) for one in values] for name, values in lists}
