@@ -48,9 +48,9 @@ test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings
 	QT_QPA_PLATFORM=offscreen $(PYTHON) -m pytest $(SIDE_BY_SIDE) tests/qgis
 
-test-desktop: link ## Run the tests of the real application, on a virtual screen
+test-desktop: link ## Run the tests of the real application, each on a virtual screen of its own
 ifneq ($(wildcard tests/desktop/test_*.py),)
-	xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" $(PYTHON) -m pytest -p no:pytest_qgis tests/desktop
+	$(PYTHON) -m pytest -p no:pytest_qgis -n auto --maxprocesses 4 --dist worksteal tests/desktop
 endif
 
 guide: link ## Make the guide of docs, in build/guide/index.html

@@ -70,7 +70,7 @@ def test_points_of_orthority_and_inside_a_tiff_are_read(project: QgsProject, tmp
     points = [gdal.GCP(*map(float, (*position, *place))) for place, position in zip(image, ground)]
     dataset.SetGCPs(points, system.ExportToWkt())
     dataset = None
-    common = {"MODEL": "rational", "IMAGE": str(tiff), "CHECK_SHARE": 0}
+    common = {"MODEL": "rational", "IMAGE": str(tiff), "CHECK_SHARE": 0, "RPC_IMAGE": None}
     layer = run("fitsensormodel", GCPS=gcps(image, ground), HEIGHTS="ellipsoid", **common).results
     for given in ({"GCPS": str(path)}, {"GCPS": str(tiff)}, {}):
         found = run("fitsensormodel", **given, **common)
