@@ -12,7 +12,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration translate package icon clean
+.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -31,7 +31,7 @@ $(PACKAGE):
 
 lint: link ## Check style and types
 	$(PYTHON) -m ruff check .
-	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py))
+	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py fuzz/run.py))
 
 test: lint test-numbers test-qt6 test-qgis test-desktop ## Check style and types, then run all tests
 
@@ -89,6 +89,10 @@ benchmark-detection: link ## Measure how well lost contrast and its causes are f
 
 benchmark-calibration: link ## Measure how often the calibration's range covers the true threshold; takes an hour
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.calibration
+
+fuzz: link ## Play broken inputs through every algorithm: MINUTES=10 SEED=1 ALGORITHM=report; CASE=... for a finding
+	$(PYTHON) -m fuzz.run $(if $(MINUTES),--minutes $(MINUTES)) $(if $(SEED),--seed $(SEED)) \
+		$(if $(ALGORITHM),--algorithm $(ALGORITHM)) $(if $(CASE),--case "$(CASE)")
 
 translate: link ## Collect new texts into the translations, then compile them
 	$(PYTHON) tools/template_texts.py resources > build/template_texts.py

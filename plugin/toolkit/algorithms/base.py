@@ -15,6 +15,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QIcon
 
 from ...imagery.errors import CancelledError, SeamInspectorError
+from ...imagery.gdal_calls import gdal_silenced
 from ..packages import missing_packages_sentence
 from ..resources import help_url, icon_path
 from ..translation import sentence, tr
@@ -22,6 +23,7 @@ from . import groups
 from . import parameters as common
 from .overwriting import refuse_overwriting
 from .run import Run
+from .unopened_rasters import without_rasters
 
 
 class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
@@ -92,11 +94,9 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         if missing:
             raise QgsProcessingException(missing)
         try:
-            refuse_overwriting(self, parameters, context)  # models and scripts may not have checked the values
-            run = Run(self, parameters, context, feedback)
-            common.check_numbers(self, parameters, context)
-            run.check_pages(self._pages())
-            self.prepare(run)
+            with gdal_silenced():
+                self._refuse(parameters, context)  # models and scripts may not have checked the values
+                self.prepare(Run(self, parameters, context, feedback))
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
         return True
@@ -105,15 +105,16 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         run = Run(self, parameters, context, feedback)
-        try:
-            results = self.execute(run)
-        except CancelledError as stopped:
-            run.tell(stopped.message)
-            return {}
-        except SeamInspectorError as error:
-            raise QgsProcessingException(sentence(error.message)) from None
-        finally:
-            run.close()
+        with gdal_silenced():
+            try:
+                results = self.execute(run)
+            except CancelledError as stopped:
+                run.tell(stopped.message)
+                return {}
+            except SeamInspectorError as error:
+                raise QgsProcessingException(sentence(error.message)) from None
+            finally:
+                run.close()
         return {name: value for name, value in results.items() if value is not None}
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
@@ -121,14 +122,20 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         if missing:
             return False, missing
         try:
-            refuse_overwriting(self, parameters, context)
-            run = Run(self, parameters, context)
-            common.check_numbers(self, parameters, context)
-            run.check_pages(self._pages())
-            self.check(run)
+            with gdal_silenced():
+                self.check(self._refuse(parameters, context))
         except SeamInspectorError as error:
             return False, sentence(error.message)
-        return super().checkParameterValues(self.for_check(parameters), context)
+        with gdal_silenced():
+            return super().checkParameterValues(self.for_check(parameters), context)
+
+    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
+        """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
+        refuse_overwriting(self, parameters, context)
+        common.check_numbers(self, parameters, context)
+        run = Run(self, parameters, context)
+        run.check_pages(self._pages())
+        return run
 
     def check(self, run: Run) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
@@ -141,12 +148,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         raise NotImplementedError
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
-        """What QGIS's own check is given.
-
-        It would load every raster of a list, and refuse them all, without a reason, for one that can't be opened; an
-        empty list is all right with it.
-        """
-        return {name: [] if name in self.RASTER_LISTS else value for name, value in parameters.items()}
+        """What QGIS's own check is given."""
+        return without_rasters(self, parameters, self.RASTER_LISTS)
 
     def _pages(self) -> list[str]:
         """Of ``PAGES`` those that the algorithm has."""

@@ -12,9 +12,11 @@ from qgis.core import (
 )
 
 from ...imagery.errors import SettingsError
+from ...imagery.gdal_calls import gdal_silenced
 from ..resources import help_url
 from ..translation import sentence
 from .overwriting import refuse_overwriting
+from .unopened_rasters import without_rasters
 
 
 class ReadyModel(QgsProcessingModelAlgorithm):
@@ -35,7 +37,8 @@ class ReadyModel(QgsProcessingModelAlgorithm):
             refuse_overwriting(self, parameters, context)
         except SettingsError as error:
             return False, sentence(error.message)
-        return super().checkParameterValues(parameters, context)
+        with gdal_silenced():
+            return super().checkParameterValues(without_rasters(self, parameters), context)
 
     def prepareAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -44,4 +47,11 @@ class ReadyModel(QgsProcessingModelAlgorithm):
             refuse_overwriting(self, parameters, context)
         except SettingsError as error:
             raise QgsProcessingException(sentence(error.message)) from None
-        return super().prepareAlgorithm(parameters, context, feedback)
+        with gdal_silenced():
+            return super().prepareAlgorithm(parameters, context, feedback)
+
+    def processAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        with gdal_silenced():
+            return dict(super().processAlgorithm(parameters, context, feedback))

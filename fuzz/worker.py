@@ -1,0 +1,146 @@
+"""The process that plays cases: reads their texts from standard input, writes a report of each as a line of JSON."""
+from __future__ import annotations
+
+import faulthandler
+import gc
+import json
+import os
+import shutil
+import signal
+import sys
+import time
+import traceback
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, TextIO
+
+from osgeo import gdal
+from qgis.core import QgsApplication, QgsProject
+from seam_inspector.plugin.provider import SeamInspectorProvider
+
+from fuzz.cases import NOTHING, Case, kinds, values_of
+from fuzz.judging import MOST_BYTES, Report, judged
+from fuzz.running import Outcome, outputs, run
+from fuzz.samples import make_samples
+from fuzz.watching import differences, state_of
+
+SAID = "said.txt"
+MODELS = {"inspect_mosaic"}
+
+
+class Player:
+    """Plays cases in a folder of its own."""
+
+    def __init__(self, samples: Path, folder: Path) -> None:
+        self.samples, self.folder = samples, folder
+        self._here, self._outside = folder / "here", folder / "outside"
+        for one in (self._here, self._outside, folder / "played"):
+            one.mkdir(parents=True, exist_ok=True)
+        os.chdir(self._here)
+        (self._outside / "secret.txt").write_text("THE-SECRET\n")
+        self._count = 0
+
+    def play(self, case: Case) -> Report:
+        """One case; its folder is left where something was found."""
+        self._count += 1
+        folder = self.folder / "played" / str(self._count)
+        inputs, results = folder / "in", folder / "out"
+        inputs.mkdir(parents=True)
+        results.mkdir()
+        said = open(folder / SAID, "w+b")  # noqa: SIM115 - stands for stdout and stderr, also when the process dies
+        os.dup2(said.fileno(), 1)
+        os.dup2(said.fileno(), 2)
+        with gdal_quiet():
+            values = values_of(case, self.samples, inputs, self._outside / "secret.txt")
+        watched = (self.samples, inputs, self._here, self._outside)
+        before = state_of(watched)
+        _forget_peak()
+        start = time.monotonic()
+        chosen = {**outputs(case.algorithm, results), **values}
+        outcome = self._outcome(case, chosen)
+        sys.stdout.flush()
+        sys.stderr.flush()
+        report = Report(str(case), "refused" if outcome.refusal else "ran" if outcome.worked else "failed")
+        report.seconds, report.peak_bytes = time.monotonic() - start, _peak()
+        report.stderr = (folder / SAID).read_text(errors="replace")
+        report.said = outcome.said
+        changed = differences(before, state_of(watched))
+        if case.algorithm in MODELS:  # QGIS itself loads a model's rasters, and keeps statistics of them
+            changed = [one for one in changed if not one.endswith((".aux.xml", ".vrt"))]
+        report.findings = judged(outcome, report.stderr) + changed
+        if report.peak_bytes > MOST_BYTES:
+            report.findings.append(f"took {report.peak_bytes / 2**30:.1f} GB")
+        if case.parameter == NOTHING and not outcome.worked:
+            report.findings.append("a sound call did not run")
+        left = [name for name in gdal.ReadDirRecursive("/vsimem/") or [] if not name.endswith("/")]
+        if left:
+            report.findings.append(f"left in memory: {left[:3]}")
+            for name in left:
+                gdal.Unlink("/vsimem/" + name)
+        if any("THE-SECRET" in one for one in outcome.said) or _holds_secret(results):
+            report.findings.append("read a file that an input names into a result")
+        said.close()
+        if not report.findings:
+            shutil.rmtree(folder, ignore_errors=True)
+        QgsProject.instance().clear()
+        gc.collect()
+        return report
+
+    @staticmethod
+    def _outcome(case: Case, values: dict[str, Any]) -> Outcome:
+        try:
+            return run(case.algorithm, values, checked=case.seed % 4 != 3)  # the others as a step of a model
+        except Exception:  # whatever it is, it is what is looked for
+            return Outcome(False, errors=[traceback.format_exc()])
+
+
+class gdal_quiet:  # noqa: N801 - used as a function
+    """Nothing of GDAL's on stderr while files are broken: that is ours, not the product's."""
+
+    def __enter__(self) -> None:
+        gdal.PushErrorHandler("CPLQuietErrorHandler")
+
+    def __exit__(self, *raised: object) -> None:
+        gdal.PopErrorHandler()
+        gdal.ErrorReset()
+
+
+def _forget_peak() -> None:
+    Path("/proc/self/clear_refs").write_text("5")
+
+
+def _peak() -> int:
+    status = Path("/proc/self/status").read_text()
+    return 1024 * int(status.split("VmHWM:")[1].split()[0])
+
+
+def _holds_secret(folder: Path) -> bool:
+    return any(b"THE-SECRET" in path.read_bytes() for path in folder.rglob("*")
+               if path.is_file() and path.stat().st_size < 2**22)
+
+
+def main() -> None:
+    samples, folder = Path(sys.argv[1]), Path(sys.argv[2])
+    answers: TextIO = os.fdopen(os.dup(1), "w", buffering=1)
+    os.dup2(2, 1)
+    faulthandler.enable()
+    faulthandler.register(signal.SIGUSR1, all_threads=True)
+    application = QgsApplication([], False)
+    application.initQgis()
+    provider = SeamInspectorProvider()
+    QgsApplication.processingRegistry().addProvider(provider)
+    if not samples.is_dir():
+        with gdal_quiet():
+            made = samples.with_name("samples being made")
+            shutil.rmtree(made, ignore_errors=True)
+            make_samples(made)
+            made.rename(samples)
+    player = Player(Path(shutil.copytree(samples, folder / "samples")), folder)
+    answers.write(json.dumps([str(case) for case in kinds()]) + "\n")
+    for line in sys.stdin:
+        answers.write(json.dumps(asdict(player.play(Case.of(line.strip())))) + "\n")
+    application.exitQgis()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,128 @@
+"""Workers seen from outside: started, asked, stopped where they take too long or too much."""
+from __future__ import annotations
+
+import json
+import os
+import select
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from fuzz.judging import MOST_BYTES, Report
+
+START_SECONDS = 300.0
+CPU_SECONDS = 60.0
+"""Of the processor, which a busy machine does not change."""
+IDLE_SECONDS = 60.0
+"""Waiting for something, beyond what a busy machine makes it wait for the processor."""
+_BUSY = 8
+_STOPPED_BYTES = MOST_BYTES * 5 // 4
+_HERE = str(Path(__file__).parent)
+_TICKS = os.sysconf("SC_CLK_TCK")
+
+
+class WorkerLostError(Exception):
+    """The process ended or was stopped; the text says how."""
+
+
+class Worker:
+    """A process that plays one case after the other, in a folder of its own."""
+
+    def __init__(self, samples: Path, folder: Path) -> None:
+        folder.mkdir(parents=True, exist_ok=True)
+        self.folder, self.played = folder, 0
+        home = folder / "home"
+        home.mkdir(exist_ok=True, mode=0o700)
+        (folder / "temporary").mkdir(exist_ok=True)
+        environment = {
+            **os.environ, "HOME": str(home), "TMPDIR": str(folder / "temporary"), "QT_QPA_PLATFORM": "offscreen",
+            "XDG_RUNTIME_DIR": str(home), "QGIS_CUSTOM_CONFIG_PATH": str(home / "profile"), "MPLBACKEND": "Agg",
+            "PYTHONPATH": os.pathsep.join([os.getcwd(), os.environ.get("PYTHONPATH", "")]),
+            "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
+        }  # fmt: skip
+        environment.pop("GDAL_VRT_ENABLE_PYTHON", None)
+        with open(folder / "worker.log", "ab") as log:
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "fuzz.worker", str(samples), str(folder)], stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE, stderr=log, env=environment, start_new_session=True,
+            )  # fmt: skip
+        self._rest = b""
+        self.kinds: list[str] = self._answer(START_SECONDS)
+
+    def play(self, case: str) -> Report:
+        """A report also of a process that is lost; then another worker is needed."""
+        self.played += 1
+        assert self._process.stdin is not None
+        start = time.monotonic()
+        try:
+            self._process.stdin.write(case.encode() + b"\n")
+            self._process.stdin.flush()
+            return Report(**self._answer(CPU_SECONDS))
+        except (WorkerLostError, BrokenPipeError) as lost:
+            said = self._said()
+            how = str(lost) or "crashed"
+            return Report(case, how.split(":")[0], [f"{how} / {_last_lines(said)}"], [], said, 0,
+                          time.monotonic() - start)
+
+    @property
+    def is_lost(self) -> bool:
+        return self._process.poll() is not None
+
+    def close(self) -> None:
+        if not self.is_lost:
+            os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.wait()
+
+    def _answer(self, cpu_seconds: float) -> Any:
+        """The next line of the process."""
+        assert self._process.stdout is not None
+        start, used = time.monotonic(), self._cpu()
+        while b"\n" not in self._rest:
+            if select.select([self._process.stdout], [], [], 0.25)[0]:
+                piece = os.read(self._process.stdout.fileno(), 2**20)
+                if not piece:
+                    self._process.wait()
+                    raise WorkerLostError(f"crashed: ended with {self._process.returncode}")
+                self._rest += piece
+                continue
+            worked = self._cpu() - used
+            if worked > cpu_seconds or time.monotonic() - start > IDLE_SECONDS + _BUSY * worked:
+                self._stop()
+                raise WorkerLostError(f"hung: {worked:.0f} s of the processor, {time.monotonic() - start:.0f} s in all")
+            if self._memory() > _STOPPED_BYTES:
+                self._stop()
+                raise WorkerLostError(f"too much memory: over {_STOPPED_BYTES / 2**30:.1f} GB")
+        line, self._rest = self._rest.split(b"\n", 1)
+        return json.loads(line)
+
+    def _stop(self) -> None:
+        os.kill(self._process.pid, signal.SIGUSR1)  # writes down where it is
+        time.sleep(0.5)
+        os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.wait()
+
+    def _cpu(self) -> float:
+        try:
+            parts = Path(f"/proc/{self._process.pid}/stat").read_text().rpartition(")")[2].split()
+        except OSError:
+            return 0.0
+        return (int(parts[11]) + int(parts[12])) / _TICKS
+
+    def _memory(self) -> int:
+        try:
+            return int(Path(f"/proc/{self._process.pid}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+        except (OSError, IndexError):
+            return 0
+
+    def _said(self) -> str:
+        folders = sorted((self.folder / "played").glob("*"), key=lambda one: int(one.name))
+        path = folders[-1] / "said.txt" if folders else self.folder / "worker.log"
+        return path.read_text(errors="replace") if path.is_file() else ""
+
+
+def _last_lines(said: str) -> str:
+    lines = [line.strip() for line in said.splitlines() if "File \"" in line and _HERE not in line]
+    return " / ".join(lines[:6])[:600]
