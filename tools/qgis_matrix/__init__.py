@@ -1,0 +1,1 @@
+"""The tests on every QGIS, see CONTRIBUTING.md: `make test-matrix`."""
