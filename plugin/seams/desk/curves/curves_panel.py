@@ -116,6 +116,8 @@ class CurvesPanel(MatplotlibPanel):
         self._splitter.addWidget(self._legend)
         self._splitter.setStretchFactor(0, 1)
         self._splitter.setStretchFactor(1, 0)
+        self._fit_legend()
+        self._pages.updateGeometry()  # Qt tells nobody what a page out of sight needs
         self.setTabOrder(self._export, self._legend)
         self._chart.pointed.connect(self._on_pointed)
         self._legend.toggled.connect(self._on_toggled)

@@ -223,6 +223,23 @@ def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: Curve
     assert panel._export.isEnabled()
 
 
+def test_it_asks_for_the_chart_s_room_before_there_is_anything_to_draw(session: FakeSession) -> None:
+    """Else those around it give it what the words need, and the chart comes without room."""
+    panel = CurvesPanel(session)
+    panel._loader.join()
+    panel.resize(420, 300)
+    panel.show()
+    panel._warmer.stop()
+    for _ in range(4):
+        QApplication.processEvents()
+    before = panel.minimumSizeHint().height()  # the layout has measured all, without the chart
+    panel._build_chart()
+    asked, least = panel.minimumSizeHint().height(), panel._chart.minimumHeight()
+    panel.close()
+    panel.deleteLater()
+    assert before < least < asked
+
+
 def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: FakeSession, panel: CurvesPanel) -> None:
     session.rows_by_fid = {
         1: WindowRecord(12, None, "reduced"), 2: WindowRecord(13, None, "not_comparable", "No source here.")
