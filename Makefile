@@ -12,7 +12,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz translate package icon clean
+.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -52,6 +52,10 @@ test-desktop: link ## Run the tests of the real application, each on a virtual s
 ifneq ($(wildcard tests/desktop/test_*.py),)
 	$(PYTHON) -m pytest -p no:pytest_qgis -n auto --maxprocesses 4 --dist worksteal tests/desktop
 endif
+
+test-matrix: link ## Run the tests on the QGIS of this machine, of Debian trixie and of sid, in chroots; FULL=1 for all of them
+	$(PYTHON) -m tools.qgis_matrix.run $(if $(FULL),--full) $(if $(MIRROR),--mirror "$(MIRROR)") \
+		$(if $(SUITES),--suites "$(SUITES)") $(if $(CHROOTS),--chroots "$(CHROOTS)")
 
 guide: link ## Make the guide of docs, in build/guide/index.html
 	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html docs build/guide
@@ -107,6 +111,7 @@ package: link ## Make the plugin's zip and the workers' wheel of the last commit
 icon: link ## Draw the PNG of the icon anew from its SVG
 	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/draw_icon.py
 
-clean: ## Remove what was built, .venv excepted
-	rm -rf build output .qgis-settings .mypy_cache .pytest_cache .ruff_cache .hypothesis i18n/*.qm
-	find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} +
+clean: ## Remove what was built; .venv and the chroots of test-matrix stay
+	[ ! -d build ] || find build -mindepth 1 -maxdepth 1 -not -name chroots -exec rm -rf {} +
+	rm -rf output .qgis-settings .mypy_cache .pytest_cache .ruff_cache .hypothesis i18n/*.qm
+	find . -name __pycache__ -not -path './.venv/*' -not -path './build/*' -prune -exec rm -rf {} +

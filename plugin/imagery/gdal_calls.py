@@ -10,6 +10,8 @@ from osgeo import gdal
 from .errors import RasterError
 from .message import Message
 
+_MASK_INSIDE = "GDAL_TIFF_INTERNAL_MASK"
+
 
 @contextmanager
 def gdal_silenced() -> Iterator[None]:
@@ -45,6 +47,17 @@ def gdal_writing(failure: Message) -> Iterator[None]:
             failed = True
     if failed:
         raise RasterError(failure)
+
+
+@contextmanager
+def gdal_masks_beside() -> Iterator[None]:
+    """A mask that this thread adds to a TIFF becomes a file beside it, as before GDAL 3.13."""
+    before = gdal.GetThreadLocalConfigOption(_MASK_INSIDE)
+    gdal.SetThreadLocalConfigOption(_MASK_INSIDE, "NO")
+    try:
+        yield
+    finally:
+        gdal.SetThreadLocalConfigOption(_MASK_INSIDE, before)
 
 
 def drop_from_memory(path: str) -> None:

@@ -12,7 +12,7 @@ from osgeo import gdal, gdal_array
 from . import messages
 from .atomic_files import replacing
 from .errors import RasterError
-from .gdal_calls import drop_from_memory, gdal_call, gdal_silenced, gdal_writing
+from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
 from .message import Message
 from .rasters import Raster
 
@@ -89,7 +89,8 @@ class RasterWriter:
             if invalid is None:
                 return
             if self._mask is None:
-                self._dataset.CreateMaskBand(gdal.GMF_PER_DATASET)  # a file beside the TIFF
+                with gdal_masks_beside():  # inside, it could not be added to what is already written
+                    self._dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
                 self._mask = self._dataset.GetRasterBand(1).GetMaskBand()
                 self._mask.Fill(255)
             self._mask.WriteArray(np.where(invalid, 0, 255).astype(np.uint8), 0, row)

@@ -115,6 +115,15 @@ def wkt(system: str | int) -> str:
     return str(reference.ExportToWkt())
 
 
+def write_mask(dataset: gdal.Dataset, mask: np.ndarray, inside: bool = False) -> None:
+    """Into a TIFF or beside it; which of them is GDAL's own choice depends on its version."""
+    before = gdal.GetConfigOption("GDAL_TIFF_INTERNAL_MASK")
+    gdal.SetConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES" if inside else "NO")
+    dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
+    dataset.GetRasterBand(1).GetMaskBand().WriteArray(mask)
+    gdal.SetConfigOption("GDAL_TIFF_INTERNAL_MASK", before)
+
+
 def write_raster(
     path: Path,
     array: np.ndarray,
@@ -158,11 +167,7 @@ def write_raster(
         dataset.GetRasterBand(1).SetNoDataValue(nodata)
     dataset.WriteArray(bands)
     if valid is not None:
-        before = gdal.GetConfigOption("GDAL_TIFF_INTERNAL_MASK")
-        gdal.SetConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES" if mask_inside else "NO")
-        dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
-        dataset.GetRasterBand(1).GetMaskBand().WriteArray(valid.astype(np.uint8) * 255)
-        gdal.SetConfigOption("GDAL_TIFF_INTERNAL_MASK", before)
+        write_mask(dataset, valid.astype(np.uint8) * 255, mask_inside)
     dataset.FlushCache()
     del dataset
     return str(path)

@@ -49,6 +49,7 @@ def test_a_qgis_that_cannot_be_had_fails_the_run_with_a_sentence(
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     monkeypatch.setattr(shutil, "which", lambda name: None)
     monkeypatch.setattr(run, "OUTPUT", tmp_path)
+    monkeypatch.setattr(run, "make_package", lambda folder: folder / "plugin.zip")
     monkeypatch.setattr("sys.argv", ["run", "--suites", "trixie", "--chroots", str(tmp_path)])
     assert run.main() == 1
     assert "trixie: A chroot with another Debian needs root: install sudo, or run as root." in capsys.readouterr().out
@@ -62,7 +63,7 @@ def test_a_machine_without_mounts_of_ones_own_is_told(tmp_path: Path, monkeypatc
     monkeypatch.setattr(shutil, "which", lambda name: "/usr/bin/" + name)
     monkeypatch.setattr(places.subprocess, "run", refused)
     with pytest.raises(PlaceError, match=r"no mounts of one's own \(unshare: .* not permitted\).*SYS_ADMIN"):
-        Chroot("sid", tmp_path).prepare(tmp_path / "log")
+        Chroot("sid", tmp_path).prepare(tmp_path / "plugin.zip", tmp_path / "log")
 
 
 def test_a_debian_that_cannot_be_installed_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -73,5 +74,5 @@ def test_a_debian_that_cannot_be_installed_is_told(tmp_path: Path, monkeypatch: 
     monkeypatch.setattr(shutil, "which", lambda name: "/usr/bin/" + name)
     monkeypatch.setattr(places.subprocess, "run", broken)
     with pytest.raises(PlaceError, match=r"Debian sid can't be installed into .*MIRROR=address"):
-        Chroot("sid", tmp_path).prepare(tmp_path / "log")
+        Chroot("sid", tmp_path).prepare(tmp_path / "plugin.zip", tmp_path / "log")
     assert not (tmp_path / "sid.stamp").exists()

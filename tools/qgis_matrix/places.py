@@ -24,7 +24,7 @@ class Here:
 
     name = "here"
 
-    def prepare(self, log: Path) -> None:
+    def prepare(self, _package: Path, _log: Path) -> None:
         """All is there, and pictures of an earlier run no more."""
         shutil.rmtree(REPOSITORY / PICTURES, ignore_errors=True)
 
@@ -61,14 +61,14 @@ class Chroot:
         """The chroot's folder."""
         return self.folder / self.suite
 
-    def prepare(self, log: Path) -> None:
-        """Make the chroot where it is missing or made by another recipe, and copy the checkout into it."""
+    def prepare(self, package: Path, log: Path) -> None:
+        """Make the chroot where it is missing or made by another recipe, and copy checkout and package into it."""
         _check_root()
         stamp, recipe = self.folder / f"{self.suite}.stamp", _recipe()
         if not stamp.exists() or stamp.read_text(encoding="utf-8") != recipe:
             self._make(log)
             stamp.write_text(recipe, encoding="utf-8")
-        self._copy_checkout()
+        self._copy_checkout(package)
 
     def _make(self, log: Path) -> None:
         print(f"{self.suite}: making {_told(self.root)}, some minutes and 3 GiB ({_told(log)})", flush=True)
@@ -85,8 +85,8 @@ class Chroot:
                         "It needs debootstrap and the network; MIRROR=address takes the packages from another mirror."
                     )
 
-    def _copy_checkout(self) -> None:
-        """What git knows or would add, and the compiled translations."""
+    def _copy_checkout(self, package: Path) -> None:
+        """What git knows or would add, and what was made of it."""
         listed = subprocess.run(
             ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
             cwd=REPOSITORY, capture_output=True, check=False,
@@ -94,7 +94,8 @@ class Chroot:
         if listed.returncode:
             raise PlaceError("The tests run in a copy of what git lists, and this folder is no git checkout: clone it.")
         names = {name for name in listed.stdout.decode().split("\0") if name and (REPOSITORY / name).exists()}
-        names |= {str(path.relative_to(REPOSITORY)) for path in (REPOSITORY / "i18n").glob("*.qm")}
+        made = (package, *(REPOSITORY / "i18n").glob("*.qm"))
+        names |= {str(path.relative_to(REPOSITORY)) for path in made if path.exists()}
         packed = subprocess.run(
             ["tar", "-cf", "-", "--null", "-T", "-"], cwd=REPOSITORY, input="\0".join(sorted(names)).encode(),
             capture_output=True, check=True,

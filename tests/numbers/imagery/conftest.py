@@ -13,7 +13,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept
 from seam_inspector.plugin.imagery.rasters import RasterRef
 
-from tests.numbers.synthetic import orthoimage, read_pixels
+from tests.numbers.synthetic import orthoimage, read_pixels, write_mask
 from tests.range_server import RangeServer, serving
 
 SIDE, TILE = 1024, 256
@@ -34,8 +34,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     whole = (place / "cog.tif").read_bytes()
     (place / "short.tif").write_bytes(whole[: len(whole) * 3 // 4])
     plain = gdal.GetDriverByName("GTiff").CreateCopy(str(place / "plain.tif"), memory, options=["TILED=YES"])
-    plain.CreateMaskBand(gdal.GMF_PER_DATASET)
-    plain.GetRasterBand(1).GetMaskBand().WriteArray(np.tile(np.repeat(np.uint8([255, 0]), SIDE // 2), (SIDE, 1)))
+    write_mask(plain, np.tile(np.repeat(np.uint8([255, 0]), SIDE // 2), (SIDE, 1)))
     del plain
     assert (place / "plain.tif.msk").exists()
     with zipfile.ZipFile(place / "archive.zip", "w") as archive:

@@ -16,7 +16,7 @@ from seam_inspector.plugin.imagery.raster_writer import format_of, raster_writer
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.disks import full_disk
-from tests.numbers.synthetic import orthoimage, write_plain, write_raster
+from tests.numbers.synthetic import orthoimage, write_mask, write_plain, write_raster
 
 PIXELS = orthoimage((300, 400))
 RPC_NAMES = [f"{axis}_{kind}" for axis in ("LINE", "SAMP", "LAT", "LONG", "HEIGHT") for kind in ("OFF", "SCALE")]
@@ -47,8 +47,7 @@ def folder(tmp_path: Path) -> Path:
     made.mkdir()
     path = write_raster(made / "out.tif", PIXELS[:1])
     dataset = gdal.Open(path)
-    dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
-    dataset.GetRasterBand(1).GetMaskBand().Fill(0)
+    write_mask(dataset, np.zeros((300, 400), np.uint8))
     dataset.BuildOverviews("NEAREST", [2])
     dataset.GetRasterBand(1).ComputeStatistics(False)
     del dataset
