@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="114"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="122"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="104"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="112"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -36,10 +36,10 @@
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
-        <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy składowe kierunkowe każdego poziomu: LH, w której ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
+        <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="104"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="112"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
@@ -99,7 +99,7 @@
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="56"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="64"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -109,22 +109,22 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="63"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="71"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
-        <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1% lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
+        <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="75"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="83"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="75"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="83"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="87"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="97"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="105"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -191,7 +191,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/placewindows.py" line="101"/>
         <source>{windows} windows placed along {seams} seams.</source>
-        <translation>Liczba rozmieszczonych okien: {windows}, liczba linii mozaikowania: {seams}.</translation>
+        <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="31"/>
@@ -211,7 +211,7 @@
     <message>
         <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
-        <translation>Liczba poziomów równa {levels} wymaga okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
+        <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="54"/>
@@ -271,7 +271,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="29"/>
         <source>A window of {side} m has {pixels} px a side on this mosaic and {levels} levels need at least {fewest} px; give a side of {metres} m or more.</source>
-        <translation>Okno o boku {side} m ma na tej ortofotomapie bok {pixels} px, a liczba poziomów równa {levels} wymaga co najmniej {fewest} px; podaj bok {metres} m lub większy.</translation>
+        <translation>Okno o boku {side} m ma na tej ortofotomapie bok {pixels} px, a {levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} co najmniej {fewest} px; podaj bok {metres} m lub większy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="33"/>
@@ -411,7 +411,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="75"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
-        <translation>Raster {name} nie ma kanału {band} (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
+        <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="36"/>
@@ -466,20 +466,20 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>{count} windows had no number of their own and were given the next free ones.</source>
-        <translation>Okna bez własnego numeru otrzymały kolejne wolne numery; liczba takich okien: {count}.</translation>
+        <translation>{count} {count:okno bez własnego numeru otrzymało kolejny wolny numer|okna bez własnego numeru otrzymały kolejne wolne numery|okien bez własnego numeru otrzymało kolejne wolne numery}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="23"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="29"/>
         <source>The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
@@ -611,7 +611,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/verdict_chips.py" line="37"/>
         <source>{count} windows selected: {verdicts}.</source>
-        <translation>Liczba zaznaczonych okien: {count} ({verdicts}).</translation>
+        <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
@@ -621,7 +621,7 @@
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
         <source>{count} sources</source>
-        <translation>źródła: {count}</translation>
+        <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="200"/>
@@ -736,12 +736,12 @@
     <message>
         <location filename="../plugin/seams/desk/curves/curves_selection.py" line="28"/>
         <source>{count} of the {selected} selected windows: mean and range</source>
-        <translation>Zaznaczone okna: {count} z {selected}, średnia i zakres</translation>
+        <translation>{count} z {selected} zaznaczonych okien: średnia i zakres</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/curves/curves_selection.py" line="31"/>
         <source>{count} windows: mean and range</source>
-        <translation>Liczba okien: {count}, średnia i zakres</translation>
+        <translation>{count} {count:okno|okna|okien}: średnia i zakres</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/images_panel.py" line="242"/>
@@ -969,7 +969,7 @@
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="40"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="42"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
@@ -981,7 +981,7 @@
     <message>
         <location filename="../plugin/seams/desk/dock.py" line="270"/>
         <source>{done} of {asked} windows</source>
-        <translation>Okna: {done} z {asked}</translation>
+        <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
@@ -1109,7 +1109,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="116"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="119"/>
         <source>{name} (resampled)</source>
         <translation>{name} (przepróbkowany)</translation>
     </message>
@@ -1276,7 +1276,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="51"/>
         <source>Windows placed along the seams: {count}. Inspect them when you are ready.</source>
-        <translation>Liczba okien rozmieszczonych wzdłuż linii mozaikowania: {count}. Skontroluj je, gdy zechcesz.</translation>
+        <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania. Skontroluj je, gdy zechcesz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="13"/>
@@ -1289,7 +1289,7 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="22"/>
+        <location filename="../plugin/toolkit/messages.py" line="25"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -1371,17 +1371,17 @@
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="90"/>
         <source> ({percent:.0f} % of the lowest source)</source>
-        <translation> ({percent:.0f}% najniższej wartości źródeł)</translation>
+        <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="92"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
-        <translation> ({percent:.0f}% najmniej ostrego źródła)</translation>
+        <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="95"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
-        <translation> (ortofotomapa: {percent:.0f}% tej wartości)</translation>
+        <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
@@ -1391,12 +1391,12 @@
     <message>
         <location filename="../plugin/resolution/line_layer.py" line="50"/>
         <source>Bar groups</source>
-        <translation>Grupy kresek</translation>
+        <translation>Grupy pasków</translation>
     </message>
     <message>
         <location filename="../plugin/plugin.py" line="36"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
-        <translation>Rysuj linie w poprzek grup testu kreskowego i oglądaj ich profile</translation>
+        <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="42"/>
@@ -1406,7 +1406,7 @@
     <message>
         <location filename="../plugin/seams/desk/curves/curves_legend.py" line="179"/>
         <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
-        <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, wyrównane do tonu ortofotomapy</translation>
+        <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, z tonacją wyrównaną do ortofotomapy</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/curves/curves_legend.py" line="216"/>
@@ -1416,7 +1416,7 @@
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
         <source>opening ...</source>
-        <translation>otwieranie ...</translation>
+        <translation>otwieranie...</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
@@ -1441,12 +1441,12 @@
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
-        <translation>Poligony, które w polu 'source' mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
+        <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="94"/>
         <source>Seam &amp;cells</source>
-        <translation>Komórki &amp;mozaiki</translation>
+        <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="61"/>
@@ -1481,7 +1481,7 @@
     <message>
         <location filename="../plugin/seams/desk/report_writer.py" line="81"/>
         <source>Report of {count} windows: {link}.</source>
-        <translation>Raport z {count} okien: {link}.</translation>
+        <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/report_writer.py" line="83"/>
@@ -1511,12 +1511,12 @@
     <message>
         <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
-        <translation>Narysuj linię w poprzek kresek grupy: przeciągnij albo kliknij na obu końcach.</translation>
+        <translation>Narysuj linię w poprzek pasków grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/bar_dock.py" line="184"/>
         <source>Measure a bar group</source>
-        <translation>Zmierz grupę kresek</translation>
+        <translation>Zmierz grupę pasków</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/bar_dock.py" line="247"/>
@@ -1526,7 +1526,7 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="81"/>
         <source>How many bars each group of the target has.</source>
-        <translation>Ile kresek ma każda grupa testu.</translation>
+        <translation>Ile pasków ma każda grupa testu.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="87"/>
@@ -1546,7 +1546,7 @@
     <message>
         <location filename="../plugin/resolution/desk/target_settings.py" line="55"/>
         <source>Bars</source>
-        <translation>Kreski</translation>
+        <translation>Paski</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/target_settings.py" line="56"/>
@@ -1621,15 +1621,15 @@
     <message>
         <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="29"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the vendor&apos;s RPC with a correction before quotients, polynomials for small and flat areas only.</source>
-        <translation>Dopasowuje każdy model geometryczny, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza; zalecenie wynika z ich wniosków: najpierw model parametryczny, RPC dostawcy z poprawką przed ilorazami, wielomiany tylko dla małych i płaskich obszarów.</translation>
+        <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza; zalecenie wynika z ich wniosków: najpierw model parametryczny, RPC dostawcy z poprawką przed modelami ilorazowymi, wielomiany tylko dla małych i płaskich obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="71"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="70"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="72"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="71"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
@@ -1706,7 +1706,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
-        <translation>Jak w poprzek pasa zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
+        <translation>Jak w poprzek pasa wtapiania zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/predictloss.py" line="84"/>
@@ -1741,7 +1741,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="50"/>
         <source>The windows as &apos;Inspect windows&apos; leaves them, judged by an observer or not.</source>
-        <translation>Okna takie, jakie zostawia 'Skontroluj okna', ocenione przez obserwatora lub nie.</translation>
+        <translation>Okna takie, jakie zostawia „Skontroluj okna”, ocenione przez obserwatora lub nie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="54"/>
@@ -1756,12 +1756,12 @@
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="66"/>
         <source>The inspected mosaic; with it the report shows the clips and an overview below the map sketch.</source>
-        <translation>Skontrolowana mozaika; z nią raport pokazuje wycinki i podgląd pod szkicem mapy.</translation>
+        <translation>Skontrolowana ortofotomapa; z nią raport pokazuje wycinki i podgląd pod szkicem mapy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="70"/>
         <source>The orthoimages that the mosaic was made from; their clips stand beside its own.</source>
-        <translation>Ortoobrazy, z których powstała mozaika; ich wycinki stoją obok jej wycinków.</translation>
+        <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="74"/>
@@ -1771,7 +1771,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="74"/>
         <source>Heading of the page. Empty: the mosaics&apos; names.</source>
-        <translation>Nagłówek strony. Pusty: nazwy mozaik.</translation>
+        <translation>Nagłówek strony. Puste pole: nazwy ortofotomap.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="83"/>
@@ -1811,7 +1811,7 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="62"/>
         <source>Lines across the bars</source>
-        <translation>Linie w poprzek kresek</translation>
+        <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="73"/>
@@ -1831,7 +1831,7 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="81"/>
         <source>Bars in a group</source>
-        <translation>Liczba kresek w grupie</translation>
+        <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="87"/>
@@ -1861,7 +1861,7 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
-        <translation>Część pełnej amplitudy, którą zachowują kreski rozróżnionej grupy.</translation>
+        <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="122"/>
@@ -1881,17 +1881,17 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="127"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
-        <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: kreski, amplitudy, modulacja, ocena, przesunięcie.</translation>
+        <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="122"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="130"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="131"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
-        <translation>Profile z kreskami, progiem i oceną, grupa po grupie.</translation>
+        <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="132"/>
@@ -1986,7 +1986,7 @@
     <message>
         <location filename="../plugin/photos/algorithms/enhancephoto.py" line="31"/>
         <source>Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy.</source>
-        <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, średnią lub filtr Gaussa przeciw ziarnu, Laplace'a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
+        <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, filtr uśredniający lub Gaussa przeciw ziarnu, Laplace’a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/enhancephoto.py" line="40"/>
@@ -2036,17 +2036,17 @@
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="38"/>
         <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
-        <translation>Znajduje granicę istotnej straty, którą potwierdzają oceny obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) ocen wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0.5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 ocenach widocznych lub 5 niewidocznych nie ma liczby.</translation>
+        <translation>Znajduje granicę istotnej straty, którą potwierdzają opinie obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) opinii wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0,5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 opiniach „widoczna” lub 5 „niewidoczna” nie ma liczby.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
-        <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny 'contrast_1': względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
+        <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny „contrast_1”: względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
         <source>The measure that the numbers are of: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all of them.</source>
-        <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: 'kept_1', jeśli ocenione okna ją mają, w przeciwnym razie 'ratio_1'. Tabela i wykres zawierają wszystkie.</translation>
+        <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: „kept_1”, jeśli ocenione okna ją mają, w przeciwnym razie „ratio_1”. Tabela i wykres zawierają wszystkie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
@@ -2061,7 +2061,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="72"/>
         <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
-        <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych ocen, działanie progu standardowego oraz każdego innego.</translation>
+        <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych opinii, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="79"/>
@@ -2091,17 +2091,17 @@
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Visible verdicts</source>
-        <translation>Oceny &quot;widoczne&quot;</translation>
+        <translation>Opinie „widoczna”</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Invisible verdicts</source>
-        <translation>Oceny &quot;niewidoczne&quot;</translation>
+        <translation>Opinie „niewidoczna”</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>Verdicts wanted</source>
-        <translation>Potrzebne oceny</translation>
+        <translation>Potrzebne opinie</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/minimumheight.py" line="34"/>
@@ -2111,7 +2111,7 @@
     <message>
         <location filename="../plugin/resolution/algorithms/minimumheight.py" line="36"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
-        <translation>Oblicza z przelotów nad testem kreskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
+        <translation>Oblicza z przelotów nad testem paskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
@@ -2186,7 +2186,7 @@
     <message>
         <location filename="../plugin/photos/algorithms/interiororientation.py" line="37"/>
         <source>Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can&apos;t be trusted fails with the reason; point at it on the map and give that point as its position, with the measurement off.</source>
-        <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany znormalizowaną korelacją wzajemną i mierzony z dokładnością do ułamka piksela jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
+        <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/interiororientation.py" line="52"/>
@@ -2206,7 +2206,7 @@
     <message>
         <location filename="../plugin/photos/algorithms/interiororientation.py" line="126"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.</source>
-        <translation>Liczba znaczków: {marks}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
+        <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/photo_parameters.py" line="50"/>
@@ -2331,7 +2331,7 @@
     <message>
         <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
-        <translation>Oba kierunki transformacji, wielkość piksela, obrót, skośność, punkt główny i dokładność.</translation>
+        <translation>Oba kierunki transformacji, wielkość piksela, obrót, nieortogonalność osi, punkt główny i dokładność.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/photo_parameters.py" line="138"/>
@@ -2359,72 +2359,72 @@
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="156"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="155"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="263"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="260"/>
         <source>Ground control points</source>
-        <translation>Punkty osnowy (fotopunkty)</translation>
+        <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="87"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="86"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="87"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="86"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="277"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="274"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="64"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="63"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="64"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="63"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="284"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="281"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="75"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="74"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="76"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="75"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="83"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="83"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="214"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="91"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="91"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
@@ -2446,7 +2446,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="252"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
-        <translation>{model}: {title}; punktów osnowy potrzebuje co najmniej {fewest}.</translation>
+        <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="64"/>
@@ -2456,12 +2456,12 @@
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="64"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
-        <translation>Stopień wielomianów i ilorazów. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
+        <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
         <source>Term a12 xy of the direct linear transformation</source>
-        <translation>Wyraz a12 xy bezpośredniej transformacji liniowej (DLT)</translation>
+        <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
@@ -2521,7 +2521,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="111"/>
         <source>control points</source>
-        <translation>punkty osnowy</translation>
+        <translation>fotopunkty</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
@@ -2541,7 +2541,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
         <source>Control points used</source>
-        <translation>Użyte punkty osnowy</translation>
+        <translation>Użyte fotopunkty</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
@@ -2561,7 +2561,7 @@
     <message>
         <location filename="../build/template_texts.py" line="195"/>
         <source>Control points</source>
-        <translation>Punkty osnowy</translation>
+        <translation>Fotopunkty</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="259"/>
@@ -2781,7 +2781,7 @@
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="165"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
-        <translation>Liczba znaczków: {count}, średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
+        <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="23"/>
@@ -2791,7 +2791,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="52"/>
         <source>Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.</source>
-        <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; miejsca bez okna: {notes}, opisane w dzienniku komunikatów.</translation>
+        <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca bez okna: {notes}, opisane w dzienniku komunikatów.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="61"/>
@@ -2811,7 +2811,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="116"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
-        <translation>Okno pokrywa tylko jeden ortoobraz, więc nic nie będzie tam wtapiane.</translation>
+        <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="119"/>
@@ -2831,42 +2831,42 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="117"/>
         <source>Only one source can be compared here: {why}</source>
-        <translation>Tylko jeden ortoobraz da się tu porównać: {why}</translation>
+        <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="44"/>
+        <location filename="../plugin/toolkit/messages.py" line="47"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="85"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
-        <translation>Nie można zapisać {path} ({error}); wybierz inny folder.</translation>
+        <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
-        <translation>Warstwa okien nie ma pola '{field}'; wybierz warstwę skontrolowanych okien, taką, jaką zostawia 'Skontroluj okna'.</translation>
+        <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
-        <translation>Tabela par nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
+        <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
-        <translation>Tabela krzywych nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
+        <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
-        <translation>Tabela par nie ma pola 'contrast_1', więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
+        <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="161"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
-        <translation>{measure}: ocen &quot;widoczne&quot; {visible}, &quot;niewidoczne&quot; {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
+        <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="177"/>
@@ -2876,12 +2876,12 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="173"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
-        <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
+        <translation>{measure}: opinie jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
-        <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0.5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
+        <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="169"/>
@@ -2891,22 +2891,22 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
-        <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj oceny jeszcze raz albo użyj innej miary.</translation>
+        <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="185"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
-        <translation>{measure}: oceny wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
+        <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
-        <translation>Pominięto, bo słowo obserwatora nie jest ani 'visible', ani 'invisible'; okien: {count}.</translation>
+        <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
-        <translation>{measure}: pominięto, bo nic tam nie zmierzono; ocenionych okien: {count}.</translation>
+        <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="191"/>
@@ -2924,22 +2924,22 @@
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <location filename="../plugin/toolkit/messages.py" line="22"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="39"/>
+        <location filename="../plugin/toolkit/messages.py" line="42"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="40"/>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="20"/>
+        <location filename="../plugin/toolkit/messages.py" line="23"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -2951,7 +2951,7 @@
     <message>
         <location filename="../plugin/noise/measure/messages.py" line="29"/>
         <source>{name} has no variance in {band} here; move the window to where there is content.</source>
-        <translation>Raster {name} ma tu w kanale {band} zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
+        <translation>Raster {name} ma tu w kanale „{band}” zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/measure/messages.py" line="30"/>
@@ -3011,7 +3011,7 @@
     <message>
         <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
-        <translation>Plik {name} nie zawiera reguł; musi być obiektem {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</translation>
+        <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="106"/>
@@ -3081,7 +3081,7 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="7"/>
         <source>A group of {bars} bars can&apos;t be measured; a target has at least {least} bars in a group.</source>
-        <translation>Nie można zmierzyć grupy o liczbie kresek {bars}; test ma w grupie co najmniej {least}.</translation>
+        <translation>Nie można zmierzyć grupy złożonej z {bars} {bars:paska|pasków|pasków}; test ma w grupie co najmniej {least}.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="8"/>
@@ -3116,27 +3116,27 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="16"/>
         <source>The layer has no lines; draw one across the bars of each group.</source>
-        <translation>Warstwa nie ma linii; narysuj po jednej w poprzek kresek każdej grupy.</translation>
+        <translation>Warstwa nie ma linii; narysuj po jednej w poprzek pasków każdej grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="22"/>
         <source>The line has no geometry; draw it anew across the bars of the group.</source>
-        <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek kresek grupy.</translation>
+        <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek pasków grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="23"/>
         <source>The line has several parts; draw one line across the bars of the group.</source>
-        <translation>Linia składa się z kilku części; narysuj jedną linię w poprzek kresek grupy.</translation>
+        <translation>Linia składa się z kilku części; narysuj jedną linię w poprzek pasków grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="24"/>
         <source>The line is not straight; draw it with two points across the bars of the group.</source>
-        <translation>Linia nie jest prosta; narysuj ją dwoma punktami w poprzek kresek grupy.</translation>
+        <translation>Linia nie jest prosta; narysuj ją dwoma punktami w poprzek pasków grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="25"/>
         <source>The line leaves {name}; draw it on the image, across the bars of the group.</source>
-        <translation>Linia wychodzi poza raster {name}; narysuj ją na obrazie, w poprzek kresek grupy.</translation>
+        <translation>Linia wychodzi poza raster {name}; narysuj ją na obrazie, w poprzek pasków grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="26"/>
@@ -3146,12 +3146,12 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="27"/>
         <source>The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the ground on one side of the bars to that on the other.</source>
-        <translation>Linia ma długość {length:.1f} px, a kreski w liczbie {bars} z przerwami wymagają co najmniej {least} px; narysuj ją od tła po jednej stronie kresek do tła po drugiej.</translation>
+        <translation>Linia ma długość {length:.1f} px, a {bars} {bars:pasek|paski|pasków} z przerwami {bars:wymaga|wymagają|wymaga} co najmniej {least} px; narysuj ją od tła po jednej stronie pasków do tła po drugiej.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="31"/>
         <source>The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.</source>
-        <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek kresek tylko jednej grupy.</translation>
+        <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek pasków tylko jednej grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="34"/>
@@ -3166,22 +3166,22 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="39"/>
         <source>Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number.</source>
-        <translation>Grupę {group} („{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
+        <translation>Grupę {group} (kierunek „{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="44"/>
         <source>No bars stand out on the line; draw it across the bars of one group.</source>
-        <translation>Na linii nie widać kresek; narysuj ją w poprzek kresek jednej grupy.</translation>
+        <translation>Na linii nie widać pasków; narysuj ją w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="45"/>
         <source>The bars can&apos;t be told apart: {found} of {bars} stand out.</source>
-        <translation>Kresek nie można rozróżnić: widać {found} z {bars}.</translation>
+        <translation>Pasków nie można rozróżnić: widać {found} z {bars}.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="46"/>
         <source>{found} bars stand out and a group has {bars}; draw the line across one group only.</source>
-        <translation>Liczba widocznych kresek: {found}, a grupa ma ich {bars}; narysuj linię w poprzek tylko jednej grupy.</translation>
+        <translation>Widać {found} {found:pasek|paski|pasków}, a grupa ma ich {bars}; narysuj linię w poprzek tylko jednej grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="47"/>
@@ -3196,17 +3196,17 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="51"/>
         <source>A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted.</source>
-        <translation>Kreska i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
+        <translation>Pasek i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="55"/>
         <source>The bars seem {spacing:.1f} px apart, which can&apos;t be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
-        <translation>Odstęp kresek wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
+        <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="59"/>
         <source>The bars seem {spacing:.1f} px apart and the group&apos;s are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
-        <translation>Odstęp kresek wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
+        <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="63"/>
@@ -3216,17 +3216,17 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="64"/>
         <source>The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a shorter exposure.</source>
-        <translation>Kreski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
+        <translation>Paski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="69"/>
         <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster&apos;s pixel size.</source>
-        <translation>Odstęp kresek jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej odstęp i wielkość piksela rastra.</translation>
+        <translation>Odstęp pasków jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej GRD i wielkość piksela rastra.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="73"/>
         <source>The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it.</source>
-        <translation>Kreski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
+        <translation>Paski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="77"/>
@@ -3266,17 +3266,17 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="126"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
-        <translation>Raster {name} ma {count} kan., ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
+        <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="17"/>
         <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
-        <translation>Nie można zapisać warstwy grup kresek w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
+        <translation>Nie można zapisać warstwy grup pasków w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="15"/>
         <source>No image of a bar target is chosen; choose one above, then draw a line across its bars.</source>
-        <translation>Nie wybrano obrazu testu kreskowego; wybierz go powyżej, a potem narysuj linię w poprzek kresek.</translation>
+        <translation>Nie wybrano obrazu testu paskowego; wybierz go powyżej, a potem narysuj linię w poprzek pasków.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="50"/>
@@ -3391,7 +3391,7 @@
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="59"/>
         <source>No mark was found in {name} ({why}); give positions, another kind of template, or a template cut out of the photo.</source>
-        <translation>W rastrze {name} nie znaleziono znaczka ({why}); podaj położenia, inny rodzaj wzorca albo wzorzec wycięty ze zdjęcia.</translation>
+        <translation>Na zdjęciu {name} nie znaleziono znaczka ({why}); podaj położenia, inny rodzaj wzorca albo wzorzec wycięty ze zdjęcia.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="37"/>
@@ -3584,122 +3584,122 @@
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="76"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="75"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="80"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="79"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
-        <translation>Liczba punktów osnowy wynosi {count}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
+        <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="83"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
-        <translation>Z punktów w liczbie {total} jako punkty osnowy pozostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
+        <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
-        <translation>Punkty osnowy leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
+        <translation>Fotopunkty leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="91"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="90"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
-        <translation>Punkty osnowy leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
+        <translation>Fotopunkty leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="95"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="94"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
-        <translation>Punkty osnowy sprzeczne z innymi: {count}; pozostaje ich za mało, aby dopasować model {model}. Sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
+        <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="100"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="99"/>
         <source>Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="102"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
-        <translation>Punkty osnowy leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
+        <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="106"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
-        <translation>Punkty osnowy pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
+        <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="114"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="119"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="123"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="133"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="132"/>
         <source>No line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="135"/>
         <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
         <translation>Nie można dopasować modelu parametrycznego do tych punktów; sprawdź, czy współrzędne nie są zamienione lub wysokości błędne, albo włącz szukanie błędów grubych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="139"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="151"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="150"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
         <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="155"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="155"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="163"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
         <source>{name} is no sensor model file; choose one that fitsensormodel has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="170"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
@@ -3709,67 +3709,67 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="266"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="173"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="172"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="284"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="283"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="284"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="286"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="287"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="286"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="288"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="287"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3779,37 +3779,37 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="306"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="310"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="314"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="313"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli bez podstawy parametrycznej ilorazy są najbardziej wiarygodne, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
+        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="318"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="317"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
-        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To iloraz najniższego stopnia z jednym mianownikiem i potrzebuje najmniej punktów.</translation>
+        <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="322"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="326"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="325"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="330"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="329"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3874,7 +3874,7 @@
         <translation>Wiersz (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/charts.py" line="91"/>
+        <location filename="../plugin/sensors/charts.py" line="92"/>
         <source>Mean error on points not used in the fit (m)</source>
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
@@ -3939,44 +3939,44 @@
         <translation>największa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="129"/>
+        <location filename="../plugin/noise/report.py" line="135"/>
         <source>noise</source>
         <translation>szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="129"/>
+        <location filename="../plugin/noise/report.py" line="135"/>
         <source>sigma (DN)</source>
         <translation>sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="131"/>
+        <location filename="../plugin/noise/report.py" line="137"/>
         <source>detail {level}</source>
         <translation>detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="132"/>
+        <location filename="../plugin/noise/report.py" line="138"/>
         <source>kurtosis by level</source>
         <translation>kurtoza według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="132"/>
+        <location filename="../plugin/noise/report.py" line="138"/>
         <source>column, row</source>
         <translation>kolumna, wiersz</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="132"/>
+        <location filename="../plugin/noise/report.py" line="138"/>
         <source>note</source>
         <translation>uwaga</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="158"/>
         <source>Sigma is the median absolute value of the finest diagonal component divided by 0.6745, in DN. Fine texture adds to it, so compare it between images of the same ground.</source>
-        <translation>Sigma to mediana wartości bezwzględnych najdokładniejszego komponentu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
+        <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/line_layer.py" line="72"/>
         <source>Add a bar group</source>
-        <translation>Dodaj grupę kresek</translation>
+        <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="246"/>
@@ -4011,7 +4011,7 @@
     <message>
         <location filename="../build/template_texts.py" line="244"/>
         <source>misregistration</source>
-        <translation>niedopasowanie</translation>
+        <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="19"/>
@@ -4021,22 +4021,22 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
-        <translation>Mozaika jest mniej ostra niż jej źródła, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
+        <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="63"/>
         <source>Images that do not fit were blended along the seam.</source>
-        <translation>Wzdłuż linii zmieszano obrazy, które do siebie nie pasują.</translation>
+        <translation>Wzdłuż linii mozaikowania zmieszano obrazy, które do siebie nie pasują.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="77"/>
         <source>Grey values were pressed together by a linear function.</source>
-        <translation>Funkcja liniowa ścisnęła wartości szarości.</translation>
+        <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="84"/>
         <source>Grey values were changed by a power function.</source>
-        <translation>Funkcja potęgowa zmieniła wartości szarości.</translation>
+        <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="93"/>
@@ -4051,12 +4051,12 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="108"/>
         <source>The mosaic does not lie where its sources do.</source>
-        <translation>Mozaika nie leży tam, gdzie jej źródła.</translation>
+        <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy źródłowe.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="177"/>
         <source>No step of production is found that took contrast away.</source>
-        <translation>Nie znaleziono etapu opracowania, który odebrał kontrast.</translation>
+        <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="182"/>
@@ -4146,7 +4146,7 @@
     <message>
         <location filename="../build/template_texts.py" line="105"/>
         <source>The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}.</source>
-        <translation>Zdjęcie jest obrócone o {turned} stopni zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie: {evidence}.</translation>
+        <translation>Zdjęcie jest obrócone o {turned}° zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie {evidence}.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="106"/>
@@ -4176,7 +4176,7 @@
     <message>
         <location filename="../plugin/seams/charts/calibration_chart.py" line="62"/>
         <source>AUC {area:.3f} (95 %: {low:.3f} to {high:.3f})</source>
-        <translation>AUC {area:.3f} (95 %: {low:.3f} do {high:.3f})</translation>
+        <translation>AUC {area:.3f} (95 %: od {low:.3f} do {high:.3f})</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/calibration_chart.py" line="67"/>
@@ -4211,7 +4211,7 @@
     <message>
         <location filename="../plugin/noise/charts.py" line="161"/>
         <source>mean and range of {count} windows</source>
-        <translation>średnia i zakres, liczba okien: {count}</translation>
+        <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
         <location filename="../plugin/noise/charts.py" line="178"/>
@@ -4256,7 +4256,7 @@
     <message>
         <location filename="../build/template_texts.py" line="79"/>
         <source>{name} (mosaic)</source>
-        <translation>{name} (mozaika)</translation>
+        <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
@@ -4431,22 +4431,22 @@
     <message>
         <location filename="../plugin/sensors/model_titles.py" line="7"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
-        <translation>wielomiany na płaszczyźnie, jak w georeferencerze, bez wysokości</translation>
+        <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/model_titles.py" line="8"/>
         <source>polynomials of space, without physics</source>
-        <translation>wielomiany przestrzenne, bez fizyki</translation>
+        <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/model_titles.py" line="9"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
-        <translation>ilorazy wielomianów jak w RPC, bez fizyki</translation>
+        <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/model_titles.py" line="13"/>
         <source>the direct linear transformation, without physics</source>
-        <translation>bezpośrednia transformacja liniowa, bez fizyki</translation>
+        <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/model_titles.py" line="14"/>
@@ -4466,12 +4466,12 @@
     <message>
         <location filename="../build/template_texts.py" line="208"/>
         <source>Standard deviation of a control point</source>
-        <translation>Odchylenie standardowe punktu osnowy</translation>
+        <translation>Odchylenie standardowe fotopunktu</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="209"/>
         <source>Image outside the control points&apos; outline</source>
-        <translation>Część obrazu poza obrysem punktów osnowy</translation>
+        <translation>Część obrazu poza obrysem fotopunktów</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="210"/>
@@ -4546,7 +4546,7 @@
     <message>
         <location filename="../plugin/sensors/report.py" line="28"/>
         <source>control</source>
-        <translation>osnowa</translation>
+        <translation>fotopunkt</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/report.py" line="28"/>
@@ -4621,17 +4621,17 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="64"/>
         <source>contrast at level 1: {percent} %</source>
-        <translation>kontrast na poziomie 1: {percent} %</translation>
+        <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="66"/>
         <source>sharpness at level 1: {percent} %</source>
-        <translation>ostrość na poziomie 1: {percent} %</translation>
+        <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="67"/>
         <source>clipped: {percent} %</source>
-        <translation>obcięte: {percent} %</translation>
+        <translation>obcięte: {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="70"/>
@@ -4651,12 +4651,12 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="77"/>
         <source>half of each source would leave {percent} % at level 1</source>
-        <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
+        <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="79"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
-        <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
+        <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
     <message>
         <location filename="../plugin/seams/verdict_words.py" line="22"/>
@@ -4666,32 +4666,32 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="94"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
-        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
+        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="96"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
-        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
+        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="98"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
-        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
+        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="100"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
-        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
+        <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>blur to {value} % of their sharpness explains it</source>
-        <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
+        <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="50"/>
         <source>it is blurred to {value} % of their sharpness</source>
-        <translation>jest rozmyta do {value} % ich ostrości</translation>
+        <translation>jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="63"/>
@@ -4706,17 +4706,17 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="77"/>
         <source>the histogram is narrowed, gain {value}</source>
-        <translation>histogram jest zwężony, wzmocnienie {value}</translation>
+        <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="84"/>
         <source>grey values are bent, gamma {value}</source>
-        <translation>odcienie są zakrzywione, gamma {value}</translation>
+        <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="93"/>
         <source>{value} % of the pixels are clipped</source>
-        <translation>{value} % pikseli jest obciętych</translation>
+        <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="101"/>
@@ -4751,12 +4751,12 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="77"/>
         <source>the histogram is narrowed</source>
-        <translation>histogram jest zwężony</translation>
+        <translation>histogram jest zawężony</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="84"/>
         <source>grey values are bent by a gamma</source>
-        <translation>odcienie są zakrzywione przez gamma</translation>
+        <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="93"/>
@@ -4786,7 +4786,7 @@
     <message>
         <location filename="../plugin/seams/report/curve_pictures.py" line="90"/>
         <source>{name} (mosaic, bold)</source>
-        <translation>{name} (mozaika, gruba)</translation>
+        <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="161"/>
@@ -4826,7 +4826,7 @@
     <message>
         <location filename="../build/template_texts.py" line="177"/>
         <source>bars</source>
-        <translation>kreski</translation>
+        <translation>paski</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="178"/>
@@ -4906,7 +4906,7 @@
     <message>
         <location filename="../build/template_texts.py" line="84"/>
         <source>Relative variance: the share of a clip&apos;s variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic&apos;s share at level 1 divided by a source&apos;s; a window&apos;s ratio is the largest over its sources.</source>
-        <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział mozaiki na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
+        <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział ortofotomapy na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/packages.py" line="34"/>
@@ -4921,22 +4921,22 @@
     <message>
         <location filename="../plugin/toolkit/packages.py" line="50"/>
         <source>Run &apos;{command}&apos; in the OSGeo4W shell, then restart QGIS.</source>
-        <translation>Uruchom '{command}' w powłoce OSGeo4W, a potem uruchom ponownie QGIS.</translation>
+        <translation>Uruchom „{command}” w powłoce OSGeo4W, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/packages.py" line="53"/>
         <source>Run &apos;{command}&apos; in a terminal, then restart QGIS.</source>
-        <translation>Uruchom '{command}' w terminalu, a potem uruchom ponownie QGIS.</translation>
+        <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/packages.py" line="55"/>
         <source>Run &apos;{command}&apos; with the Python that QGIS uses, or install what requirements.txt in the plugin&apos;s folder names, then restart QGIS.</source>
-        <translation>Uruchom '{command}' w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w folderze wtyczki, a potem uruchom ponownie QGIS.</translation>
+        <translation>Uruchom „{command}” w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w katalogu wtyczki, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="88"/>
         <source> ({percent:.0f} % of the composite)</source>
-        <translation> ({percent:.0f} % kompozycji)</translation>
+        <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/charts.py" line="47"/>
@@ -5021,7 +5021,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="11"/>
         <source>A verdict can&apos;t be taken against &apos;{reference}&apos;; choose one of {known}.</source>
-        <translation>Nie można oceniać względem '{reference}'; wybierz jedno z: {known}.</translation>
+        <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="76"/>
@@ -5041,7 +5041,7 @@
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="146"/>
         <source>similarity</source>
-        <translation>podobieństwa</translation>
+        <translation>transformacji przez podobieństwo</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="146"/>
@@ -5101,27 +5101,27 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="114"/>
         <source>The window has {percent} % of the sharpness of its sources.</source>
-        <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
+        <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="119"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
-        <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
+        <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="124"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
-        <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
+        <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="128"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
-        <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
+        <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="142"/>
         <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
-        <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
+        <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="192"/>
@@ -5131,7 +5131,7 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="193"/>
         <source>; the whole window has {percent} % of the sharpness of its sources.</source>
-        <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
+        <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="204"/>
@@ -5261,7 +5261,7 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="116"/>
         <source>{value} % of it are from none of these sources</source>
-        <translation>{value} % jej pikseli nie pochodzi z żadnego z tych ortoobrazów</translation>
+        <translation>{value} % jej pikseli nie pochodzi z żadnego z tych ortoobrazów</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="247"/>
@@ -5311,7 +5311,7 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="139"/>
         <source>it was sharpened to {value} % of the sources&apos; contrast</source>
-        <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
+        <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="249"/>
@@ -5361,7 +5361,7 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="163"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
-        <translation>Jasność wyrównano tonem, który zmienia się z miejsca na miejsce.</translation>
+        <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="163"/>
@@ -5391,7 +5391,7 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="177"/>
         <source>no step of production took detail away, so the sources differ in content</source>
-        <translation>żaden etap produkcji nie zabrał detali, więc ortoobrazy różnią się treścią</translation>
+        <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="8"/>
@@ -5401,7 +5401,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="80"/>
         <source>The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness alone.</source>
-        <translation>W całym oknie mozaika podąża za jednym obrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
+        <translation>W całym oknie ortofotomapa podąża za jednym ortoobrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="85"/>
@@ -5411,27 +5411,27 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="89"/>
         <source>{share:.0f} % of the window is from none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing.</source>
-        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
+        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych ortoobrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="93"/>
         <source>{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing.</source>
-        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych obrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
+        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="97"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
-        <translation>Wzdłuż linii mozaikowania mozaika ma od {low:.0f} do {high:.0f} % detali obrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
+        <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="101"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
-        <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
+        <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="105"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
-        <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
+        <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="106"/>
@@ -5451,7 +5451,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="46"/>
         <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where surely less than all is. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
-        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii zachowano 70 % lub mniej, a ocena brzmi reduced, gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
+        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="70"/>
@@ -5466,12 +5466,12 @@
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
         <source>A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
-        <translation>Okno otrzymuje ocenę significant, gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
+        <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
         <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
-        <translation>Według reguły z artykułu okno otrzymuje ocenę significant, gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
+        <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
@@ -5481,7 +5481,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
-        <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
+        <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="62"/>
@@ -5501,12 +5501,12 @@
     <message>
         <location filename="../build/template_texts.py" line="82"/>
         <source>Kept: the share of the sources&apos; detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
-        <translation>Zachowane: część detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
+        <translation>Zachowane: część detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="83"/>
         <source>Verdicts by the seam: significant, where 70 % or less is kept (or what the inspection was set to), or the whole window is blurred badly; reduced, where surely less than all is; else preserved. The paper&apos;s rule looks at ratio 1 in whole clips: significant up to 0.5, reduced below 1. Observer: what the operator saw at 2x magnification.</source>
-        <translation>Oceny według linii mozaikowania: strata istotna, gdy zachowano 70 % lub mniej (albo tyle, ile ustawiono przy kontroli) lub całe okno jest mocno rozmyte; obniżona, gdy na pewno zachowano mniej niż wszystko; inaczej zachowana. Reguła z artykułu patrzy na stosunek 1 w całych wycinkach: istotna do 0,5, obniżona poniżej 1. Obserwator: co operator widział w powiększeniu 2x.</translation>
+        <translation>Oceny według linii mozaikowania: istotna strata, gdy zachowano 70 % lub mniej (albo tyle, ile ustawiono przy kontroli) lub całe okno jest mocno rozmyte; osłabione, gdy na pewno zachowano mniej niż wszystko; w innym razie zachowane. Reguła z artykułu patrzy na stosunek 1 w całych wycinkach: istotna strata do 0,5, osłabione poniżej 1. Obserwator: co operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="54"/>
@@ -5529,17 +5529,17 @@
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <location filename="../plugin/toolkit/messages.py" line="34"/>
         <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <location filename="../plugin/toolkit/messages.py" line="37"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
@@ -5641,12 +5641,12 @@
     <message>
         <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="122"/>
         <source>Scan: putting the blocks together, {percent} %</source>
-        <translation>Badanie: łączenie bloków, {percent} %</translation>
+        <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="123"/>
         <source>Scan: {percent} %</source>
-        <translation>Badanie: {percent} %</translation>
+        <translation>Badanie: {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/scan_words.py" line="12"/>
@@ -5686,7 +5686,7 @@
     <message>
         <location filename="../plugin/seams/desk/scan/scan_message.py" line="26"/>
         <source>Judge the {count} worst</source>
-        <translation>Oceń najgorsze ({count})</translation>
+        <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/scan/scan_message.py" line="26"/>
@@ -5761,7 +5761,7 @@
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="36"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
-        <translation>Raster {name} nie ma kanału {band}, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
+        <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="40"/>
@@ -5931,17 +5931,17 @@
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="146"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
-        <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
+        <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="150"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
-        <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
+        <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="154"/>
         <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
-        <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
+        <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="51"/>
@@ -5956,7 +5956,7 @@
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="158"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
-        <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
+        <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="162"/>
@@ -6081,7 +6081,7 @@
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="125"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict.</source>
-        <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
+        <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
@@ -6111,7 +6111,7 @@
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
         <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
-        <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
+        <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="7"/>
@@ -6126,22 +6126,22 @@
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
         <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
-        <translation>{name} wszędzie jest taki jak mozaika, jest więc jej kopią albo mozaiką, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako obraz źródłowy.</translation>
+        <translation>{name} wszędzie jest taki jak ortofotomapa, jest więc jej kopią albo ortofotomapą, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako ortoobraz źródłowy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="54"/>
         <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells nothing, so give the orthoimages that the mosaic was made from.</source>
-        <translation>{name} wszędzie jest taki jak mozaika i nie ma innego obrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc obrazy źródłowe, z których mozaika powstała.</translation>
+        <translation>{name} wszędzie jest taki jak ortofotomapa i nie ma innego ortoobrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc ortoobrazy źródłowe, z których ortofotomapa powstała.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
-        <translation>Żaden z podanych obrazów źródłowych nie wyjaśnia mozaiki wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
+        <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="132"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
-        <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
+        <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="15"/>
@@ -6156,7 +6156,7 @@
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="12"/>
         <source>The corridor counts only with seamlines; without them all of the mosaic is read.</source>
-        <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała mozaika.</translation>
+        <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="11"/>
@@ -6181,47 +6181,47 @@
     <message>
         <location filename="../build/template_texts.py" line="226"/>
         <source>50 % kept, or less</source>
-        <translation>50 % lub mniej</translation>
+        <translation>50 % lub mniej</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="227"/>
         <source>50 to 60 %</source>
-        <translation>od 50 do 60 %</translation>
+        <translation>od 50 do 60 %</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="228"/>
         <source>60 to 70 %</source>
-        <translation>od 60 do 70 %</translation>
+        <translation>od 60 do 70 %</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="229"/>
         <source>70 to 80 %</source>
-        <translation>od 70 do 80 %</translation>
+        <translation>od 70 do 80 %</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="230"/>
         <source>80 to 90 %</source>
-        <translation>od 80 do 90 %</translation>
+        <translation>od 80 do 90 %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="162"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
-        <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
+        <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="165"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
-        <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
+        <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="173"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
-        <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
+        <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="177"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
-        <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
+        <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="57"/>
@@ -6241,12 +6241,12 @@
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="140"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
-        <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
+        <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="142"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
-        <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
+        <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="45"/>
@@ -6306,7 +6306,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging/notes_row.py" line="49"/>
         <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
-        <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
+        <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/notes_row.py" line="57"/>
@@ -6324,62 +6324,62 @@
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
         <source>First operator</source>
         <translation>Pierwszy operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
         <source>What is said goes to the field &apos;observer&apos;.</source>
-        <translation>Opinia trafia do pola 'observer'.</translation>
+        <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="28"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
         <source>What is said goes to the field &apos;observer_2&apos;, beside the first one&apos;s.</source>
-        <translation>Opinia trafia do pola 'observer_2', obok opinii pierwszego operatora.</translation>
+        <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="38"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="39"/>
         <source>Blind</source>
         <translation>W ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="38"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="39"/>
         <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="44"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="45"/>
         <source>Agreement of both ...</source>
         <translation>Zgodność obu...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="45"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="46"/>
         <source>How often both operators say the same, and how much of that is not chance.</source>
         <translation>Jak często obaj operatorzy są zgodni i ile z tego nie jest przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="59"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="60"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="59"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="60"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="60"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="61"/>
         <source>{operator}, blind</source>
-        <translation>{operator}, ślepo</translation>
+        <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="61"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="62"/>
         <source>Who judges: the first or the second operator; blind or not; how well both agree.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
@@ -6426,7 +6426,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging/agreement_box.py" line="30"/>
         <source>Both judged {count} windows and said the same of {agreed} ({percent} %).</source>
-        <translation>Okna z opiniami obu operatorów: {count}, w tym zgodne: {agreed} ({percent} %).</translation>
+        <translation>Obaj ocenili {count} {count:okno|okna|okien}, zgodnie {agreed} ({percent} %).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/agreement_box.py" line="33"/>
@@ -6441,7 +6441,7 @@
     <message>
         <location filename="../plugin/seams/desk/judging/agreement_box.py" line="39"/>
         <source>Cohen&apos;s kappa: {value} ({low} to {high} by 95 %), {word}.</source>
-        <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
+        <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/agreement_box.py" line="47"/>
@@ -6486,17 +6486,17 @@
     <message>
         <location filename="../plugin/seams/desk/judging/judging.py" line="186"/>
         <source>Write this into {count} windows?</source>
-        <translation>Wpisać to do {count} okien?</translation>
+        <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judging.py" line="194"/>
         <source>Judge {count} windows as {word}?</source>
-        <translation>Wpisać opinię „{word}” do {count} okien?</translation>
+        <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judging.py" line="196"/>
         <source>Take back what was said of {count} windows?</source>
-        <translation>Wycofać opinie dla {count} okien?</translation>
+        <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/window_orders.py" line="58"/>
@@ -6571,7 +6571,7 @@
     <message>
         <location filename="../plugin/seams/desk/curves/curves_selection.py" line="41"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
-        <translation>Na żywo, {band}: {columns} x {rows} px pod kursorem</translation>
+        <translation>Na żywo, {band}: {columns} × {rows} px pod kursorem</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/window_pictures.py" line="68"/>
@@ -6579,22 +6579,22 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="102"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="105"/>
         <source>Space: {name}</source>
         <translation>Spacja: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="115"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="118"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="292"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="295"/>
         <source>Drag to move, turn the wheel to zoom.</source>
         <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="294"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="297"/>
         <source>Hold Space to see {name} here.</source>
         <translation>Przytrzymaj spację, aby zobaczyć tu {name}.</translation>
     </message>
@@ -6636,17 +6636,17 @@
     <message>
         <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
         <source>More contrast: the mosaic&apos;s darkest and brightest 2 % cut off, the same in all windows</source>
-        <translation>Większy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli ortofotomapy, tak samo we wszystkich oknach</translation>
+        <translation>Większy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli ortofotomapy, tak samo we wszystkich oknach</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
         <source>Each window</source>
-        <translation>Osobno</translation>
+        <translation>Każde okno</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
         <source>Most contrast: each window&apos;s darkest and brightest 2 % cut off. Windows look unlike each other, and grey may look coloured.</source>
-        <translation>Największy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli każdego okna. Okna wyglądają różnie, a szarość może wydawać się barwna.</translation>
+        <translation>Największy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli każdego okna. Okna wyglądają różnie, a szarość może wydawać się barwna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/images_bar.py" line="84"/>
@@ -6666,42 +6666,42 @@
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="33"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
-        <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
+        <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="33"/>
         <source>&gt; {near} m: {kept} %</source>
-        <translation>&gt; {near} m: {kept} %</translation>
+        <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="35"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
-        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
+        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="36"/>
         <source>{near} to {far} m: {kept} %</source>
-        <translation>od {near} do {far} m: {kept} %</translation>
+        <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="49"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
-        <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="49"/>
         <source>{kept} % kept ({low} to {high} %)</source>
-        <translation>zach. {kept} % ({low}–{high} %)</translation>
+        <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="51"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
-        <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="120"/>
         <source>limit {percent} %</source>
-        <translation>granica {percent} %</translation>
+        <translation>granica {percent} %</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="186"/>
@@ -6756,7 +6756,7 @@
     <message>
         <location filename="../plugin/seams/desk/profile/profile_panel.py" line="120"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
-        <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
+        <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_panel.py" line="151"/>
@@ -6841,12 +6841,12 @@
     <message>
         <location filename="../plugin/seams/desk/map/window_words.py" line="24"/>
         <source>{share:.0f} % of the mosaic is empty there</source>
-        <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
+        <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/map/window_words.py" line="24"/>
         <source>{share:.1f} % of the mosaic is empty there</source>
-        <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
+        <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
@@ -6919,17 +6919,17 @@
         <translation>Zachowane detale (L ukrywa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="41"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="43"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="89"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="91"/>
         <source>Takes the last change of the windows back ({keys}).</source>
         <translation>Cofa ostatnią zmianę okien ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="90"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="92"/>
         <source>Does again what was taken back ({keys}).</source>
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
@@ -6956,7 +6956,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
         <source>How sure the observer is, 0 to 100 %.</source>
-        <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
+        <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
@@ -6966,7 +6966,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
-        <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
+        <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
@@ -6991,7 +6991,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
-        <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
+        <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
@@ -7001,7 +7001,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
-        <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
+        <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
@@ -7216,7 +7216,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="55"/>
         <source>Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are ready.</source>
-        <translation>Okna rozmieszczone wzdłuż linii mozaikowania: {count}; miejsca, które już miały swoje okno: {there}. Skontroluj je, gdy zechcesz.</translation>
+        <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca, które już miały swoje okno: {there}. Skontroluj okna, gdy zechcesz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="60"/>
@@ -7246,7 +7246,7 @@
     <message>
         <location filename="../plugin/seams/desk/keeping/messages.py" line="24"/>
         <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
-        <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany okien ({count}) w {name}. Zapisz warstwę.</translation>
+        <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany {count} {count:okna|okien|okien} w {name}. Zapisz warstwę.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/keeping/messages.py" line="27"/>
@@ -7276,12 +7276,12 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
-        <translation>Filtr pyta o '{name}', a okna tego nie mają. Mają: {known}.</translation>
+        <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
-        <translation>Plik warstwy {name} nie może mieć pola '{field}': zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
+        <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="7"/>
@@ -7386,12 +7386,12 @@
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="50"/>
         <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; is no verdict), and the measures &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
-        <translation>Okna skontrolowane i ocenione: pole 'observer' ze słowami 'visible' (stratę widać przy 2x) i 'invisible' ('unsure' nie jest oceną) oraz miary 'kept_1', 'composite_ratio_1', 'contrast_1' i 'ratio_1', o ile są.</translation>
+        <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="231"/>
         <source>90 % and more: even ground</source>
-        <translation>90 % i więcej: jak teren wokół</translation>
+        <translation>90 % i więcej: jak teren wokół</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="233"/>
@@ -7434,7 +7434,7 @@
         <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="178"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="180"/>
         <source>There is no such change.</source>
         <translation>Nie ma takiej zmiany.</translation>
     </message>
@@ -7446,32 +7446,32 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="130"/>
         <source>Along the seam no loss can be told from chance: {kept} % of the finest detail is left ({low} to {high} %)</source>
-        <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszego detalu ({low}–{high} %)</translation>
+        <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszych detali (od {low} do {high} %)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="168"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
-        <translation>bierze ona detal jako udział w całej wariancji, a tony zostały zmienione</translation>
+        <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="170"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
-        <translation>bierze ona całe okno, które ma {percent} % ostrości swoich ortoobrazów</translation>
+        <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/keeping/messages.py" line="21"/>
         <source>{name} beside this project holds {count} windows that the project does not know.</source>
-        <translation>Plik {name} obok tego projektu zawiera okna ({count}), których projekt nie zna.</translation>
+        <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="133"/>
         <source>The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.</source>
-        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
+        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judge_bar.py" line="132"/>
         <source>Window {number}: {percent} % sure</source>
-        <translation>Okno {number}: {percent} % pewności</translation>
+        <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judge_bar.py" line="165"/>
@@ -7481,7 +7481,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="289"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
-        <translation>Usunąć okna ({count}), w tym ocenione ({judged})?</translation>
+        <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/dock.py" line="208"/>
@@ -7496,7 +7496,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="145"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
-        <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
+        <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="146"/>
@@ -7524,22 +7524,22 @@
         <translation>liczba poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="62"/>
+        <location filename="../plugin/noise/report.py" line="63"/>
         <source>mean detail {level}</source>
         <translation>średnie detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="63"/>
+        <location filename="../plugin/noise/report.py" line="64"/>
         <source>mean sigma (DN)</source>
         <translation>średnia sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="130"/>
+        <location filename="../plugin/noise/report.py" line="136"/>
         <source>largest possible</source>
         <translation>największa możliwa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="130"/>
+        <location filename="../plugin/noise/report.py" line="136"/>
         <source>grain (DN)</source>
         <translation>ziarno (DN)</translation>
     </message>
@@ -7606,7 +7606,7 @@
     <message>
         <location filename="../plugin/noise/desk/noise_panel.py" line="195"/>
         <source>{value}: {band} of {count} of {all} windows</source>
-        <translation>{value}: {band}, okna: {count} z {all}</translation>
+        <translation>{value}: {band}, {count} z {all} {all:okna|okien|okien}</translation>
     </message>
     <message>
         <location filename="../plugin/noise/noise_summary.py" line="20"/>
@@ -7691,10 +7691,10 @@
     <message>
         <location filename="../plugin/noise/charts.py" line="161"/>
         <source>{name}: mean and range of {count} windows</source>
-        <translation>{name}: średnia i zakres, liczba okien: {count}</translation>
+        <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="43"/>
+        <location filename="../plugin/toolkit/messages.py" line="46"/>
         <source>What is written is {filters}, and {name} says something else; give it that ending.</source>
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
@@ -7711,7 +7711,7 @@
     <message>
         <location filename="../plugin/sensors/model_titles.py" line="10"/>
         <source>quotients of order 2 at most, with the terms left out that the points do not speak for</source>
-        <translation>ilorazy stopnia najwyżej 2, bez wyrazów, za którymi punkty nie przemawiają</translation>
+        <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/report.py" line="28"/>
@@ -7751,7 +7751,7 @@
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="39"/>
         <source>Point {name} is {height:.6g} m high, as no place on earth is; give heights in metres.</source>
-        <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma żadne miejsce na ziemi; podaj wysokości w metrach.</translation>
+        <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj wysokości w metrach.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="42"/>
@@ -7771,7 +7771,7 @@
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="53"/>
         <source>{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose their image.</source>
-        <translation>Punkty leżące poza obrazem {columns} x {rows} pikseli: {count} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
+        <translation>Poza obrazem {columns} × {rows} px {count:leży|leżą|leży} {count} {count:punkt|punkty|punktów} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="57"/>
@@ -7781,7 +7781,7 @@
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="62"/>
         <source>The image&apos;s RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, their reference system and heights, and that it is the RPC of this image.</source>
-        <translation>RPC obrazu widzi punkty {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ odniesienia i wysokości oraz czy jest to RPC tego obrazu.</translation>
+        <translation>Według RPC punkty leżą {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ współrzędnych i wysokości oraz czy jest to RPC tego obrazu.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="66"/>
@@ -7799,189 +7799,184 @@
         <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
-        <source>{name} is no number; give one, or leave it empty.</source>
-        <translation>{name} nie jest liczbą; podaj liczbę albo zostaw puste.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="111"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="110"/>
         <source>{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for (ROBUST).</source>
         <translation>Punkty odbiegające od modelu znacznie bardziej niż pozostałe: {count} ({names}); sprawdź je albo włącz szukanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="127"/>
         <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
         <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
         <source>The fit to these points runs away from them all; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
-        <translation>Wyrównanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
+        <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="147"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
         <source>No image with the RPC is written: there is no image to copy; choose it.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="174"/>
         <source>{name} holds no interior orientation that can be read; choose a YAML file of orthority or an AutoCal XML of MicMac.</source>
         <translation>Plik {name} nie zawiera orientacji wewnętrznej, którą można odczytać; wybierz plik YAML z orthority albo plik XML AutoCal z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="186"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
         <source>By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
         <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
-        <translation>Wszystkie kąty w {name} są mniejsze od 3.15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
+        <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="195"/>
         <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole and Brown cameras of orthority and MicMac&apos;s radial distortion are.</source>
         <translation>Kamera z pliku {name} ma dystorsję, która nie jest tu znana ({kind}); znane są kamery pinhole i Brown programu orthority oraz dystorsja radialna programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="199"/>
         <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa (degrees), a GeoJSON of orthority or an Orientation XML of MicMac.</source>
         <translation>Plik {name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
         <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
         <source>An interior and an exterior orientation are needed together; give the one that is missing.</source>
         <translation>Orientacja wewnętrzna i zewnętrzna są potrzebne razem; podaj tę, której brakuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="227"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="229"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="242"/>
         <source>{name} is no grid of the geoid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
         <source>The constant height is {height:.6g} m, as no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, as no place on earth has; set its nodata value, or choose another one.</source>
-        <translation>Numeryczny model terenu {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość nodata albo wybierz inny.</translation>
+        <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
-        <translation>Numeryczny model terenu {name} ma oczka {mesh:.0f} m: rzeźba między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
+        <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
-        <translation>Numeryczny model terenu {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
+        <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="279"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="289"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
-        <translation>Liczby fotopunktów to „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
+        <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="293"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="292"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="296"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="295"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
-        <translation>Obraz nie ma RPC, według którego można planować; podaj plik, który z nim przyszedł, albo pomiń obraz, by przyjąć skaner nominalny.</translation>
+        <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="299"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="298"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
-        <translation>Fotopunkty: {count}; oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
+        <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="301"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
-        <translation>Fotopunkty: {count}; nieudane losowania: {failed}, liczą się jako najgorsze: {why}</translation>
+        <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="44"/>
@@ -8006,7 +8001,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="59"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
-        <translation>Jeden wiersz tabeli na każdą, na przykład 6, 10, 20. Punktów kontrolnych się nie liczy.</translation>
+        <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="63"/>
@@ -8021,7 +8016,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="67"/>
         <source>Share of the corner</source>
-        <translation>Udział narożnika</translation>
+        <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="67"/>
@@ -8076,7 +8071,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
         <source>Angle of the view (degrees)</source>
-        <translation>Kąt widzenia (stopnie)</translation>
+        <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
@@ -8086,7 +8081,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
         <source>Pixel size (metres)</source>
-        <translation>Rozmiar piksela (metry)</translation>
+        <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
@@ -8121,50 +8116,50 @@
     <message>
         <location filename="../plugin/sensors/algorithms/planpoints.py" line="107"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
-        <translation>Jeden wiersz na liczbę punktów: średnie błędy kwadratowe w metrach, obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
+        <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="102"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
-        <translation>Kąt widzenia od pionu w środku obrazu (stopnie)</translation>
+        <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="102"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="102"/>
         <source>What the error of terrain heights moves the middle of the image by (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="263"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="260"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="288"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="285"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="300"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="297"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="300"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="297"/>
         <source>What an error of this size moves the orthoimage by is told, from the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="308"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="305"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="308"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="305"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
@@ -8221,7 +8216,7 @@
     <message>
         <location filename="../plugin/sensors/algorithms/orthorectify.py" line="42"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
-        <translation>Umieszcza obraz na mapie z użyciem numerycznego modelu terenu: obraz satelitarny według pliku modelu z algorytmu 'Dopasuj model sensora', pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Robi to GDAL na wszystkich rdzeniach; odległość od modelu ścisłego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
+        <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/algorithms/orthorectify.py" line="60"/>
@@ -8261,27 +8256,27 @@
     <message>
         <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>{name} says &apos;{key}&apos; twice in one object; leave one.</source>
-        <translation>W pliku {name} klucz '{key}' występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
+        <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="107"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
-        <translation>{place} w pliku {name}: nieznana wartość '{value}' klucza {key}; znane są {known}.</translation>
+        <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
-        <translation>{place} w pliku {name}: '{key}' musi być liczbą nie mniejszą niż {least:g}.</translation>
+        <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
-        <translation>{place} w pliku {name}: '{key}' musi być liczbą całkowitą nie mniejszą niż 1.</translation>
+        <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
-        <translation>{place} w pliku {name}: '{key}' musi mieć wartość true lub false.</translation>
+        <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/distance_words.py" line="31"/>
@@ -8296,12 +8291,12 @@
     <message>
         <location filename="../plugin/resolution/report.py" line="127"/>
         <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
-        <translation>Terenowa zdolność rozdzielcza: jedna kreska najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
+        <translation>Terenowa zdolność rozdzielcza: jeden pasek najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/report.py" line="129"/>
         <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
-        <translation>Terenowa zdolność rozdzielcza: jedna kreska i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
+        <translation>Terenowa zdolność rozdzielcza: jeden pasek i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/report.py" line="134"/>
@@ -8316,7 +8311,7 @@
     <message>
         <location filename="../plugin/resolution/report.py" line="135"/>
         <source>the group&apos;s own bars against plain gaps</source>
-        <translation>własne kreski grupy względem gładkich przerw</translation>
+        <translation>własne paski grupy względem gładkich przerw</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/report.py" line="135"/>
@@ -8331,7 +8326,7 @@
     <message>
         <location filename="../plugin/resolution/report.py" line="139"/>
         <source>bars in each group</source>
-        <translation>kreski w każdej grupie</translation>
+        <translation>paski w każdej grupie</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/report.py" line="140"/>
@@ -8346,12 +8341,12 @@
     <message>
         <location filename="../plugin/resolution/desk/target_settings.py" line="28"/>
         <source>one bar</source>
-        <translation>jedna kreska</translation>
+        <translation>jeden pasek</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/report.py" line="142"/>
         <source>a bar and a gap together</source>
-        <translation>kreska i przerwa razem</translation>
+        <translation>pasek i przerwa razem</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/report.py" line="143"/>
@@ -8366,7 +8361,7 @@
     <message>
         <location filename="../plugin/resolution/desk/target_settings.py" line="28"/>
         <source>bar and gap</source>
-        <translation>kreska i przerwa</translation>
+        <translation>pasek i przerwa</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/target_settings.py" line="29"/>
@@ -8386,12 +8381,12 @@
     <message>
         <location filename="../plugin/resolution/desk/target_settings.py" line="33"/>
         <source>What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
-        <translation>Czego szerokością jest wymiar: kreski i przerwy razem, zgodnie z definicją rozdzielczości, czy jednej kreski, jak w niektórych testach i raportach.</translation>
+        <translation>Czego szerokością jest wymiar: paska i przerwy razem, zgodnie z definicją rozdzielczości, czy jednego paska, jak w niektórych testach i raportach.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/target_settings.py" line="37"/>
         <source>What the amplitude has to be half of: the group&apos;s own bars against plain gaps, or the full amplitude of the coarsest group, which is stricter.</source>
-        <translation>Połową czego musi być amplituda: własnych kresek grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
+        <translation>Połową czego musi być amplituda: własnych pasków grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
@@ -8416,12 +8411,12 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="11"/>
         <source>There is no full amplitude &apos;{word}&apos;; choose one of {known}.</source>
-        <translation>Nie ma pełnej amplitudy '{word}'; wybierz jedną z {known}.</translation>
+        <translation>Nie ma pełnej amplitudy „{word}”; wybierz jedną z {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="12"/>
         <source>A distance can&apos;t be that of &apos;{word}&apos;; choose one of {known}.</source>
-        <translation>Wartość GRD nie może dotyczyć '{word}'; wybierz jedno z: {known}.</translation>
+        <translation>Wartość GRD nie może dotyczyć „{word}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="36"/>
@@ -8431,7 +8426,7 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="80"/>
         <source>Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at least, so the distance may be coarser than the sensor&apos;s best; haze and a low sun lower the contrast.</source>
-        <translation>Kreski i przerwy najgrubszej grupy różnią się {contrast:.1f} razy, a metoda wymaga co najmniej {least:g}, więc GRD może być gorsza od najlepszej dla tego sensora; zamglenie i niskie słońce obniżają kontrast.</translation>
+        <translation>Paski i przerwy najgrubszej grupy różnią się {contrast:.1f} razy, a metoda wymaga co najmniej {least:g}, więc GRD może być gorsza od najlepszej dla tego sensora; zamglenie i niskie słońce obniżają kontrast.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="84"/>
@@ -8441,7 +8436,7 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="88"/>
         <source>None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each across the bars of one group, on the image.</source>
-        <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje kresek, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek kresek jednej grupy.</translation>
+        <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje pasków, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="93"/>
@@ -8456,7 +8451,7 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="102"/>
         <source>&apos;{word}&apos; is no number; give metres and centimetres.</source>
-        <translation>'{word}' nie jest liczbą; podaj metry i centymetry.</translation>
+        <translation>„{word}” nie jest liczbą; podaj metry i centymetry.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="103"/>
@@ -8466,17 +8461,17 @@
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="107"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
-        <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; 'height' jest w metrach, a 'grd' w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
+        <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; „height” jest w metrach, a „grd” w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="111"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
-        <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; 'grd' jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
+        <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; „grd” jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="119"/>
         <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
-        <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych 'python -m pip install opencv-python-headless'); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
+        <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="123"/>
@@ -8491,22 +8486,22 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="48"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
-        <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu kreskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek kresek każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej kreski, a amplituda kresek względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy kresek względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Kreski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
+        <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="62"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
-        <translation>Jedna linia w poprzek kresek każdej grupy, od tła po jednej stronie do tła po drugiej, z polami 'group' (liczba całkowita) i 'direction' ('along' – wzdłuż albo 'across' – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do kresek. Obok może być zapisane, co widzieli obserwatorzy, 'visible' lub 'invisible', w polach 'observer', 'observer_2' i tak dalej.</translation>
+        <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="73"/>
         <source>How far either side of the line the profile is averaged; less where that is more than bars are long.</source>
-        <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość kresek.</translation>
+        <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="93"/>
         <source>Of the reference group, centimetres on the ground: the width of what the next line says.</source>
-        <translation>GRD grupy odniesienia w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
+        <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="97"/>
@@ -8516,12 +8511,12 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="97"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
-        <translation>cycle: kreska i przerwa razem, co odpowiada rozdzielczości. bar: jedna kreska, jak w niektórych testach i raportach. Kreska i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
+        <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
-        <translation>group: własne kreski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
+        <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
@@ -8551,12 +8546,12 @@
     <message>
         <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
         <source>Contrast of the target, bars to gaps</source>
-        <translation>Kontrast testu, kreski do przerw</translation>
+        <translation>Kontrast testu, paski do przerw</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
         <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
-        <translation>Jeden wiersz na przelot z polami 'height' (metry nad testem) i 'grd' (centymetry), a dla kilku obserwatorów 'grd', 'grd_2', 'grd_3' i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach 'sensor', 'image_type' i 'direction', o ile takie pola istnieją, tworzą grupę.</translation>
+        <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry), a dla kilku obserwatorów „grd”, „grd_2”, „grd_3” i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/algorithms/minimumheight.py" line="66"/>
@@ -8576,7 +8571,7 @@
     <message>
         <location filename="../plugin/resolution/distance_words.py" line="44"/>
         <source>contrast of the target, bars to gaps, {band}: {contrast:.1f}:1</source>
-        <translation>kontrast testu, kreski do przerw, {band}: {contrast:.1f}:1</translation>
+        <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/charts.py" line="157"/>
@@ -8621,65 +8616,65 @@
     <message>
         <location filename="../plugin/radiometry/words.py" line="34"/>
         <source>luminosity</source>
-        <translation>luminancja</translation>
+        <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="106"/>
+        <location filename="../plugin/radiometry/words.py" line="105"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
         <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}, {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="120"/>
+        <location filename="../plugin/radiometry/words.py" line="119"/>
         <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
         <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}, {green:.1f}, {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}, {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="139"/>
+        <location filename="../plugin/radiometry/words.py" line="138"/>
         <source>{check} is {value}; the limit is {limit}.</source>
         <translation>{check}: {value}; granica: {limit}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="145"/>
+        <location filename="../plugin/radiometry/words.py" line="144"/>
         <source>Not measurable and required: {checks}.</source>
         <translation>Niemierzalne i wymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="147"/>
+        <location filename="../plugin/radiometry/words.py" line="146"/>
         <source>Not measurable and not required: {checks}.</source>
         <translation>Niemierzalne i niewymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="166"/>
+        <location filename="../plugin/radiometry/words.py" line="165"/>
         <source>The rules set no limit that it could be held against.</source>
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="163"/>
+        <location filename="../plugin/radiometry/words.py" line="162"/>
         <source>Beyond their limits: {images}; by {checks}.</source>
         <translation>Poza granicami: {images}; reguły: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="166"/>
+        <location filename="../plugin/radiometry/words.py" line="165"/>
         <source>Not measurable and required: {checks}; in {images}.</source>
         <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="170"/>
+        <location filename="../plugin/radiometry/words.py" line="169"/>
         <source>Not looked at: {count}.</source>
         <translation>Nie sprawdzono: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="174"/>
+        <location filename="../plugin/radiometry/words.py" line="173"/>
         <source>Not measurable and not required: {checks}; in {images}.</source>
         <translation>Niemierzalne i niewymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="177"/>
+        <location filename="../plugin/radiometry/words.py" line="176"/>
         <source>All figures keep their limits.</source>
         <translation>Wszystkie wartości mieszczą się w granicach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="188"/>
+        <location filename="../plugin/radiometry/words.py" line="187"/>
         <source>{names} and {count} more</source>
         <translation>{names} i jeszcze {count}</translation>
     </message>
@@ -8696,7 +8691,7 @@
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="67"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
-        <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum histogramu i kontrast luminancji. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
+        <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
@@ -8721,12 +8716,12 @@
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
-        <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia zafarbu od barwy terenu.</translation>
+        <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
         <source>What may be grey</source>
-        <translation>Obszary być może szare</translation>
+        <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
@@ -8756,22 +8751,22 @@
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="7"/>
         <source>{place} in {name}: &apos;{check}&apos; of {band} has a rule already; leave one.</source>
-        <translation>{place} w pliku {name}: '{check}' dla {band} ma już regułę; zostaw jedną.</translation>
+        <translation>{place} w pliku {name}: „{check}” dla {band} ma już regułę; zostaw jedną.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="9"/>
         <source>{place} in {name}: &apos;{check}&apos; is taken between red, green and blue and has no &apos;band&apos;.</source>
-        <translation>{place} w pliku {name}: '{check}' jest liczone między czerwonym, zielonym i niebieskim i nie ma 'band'.</translation>
+        <translation>{place} w pliku {name}: „{check}” jest liczone między czerwonym, zielonym i niebieskim i nie ma „band”.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="10"/>
         <source>{place} in {name}: &apos;band&apos; has to be luminosity, each, or the name of a band such as red, nir or band_4.</source>
-        <translation>{place} w pliku {name}: 'band' musi mieć wartość luminosity, each albo nazwę kanału, np. red, nir lub band_4.</translation>
+        <translation>{place} w pliku {name}: „band” musi mieć wartość luminosity, each albo nazwę kanału, np. red, nir lub band_4.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="13"/>
         <source>{place} in {name}: &apos;value_range&apos; has to be two numbers, the smaller one first.</source>
-        <translation>{place} w pliku {name}: 'value_range' muszą tworzyć dwie liczby, najpierw mniejsza.</translation>
+        <translation>{place} w pliku {name}: „value_range” muszą tworzyć dwie liczby, najpierw mniejsza.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="14"/>
@@ -8781,17 +8776,17 @@
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="18"/>
         <source>values of type {data_type} have no range of their own; give the range of values, or &apos;value_range&apos; in the rules file.</source>
-        <translation>wartości typu {data_type} nie mają własnego zakresu; podaj zakres wartości albo 'value_range' w pliku reguł.</translation>
+        <translation>wartości typu {data_type} nie mają własnego zakresu; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
         <source>the files do not say how many bits their values have. The largest value of all such images ({count}) is {largest}, so {possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or &apos;value_range&apos; in the rules file.</source>
-        <translation>pliki nie podają, ile bitów mają ich wartości. Największa wartość wszystkich takich obrazów ({count}) wynosi {largest}, więc możliwa liczba bitów to {possible}. Podaj zakres wartości, np. od 0 do 4095 dla 12 bitów, albo 'value_range' w pliku reguł.</translation>
+        <translation>pliki nie podają, ile bitów mają ich wartości. Największa wartość wszystkich takich obrazów ({count}) wynosi {largest}, więc możliwa liczba bitów to {possible}. Podaj zakres wartości, np. od 0 do 4095 dla 12 bitów, albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="27"/>
         <source>the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or &apos;value_range&apos; in the rules file.</source>
-        <translation>według pliku liczba bitów jego wartości to {bits}, a zawiera on wartości do {largest}; podaj zakres wartości albo 'value_range' w pliku reguł.</translation>
+        <translation>według pliku liczba bitów jego wartości to {bits}, a zawiera on wartości do {largest}; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
@@ -8861,17 +8856,17 @@
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
         <source>Clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
-        <translation>Wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2x.</translation>
+        <translation>Wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
-        <translation>Tabela profili linii mozaikowania nie ma pola '{field}'; wybierz tabelę, którą 'Skontroluj okna' zostawiło z tymi oknami.</translation>
+        <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="40"/>
         <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it lost detail, its curves, its clips at 2x, cause and observer.</source>
-        <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według mozaik, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) to, co zachowuje ono w zależności od odległości od linii mozaikowania, miejsce straty detali, krzywe, wycinki 2x, przyczynę i obserwatora.</translation>
+        <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według ortofotomap, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) to, co zachowuje ono w zależności od odległości od linii mozaikowania, miejsce straty detali, krzywe, wycinki 2×, przyczynę i obserwatora.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="62"/>
@@ -8891,7 +8886,7 @@
     <message>
         <location filename="../plugin/acceptance/kept_chart.py" line="34"/>
         <source>failed: {share:.2f} %</source>
-        <translation>niezgodne: {share:.2f} %</translation>
+        <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/kept_chart.py" line="36"/>
@@ -8904,29 +8899,29 @@
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="107"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="115"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="112"/>
         <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
         <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="124"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="121"/>
         <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
-        <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
+        <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="6"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
-        <translation>Nie można zapisać warstwy usterek; wybierz inny folder i zamknij plik tam, gdzie jest otwarty.</translation>
+        <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="9"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
-        <translation>Nie można zapisać folderu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
+        <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="12"/>
@@ -8941,22 +8936,22 @@
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="16"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
-        <translation>{name} nie jest obrazem strat zapisanym przez skanowanie i zostaje pominięty; wybierz LOSS ze skanowania.</translation>
+        <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="19"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless seamlines were given; scan again with the orthoimages that are missing.</source>
-        <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy. Tamtejszych linii mozaikowania nie ma w żadnej liczbie, chyba że podano linie; zeskanuj ponownie z brakującymi ortoobrazami.</translation>
+        <translation>{name}: badanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy. Tamtejszych linii mozaikowania nie ma w żadnej liczbie, chyba że podano linie; zbadaj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="23"/>
         <source>{name}: the scan found the seams in the pixels, not all of which show theirs where a feather is wide. With the producer&apos;s SEAMLINES metres and lengths are those of all seams.</source>
-        <translation>{name}: linie mozaikowania znaleziono w pikselach, a nie wszystkie je pokazują, gdy feathering jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
+        <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="27"/>
         <source>{name} is a scan&apos;s picture of losses, no mosaic; no picture is cut from it.</source>
-        <translation>{name} jest obrazem strat ze skanowania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
+        <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/messages.py" line="28"/>
@@ -8981,7 +8976,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/outputs.py" line="84"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
-        <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w folderze obok pliku. GeoPackage lub CSV.</translation>
+        <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/outputs.py" line="93"/>
@@ -9131,7 +9126,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>of what was measured failed (95 % interval)</source>
-        <translation>ze zmierzonych jest niezgodne (przedział ufności 95 %)</translation>
+        <translation>ze zmierzonych jest niezgodne (przedział ufności 95 %)</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
@@ -9221,7 +9216,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>{count} pieces of seam</source>
-        <translation>odcinki linii mozaikowania: {count}</translation>
+        <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
@@ -9231,7 +9226,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
-        <translation>odcinki linii mozaikowania: {count}, w tym zmierzone: {measured}</translation>
+        <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
@@ -9241,7 +9236,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
         <source>{count} failed pieces in the sample</source>
-        <translation>niezgodne odcinki w próbie: {count}</translation>
+        <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
@@ -9262,11 +9257,6 @@
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
-        <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
-        <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
@@ -9336,7 +9326,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="157"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
-        <translation>odcinki linii mozaikowania: {count}, arkusze: {sheets}</translation>
+        <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="163"/>
@@ -9356,7 +9346,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
         <source>Producer&apos;s risk: probability that a delivery as good as the AQL is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of 10 % (consumer&apos;s risk).</source>
-        <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy o jakości równej AQL. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem 10 % (ryzyko odbiorcy).</translation>
+        <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy o jakości równej AQL. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem 10 % (ryzyko odbiorcy).</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
@@ -9376,12 +9366,12 @@
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
         <source>95 % interval of the share that failed</source>
-        <translation>95 % przedział ufności udziału niezgodnych</translation>
+        <translation>przedział ufności 95 % udziału niezgodnych</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
         <source>Where the share of failed metres lies with a confidence of 95 %.</source>
-        <translation>Gdzie z ufnością 95 % leży udział niezgodnych metrów.</translation>
+        <translation>Gdzie z ufnością 95 % leży udział niezgodnych metrów.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
@@ -9401,12 +9391,12 @@
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
         <source>Cohen&apos;s kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as often as by chance.</source>
-        <translation>Kappa Cohena dla okien ocenionych przez obu (liczba okien: {count}): 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
+        <translation>Kappa Cohena dla {count} {count:okna ocenionego|okien ocenionych|okien ocenionych} przez obu: 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
         <source>Windows judged by eye at 2x magnification.</source>
-        <translation>Okna oceniane okiem w powiększeniu 2x.</translation>
+        <translation>Okna oceniane okiem w powiększeniu 2×.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
@@ -9421,25 +9411,20 @@
     <message>
         <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
         <source>kappa; lower end; upper end (95 %)</source>
-        <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
+        <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
         <source>AQL {aql} %: rejected in {risk} % (producer&apos;s risk)</source>
-        <translation>AQL {aql} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
+        <translation>AQL {aql} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
-        <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
-        <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="121"/>
         <source>failed pieces in the delivery (%)</source>
         <translation>niezgodne odcinki w dostawie (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="121"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="122"/>
         <source>probability of acceptance (%)</source>
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
@@ -9471,32 +9456,32 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="15"/>
         <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); leave one.</source>
-        <translation>Plik {name} zawiera dwie reguły dla '{check}' ({place} to druga); zostaw jedną.</translation>
+        <translation>Plik {name} zawiera dwie reguły dla „{check}” ({place} to druga); zostaw jedną.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
         <source>{name} says nowhere what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
-        <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą 'kept'.</translation>
+        <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą „kept”.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="17"/>
         <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
-        <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę 'failed_share', 'longest_failure' lub 'sampling'.</translation>
+        <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę „failed_share”, „longest_failure” lub „sampling”.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
         <source>{place} in {name}: the check &apos;{check}&apos; needs &apos;{key}&apos;; give it.</source>
-        <translation>{place} w pliku {name}: kontrola '{check}' wymaga '{key}'; podaj tę wartość.</translation>
+        <translation>{place} w pliku {name}: kontrola „{check}” wymaga „{key}”; podaj tę wartość.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="21"/>
         <source>{place} in {name}: &apos;{key}&apos; is {limit:g} and a share is at most 1; write 2 % as 0.02.</source>
-        <translation>{place} w pliku {name}: '{key}' wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
+        <translation>{place} w pliku {name}: „{key}” wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
         <source>{place} in {name}: the AQL &apos;{aql}&apos; is none of the standard&apos;s; known are {known}.</source>
-        <translation>{place} w pliku {name}: AQL '{aql}' nie należy do wartości normy; znane są {known}.</translation>
+        <translation>{place} w pliku {name}: AQL „{aql}” nie należy do wartości normy; znane są {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
@@ -9506,7 +9491,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="26"/>
         <source>The ready rules &apos;{ready}&apos; and the rules in {name} are given; leave one of the two.</source>
-        <translation>Podano gotowe reguły '{ready}' i reguły z pliku {name}; zostaw jedne z nich.</translation>
+        <translation>Podano gotowe reguły „{ready}” i reguły z pliku {name}; zostaw jedne z nich.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
@@ -9531,17 +9516,17 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
         <source>Lots with {good:g} % failing pieces are to be accepted and with {bad:g} % rejected; the first has to be smaller, both between 0 and 100.</source>
-        <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
+        <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="39"/>
         <source>The producer&apos;s risk is {producers:g} % and the consumer&apos;s {consumers:g} %; both have to lie between 0 and 100.</source>
-        <translation>Ryzyko dostawcy wynosi {producers:g} %, a odbiorcy {consumers:g} %; oba muszą leżeć między 0 a 100.</translation>
+        <translation>Ryzyko dostawcy wynosi {producers:g} %, a odbiorcy {consumers:g} %; oba muszą leżeć między 0 a 100.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="42"/>
         <source>No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks.</source>
-        <translation>Żaden plan nie odróżni {good:g} % od {bad:g} % przy tych ryzykach; podaj wartości bardziej od siebie odległe albo większe ryzyka.</translation>
+        <translation>Żaden plan nie odróżni {good:g} % od {bad:g} % przy tych ryzykach; podaj wartości bardziej od siebie odległe albo większe ryzyka.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="45"/>
@@ -9551,7 +9536,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
         <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
-        <translation>Okna są rozmieszczane na pikselach mozaiki; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
+        <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
@@ -9571,7 +9556,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
         <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
-        <translation>Odcinki, które nie leżą na mozaice i nie należą do partii: {count}.</translation>
+        <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
@@ -9606,17 +9591,17 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
         <source>{size} of {lot} pieces are drawn; the log of acceptmosaic tells what that is worth.</source>
-        <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik acceptmosaic.</translation>
+        <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
         <source>Accepted by &apos;{rules}&apos;: {why}.</source>
-        <translation>Przyjęta według reguł '{rules}': {why}.</translation>
+        <translation>Przyjęta według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
         <source>Rejected by &apos;{rules}&apos;: {why}.</source>
-        <translation>Odrzucona według reguł '{rules}': {why}.</translation>
+        <translation>Odrzucona według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
@@ -9681,7 +9666,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}, 95 % interval {low:.2%} to {high:.2%} for seams made in the same way.</source>
-        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}, przedział ufności 95 % od {low:.2%} do {high:.2%} dla linii mozaikowania wykonanych w ten sam sposób.</translation>
+        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}, przedział ufności 95 % od {low:.2%} do {high:.2%} dla linii mozaikowania wykonanych w ten sam sposób.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
@@ -9691,7 +9676,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
         <source>{metres:.1f} m can&apos;t be told apart from the limit of {limit:g}: their 95 % intervals hold it.</source>
-        <translation>Odcinki o łącznej długości {metres:.1f} m nie dają się odróżnić od granicy {limit:g}: zawierają ją ich przedziały ufności 95 %.</translation>
+        <translation>Odcinki o łącznej długości {metres:.1f} m nie dają się odróżnić od granicy {limit:g}: zawierają ją ich przedziały ufności 95 %.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
@@ -9711,12 +9696,12 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
         <source>The longest failure, {low:.0f} to {high:.0f} m, can&apos;t be told apart from the limit of {limit:.1f} m; scan with a shorter PIECE to know it better.</source>
-        <translation>Najdłuższej usterki, od {low:.0f} do {high:.0f} m, nie da się odróżnić od granicy {limit:.1f} m; skanuj z krótszymi odcinkami (PIECE), by poznać ją lepiej.</translation>
+        <translation>Najdłuższej usterki, od {low:.0f} do {high:.0f} m, nie da się odróżnić od granicy {limit:.1f} m; zbadaj krótszymi odcinkami (PIECE), by poznać ją lepiej.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
         <source>The failed share, {low:.2%} to {high:.2%} of the measured metres, can&apos;t be told apart from the limit of {limit:.2%}; scan with a shorter PIECE to know it better.</source>
-        <translation>Udziału niezgodnego, od {low:.2%} do {high:.2%} zmierzonych metrów, nie da się odróżnić od granicy {limit:.2%}; skanuj z krótszymi odcinkami (PIECE), by poznać go lepiej.</translation>
+        <translation>Udziału niezgodnego, od {low:.2%} do {high:.2%} zmierzonych metrów, nie da się odróżnić od granicy {limit:.2%}; zbadaj krótszymi odcinkami (PIECE), by poznać go lepiej.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="133"/>
@@ -9741,7 +9726,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
         <source>The limits are for all metres of a delivery, and here they speak of the sample alone; decide by the plan that it was drawn for, or give the layers of the scan.</source>
-        <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy ze skanowania.</translation>
+        <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
@@ -9756,12 +9741,12 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
         <source>The operators&apos; words are in the windows; give WINDOWS, or judge by the tool.</source>
-        <translation>Słowa operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
+        <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
         <source>None of the {count} windows was judged; judge them in the dock and save the edits of their layer, or judge by the tool.</source>
-        <translation>Żadne okno nie zostało ocenione (okna: {count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
+        <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
@@ -9781,27 +9766,27 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
-        <translation>Obaj operatorzy ocenili okna w liczbie {count}, w tym zgodnie {agreed}: kappa {kappa:.2f}, 95 % przedział ufności od {low:.2f} do {high:.2f}.</translation>
+        <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
-        <translation>Obaj operatorzy ocenili okna w liczbie {count}, w tym zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
+        <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
-        <translation>Operator ocenił okna w liczbie {count}, w tym zgodnie z narzędziem {agreed}: kappa {kappa:.2f}, 95 % przedział ufności od {low:.2f} do {high:.2f}.</translation>
+        <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
-        <translation>Operator ocenił okna w liczbie {count}, w tym zgodnie z narzędziem {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
+        <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
-        <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy 'Odcinki linii mozaikowania' z jednego lub wielu badań.</translation>
+        <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
@@ -9811,12 +9796,12 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
-        <translation>{name} nie zawiera linii; wybierz warstwę 'Odcinki linii mozaikowania' z badania.</translation>
+        <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
-        <translation>{name}: brak pola 'kept_1'; wybierz warstwę 'Odcinki linii mozaikowania' z badania, a nie linie mozaikowania.</translation>
+        <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
@@ -9851,12 +9836,12 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
-        <translation>W {sheets} {metres:.0f} m linii leży na innych liniach i liczy się ponownie; pomiń to, co zmierzono dwa razy.</translation>
+        <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
-        <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
+        <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
@@ -9871,7 +9856,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); check whether they are shares.</source>
-        <translation>kept_1 jest większe, niż można zachować (odcinki w {name}: {count}, największe {value:g}); sprawdź, czy to udziały.</translation>
+        <translation>kept_1 jest większe, niż może zachować linia mozaikowania (odcinki w {name}: {count}, największe {value:g}); sprawdź, czy to udziały.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
@@ -9895,23 +9880,18 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
-        <source>{parameter} is {value:g}; give a number.</source>
-        <translation>{parameter} wynosi {value:g}; podaj liczbę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
         <source>The AQL {aql} is none of the standard&apos;s; known are {known}.</source>
         <translation>Normy nie przewidują AQL {aql}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
-        <translation>{parameter} to '{value}'; znane są {known}.</translation>
+        <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="42"/>
@@ -9926,7 +9906,7 @@
     <message>
         <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="54"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
-        <translation>Warstwy 'Odcinki linii mozaikowania' z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm 'Zaplanuj kontrolę'.</translation>
+        <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="68"/>
@@ -10036,12 +10016,12 @@
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="54"/>
         <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the dock to be judged. The same seed draws the same sample.</source>
-        <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu 'Przyjmij lub odrzuć dostawę' albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
+        <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="63"/>
         <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
-        <translation>Warstwy 'Odcinki linii mozaikowania' z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
+        <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="68"/>
@@ -10051,7 +10031,7 @@
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="76"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
-        <translation>Ile odcinków jest losowanych przy planie 'count'.</translation>
+        <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="83"/>
@@ -10061,7 +10041,7 @@
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="83"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
-        <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach mozaiki.</translation>
+        <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="87"/>
@@ -10096,7 +10076,7 @@
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="107"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
-        <translation>Próba: jej pole 'sample' numeruje odcinki w kolejności losowania, a 'lot_size' podaje, z ilu.</translation>
+        <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="111"/>
@@ -10121,7 +10101,7 @@
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="157"/>
         <source>Of the plan &apos;risk&apos;, in percent of the pieces.</source>
-        <translation>Dla planu 'risk', w procentach odcinków.</translation>
+        <translation>Dla planu „risk”, w procentach odcinków.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/algorithms/planinspection.py" line="158"/>
@@ -10261,7 +10241,7 @@
     <message>
         <location filename="../plugin/photos/report.py" line="113"/>
         <source>shear</source>
-        <translation>nieprostopadłość osi</translation>
+        <translation>nieortogonalność osi</translation>
     </message>
     <message>
         <location filename="../plugin/photos/report.py" line="114"/>
@@ -10316,7 +10296,7 @@
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="69"/>
         <source>The mark &apos;{mark}&apos; stands out: the others, which agree well, want it {worst:.2f} mm elsewhere; look at its picture.</source>
-        <translation>Znaczek '{mark}' odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
+        <translation>Znaczek „{mark}” odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="73"/>
@@ -10331,27 +10311,27 @@
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="124"/>
         <source>The measurement {name} can&apos;t be read ({error}); remove it from the folder or mend it.</source>
-        <translation>Nie można odczytać pomiaru {name} ({error}); usuń go z folderu albo popraw.</translation>
+        <translation>Nie można odczytać pomiaru {name} ({error}); usuń go z katalogu albo popraw.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="125"/>
         <source>The mark &apos;{mark}&apos; in {name} has no column and row; complete or remove it.</source>
-        <translation>Znaczek '{mark}' w {name} nie ma kolumny ani wiersza; uzupełnij go lub usuń.</translation>
+        <translation>Znaczek „{mark}” w {name} nie ma kolumny ani wiersza; uzupełnij go lub usuń.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>Give each of the two measurements either as a layer or as a folder.</source>
-        <translation>Podaj każdy z dwóch pomiarów albo jako warstwę, albo jako folder.</translation>
+        <translation>Podaj każdy z dwóch pomiarów albo jako warstwę, albo jako katalog.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>The folder {path} does not exist; choose the folder with the measured marks.</source>
-        <translation>Folder {path} nie istnieje; wybierz folder ze zmierzonymi znaczkami.</translation>
+        <translation>Katalog {path} nie istnieje; wybierz katalog ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>The folder {path} holds no measured marks: neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
-        <translation>Folder {path} nie zawiera zmierzonych znaczków: ani warstw z polem 'mark', ani plików MeasuresIm-*.xml z programu MicMac.</translation>
+        <translation>Katalog {path} nie zawiera zmierzonych znaczków: ani warstw z polem „mark”, ani plików MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="131"/>
@@ -10361,12 +10341,12 @@
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="135"/>
         <source>A measurement has the mark &apos;{mark}&apos; twice{where}; give both layers a field &apos;photo&apos; that tells photos apart.</source>
-        <translation>Pomiar zawiera znaczek '{mark}' dwa razy{where}; dodaj w obu warstwach pole 'photo', które rozróżnia zdjęcia.</translation>
+        <translation>Pomiar zawiera znaczek „{mark}” dwa razy{where}; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="138"/>
         <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
-        <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola 'mark' i 'photo'.</translation>
+        <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="146"/>
@@ -10441,22 +10421,22 @@
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="40"/>
         <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos are compared in one run: give folders, or merged layers with a field &apos;photo&apos;.</source>
-        <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj foldery albo połączone warstwy z polem 'photo'.</translation>
+        <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj katalogi albo połączone warstwy z polem „photo”.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="55"/>
         <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo in their field &apos;photo&apos;, else of the one that the file is called like) and MicMac&apos;s MeasuresIm-*.xml.</source>
-        <translation>Zamiast warstwy: wszystkie pliki tego folderu, warstwy z polem 'mark' (dla zdjęcia z ich pola 'photo', a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
+        <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
         <source>First measurement, a folder</source>
-        <translation>Pierwszy pomiar, folder</translation>
+        <translation>Pierwszy pomiar, katalog</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
         <source>Second measurement, a folder</source>
-        <translation>Drugi pomiar, folder</translation>
+        <translation>Drugi pomiar, katalog</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="70"/>
@@ -10466,7 +10446,7 @@
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="70"/>
         <source>The verdict is &apos;within&apos; where the mean distance is at most that; in the paper 0.25 px.</source>
-        <translation>Ocena brzmi 'within', gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
+        <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="84"/>
@@ -10586,7 +10566,7 @@
     <message>
         <location filename="../build/template_texts.py" line="21"/>
         <source>Unclear: pieces whose 95 % interval holds the limit; they are counted by their value.</source>
-        <translation>Niejasne: odcinki, których 95 % przedział ufności obejmuje granicę; liczą się według swojej wartości.</translation>
+        <translation>Niejasne: odcinki, których 95 % przedział ufności obejmuje granicę; liczą się według swojej wartości.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="23"/>
@@ -10606,7 +10586,7 @@
     <message>
         <location filename="../build/template_texts.py" line="26"/>
         <source>kept (95 %)</source>
-        <translation>zachowano (95 %)</translation>
+        <translation>zachowano (95 %)</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="27"/>
@@ -10691,7 +10671,7 @@
     <message>
         <location filename="../build/template_texts.py" line="44"/>
         <source>kappa (95 %)</source>
-        <translation>kappa (95 %)</translation>
+        <translation>kappa (95 %)</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="45"/>
@@ -10711,7 +10691,7 @@
     <message>
         <location filename="../build/template_texts.py" line="48"/>
         <source>Kept: the share of the orthoimages&apos; finest detail that is left in the strip along a piece of seam, relative to the ground around it, so that what was done to the whole mosaic does not count; with its 95 % interval.</source>
-        <translation>Zachowane: część najdrobniejszych detali ortoobrazów, która pozostała w pasie wzdłuż odcinka linii mozaikowania, w odniesieniu do terenu obok, więc to, co zrobiono z całą ortofotomapą, się nie liczy; z 95 % przedziałem ufności.</translation>
+        <translation>Zachowane: część najdrobniejszych detali ortoobrazów, która pozostała w pasie wzdłuż odcinka linii mozaikowania, w odniesieniu do terenu obok, więc to, co zrobiono z całą ortofotomapą, się nie liczy; z 95 % przedziałem ufności.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="49"/>
@@ -10726,7 +10706,7 @@
     <message>
         <location filename="../build/template_texts.py" line="78"/>
         <source>lost detail over the mosaic; in the frame the clips</source>
-        <translation>strata detali na tle mozaiki; w ramce wycinki</translation>
+        <translation>strata detali na tle ortofotomapy; w ramce wycinki</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="81"/>
@@ -10736,7 +10716,7 @@
     <message>
         <location filename="../build/template_texts.py" line="85"/>
         <source>Seam profile: the share of the detail that is kept by distance from the seam, level 1 the finest, with its 95 % interval; where it drops below the dashed line, the loss is significant.</source>
-        <translation>Profil linii mozaikowania: część zachowanych detali w zależności od odległości od linii, poziom 1 najdrobniejszy, z 95 % przedziałem ufności; gdzie opada poniżej linii przerywanej, strata jest istotna.</translation>
+        <translation>Profil linii mozaikowania: część zachowanych detali w zależności od odległości od linii, poziom 1 najdrobniejszy, z 95 % przedziałem ufności; gdzie opada poniżej linii przerywanej, strata jest istotna.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="86"/>
@@ -10871,7 +10851,7 @@
     <message>
         <location filename="../build/template_texts.py" line="157"/>
         <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. A window is judged by its noisiest band; one that several images of a group show counts once (Pyka 2009).</source>
-        <translation>Każde okno jest rozkładane falką {wavelet} na poziomy w liczbie {levels}; detale poziomu to udział jego trzech komponentów detali w wariancji okna. Okno jest oceniane według kanału o największym szumie; okno, które pokazuje kilka obrazów grupy, liczy się raz (Pyka 2009).</translation>
+        <translation>Każde okno jest rozkładane falką {wavelet} na {levels} {levels:poziom|poziomy|poziomów}; detale poziomu to udział jego trzech komponentów detalicznych w wariancji okna. Okno jest oceniane według kanału o największym szumie; okno, które pokazuje kilka obrazów grupy, liczy się raz (Pyka 2009).</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="159"/>
@@ -10896,7 +10876,7 @@
     <message>
         <location filename="../build/template_texts.py" line="165"/>
         <source>The finest group whose bars an observer tells apart, before one that is not.</source>
-        <translation>Najdrobniejsza grupa, której kreski obserwator rozróżnia, przed pierwszą nierozróżnioną.</translation>
+        <translation>Najdrobniejsza grupa, której paski obserwator rozróżnia, przed pierwszą nierozróżnioną.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="166"/>
@@ -10916,12 +10896,12 @@
     <message>
         <location filename="../build/template_texts.py" line="170"/>
         <source>bars to gaps of the coarsest group</source>
-        <translation>kreski do przerw najgrubszej grupy</translation>
+        <translation>paski do przerw najgrubszej grupy</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="172"/>
         <source>Full circles are bars, empty ones the gaps between them. The gaps&apos; mean must lie beyond the dashed line, which is {criterion:.0%} of the full amplitude away from the inner bars. Grey lines: the ends of the line as drawn.</source>
-        <translation>Pełne kółka to kreski, puste – przerwy między nimi. Średnia przerw musi leżeć za linią przerywaną, która jest oddalona od wewnętrznych kresek o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
+        <translation>Pełne kółka to paski, puste – przerwy między nimi. Średnia przerw musi leżeć za linią przerywaną, która jest oddalona od wewnętrznych pasków o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
     </message>
     <message>
         <location filename="../build/template_texts.py" line="173"/>
@@ -10949,9 +10929,29 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
         <source>{name} is read by the Python package PyYAML, which is not there; install it, or give an AutoCal XML of MicMac.</source>
-        <translation>{name} czyta pakiet Pythona PyYAML, którego nie ma; zainstaluj go albo podaj AutoCal XML programu MicMac.</translation>
+        <translation>Do odczytu pliku {name} potrzebny jest pakiet Pythona PyYAML, którego nie ma; zainstaluj go albo podaj AutoCal XML programu MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
+        <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="20"/>
+        <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
+        <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od -{most} do {most}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
+        <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
+        <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
+        <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
 </context>
 </TS>

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from ..toolkit.charts.chart_style import PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
-from ..toolkit.translation import tr
+from ..toolkit.translation import filled, tr
 from .measure.decision import Decision
 
 _SIZE = (6.2, 3.4)  # inches
@@ -28,10 +28,10 @@ def _draw_kept(axes: Axes, decision: Decision, style: ChartStyle) -> None:
         shares = 100 * np.cumsum(metres) / metres.sum()
         axes.step(np.minimum(kept, _MOST_KEPT), shares, where="post", color=style.sources[0], linewidth=2)
     least = decision.rules.least_kept
-    axes.axvline(least, color=style.limit, linewidth=1.5, label=tr("least: {least:g}").format(least=least))
+    axes.axvline(least, color=style.limit, linewidth=1.5, label=filled(tr("least: {least:g}"), least=least))
     share = decision.whole.failed_share
     if share is not None:
-        words = tr("failed: {share:.2f} %").format(share=100 * share)
+        words = filled(tr("failed: {share:.2f} %"), share=100 * share)
         axes.axhline(100 * share, color=style.text, linewidth=1, linestyle=":", label=words)
     axes.set_xlabel(tr("share of detail kept (kept_1)"))
     axes.set_ylabel(tr("metres that kept less (%)"))

@@ -6,7 +6,7 @@ from typing import Any
 
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms.run import Run
-from ..toolkit.translation import tr
+from ..toolkit.translation import filled, tr
 from .measure import limits, messages
 from .measure.acceptance_rules import (
     FAILED_SHARE,
@@ -104,14 +104,14 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
         return float(str(given[name]))
 
     def source(name: str) -> str:
-        return tr("stated for this decision ({parameter})").format(parameter=name)
+        return filled(tr("stated for this decision ({parameter})"), parameter=name)
 
     kept, measured = limit(MIN_KEPT), AcceptanceRule(MEASURED_SHARE, limit(MIN_MEASURED) / 100, source(MIN_MEASURED))
     if given[PLAN] == ISO2859:
         aql, level, severity = (str(given[name]) for name in (AQL, INSPECTION_LEVEL, SEVERITY))
         name = tr("at least {kept:g} kept, sampled at level {level}, AQL {aql}")
         sampling = SamplingRule(aql, level, severity, source(PLAN))
-        words = name.format(kept=kept, level=level, aql=aql)
+        words = filled(name, kept=kept, level=level, aql=aql)
         return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
     rules = (
         AcceptanceRule(FAILED_SHARE, limit(MAX_SHARE) / 100, source(MAX_SHARE)),
@@ -119,7 +119,7 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
         measured,
     )
     name = tr("at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break")
-    words = name.format(kept=kept, share=limit(MAX_SHARE), run=limit(MAX_RUN))
+    words = filled(name, kept=kept, share=limit(MAX_SHARE), run=limit(MAX_RUN))
     return AcceptanceRules(words, kept, source(MIN_KEPT), rules)
 
 

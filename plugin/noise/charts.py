@@ -14,7 +14,7 @@ from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.charts.variance_axes import draw_frame
-from ..toolkit.translation import tr
+from ..toolkit.translation import filled, tr
 from .measure.band_noise import BandNoise, noisiest_band
 from .measure.group_noise import ClipNoise
 from .noise_summary import NoiseGroup, class_title, compared_curve, noise_groups
@@ -134,8 +134,8 @@ def noise_figure(results: Sequence[ClipNoise], field: str = "") -> Figure | None
         noise_frame(axes, len(curves[0]), curves)
         for group in groups:
             draw_group(axes, group.curves, group.group, _range_words(group))
-        title = tr("{field}: {value}").format(field=field, value=class_title(window_class)) if field else (
-            tr("All windows, {band}").format(band=band_title(judged_band(example(results)[0].bands)))
+        title = filled(tr("{field}: {value}"), field=field, value=class_title(window_class)) if field else (
+            filled(tr("All windows, {band}"), band=band_title(judged_band(example(results)[0].bands)))
         )
         axes.set_title(shown_title(title), fontsize="medium", wrap=True)
         _legend(axes, 1)
@@ -159,7 +159,7 @@ def _range_words(group: NoiseGroup) -> str:
     if group.windows == 1:
         return shown_title(group.name) or tr("1 window")
     words = tr("{name}: mean and range of {count} windows") if group.name else tr("mean and range of {count} windows")
-    return words.format(name=shown_title(group.name), count=group.windows)
+    return filled(words, name=shown_title(group.name), count=group.windows)
 
 
 def _draw_example(axes: Axes, results: Sequence[ClipNoise]) -> None:
@@ -175,7 +175,7 @@ def _draw_example(axes: Axes, results: Sequence[ClipNoise]) -> None:
         label = f"{shown_title(member.group_name)}:" if len(shown) > 1 else ""
         draw_noise(axes, result.bands, line=_LINES[member.group], label=label)
     names = " / ".join(shown_title(result.part.member.image.ref.name) for result in shown)
-    axes.set_title(tr("Window {window}: {names}").format(window=first.window_id, names=names), fontsize="medium",
+    axes.set_title(filled(tr("Window {window}: {names}"), window=first.window_id, names=names), fontsize="medium",
                    wrap=True)
     _legend(axes, 2)
 

@@ -19,7 +19,7 @@ from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.raster_lists import RASTERS, WINDOWS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.translation import tr
+from ..toolkit.translation import filled, tr
 from .measure import messages
 
 if TYPE_CHECKING:
@@ -189,7 +189,7 @@ class CheckNoise(RasterListAlgorithm):
 
 def _default_name(group: int, refs: Sequence[RasterRef]) -> str:
     """A group of one image is called as its file is."""
-    return refs[0].name if len(refs) == 1 else tr("group {group}").format(group=group)
+    return refs[0].name if len(refs) == 1 else filled(tr("group {group}"), group=group)
 
 
 def _save_chart(path: Path, results: Sequence[ClipNoise], field: str) -> bool:

@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery.band_names import judged_band
 from ..toolkit.attribute_values import number
 from ..toolkit.band_titles import band_title
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import filled, sentence, shown_number, tr
 from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
 from .measure.group_noise import ClipNoise
 
@@ -116,7 +116,7 @@ def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
     words = tr("{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).")
     if len(bands) > 1:
         words = tr("{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).")
-    words = words.format(
+    words = filled(words,
         finding=_curve_clause(judged), band=band_title(name), sigma=_number(judged.sigma, 2),
         kurtosis=_number(judged.kurtosis[0], 1),
     )
@@ -130,7 +130,7 @@ def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
     for name, noise in bands.items():
         line = f"{band_title(name)}: {tr(VERDICT_WORDS[noise.verdict])}"
         if noise.sigma is not None:
-            numbers = tr("sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}").format(
+            numbers = filled(tr("sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}"),
                 sigma=_number(noise.sigma, 2), largest=_number(noise.largest_sigma, 1),
                 kurtosis=" / ".join(_number(value, 1) for value in noise.kurtosis),
             )
@@ -144,10 +144,10 @@ def _grain_words(noise: BandNoise) -> str:
     if noise.note is None or (noise.verdict is NoiseVerdict.MODERATE and noise.grain is None):
         return ""
     if noise.verdict is not NoiseVerdict.UNCERTAIN and noise.grain is not None:
-        return tr("Grain: {sigma} DN, {size} px.").format(
+        return filled(tr("Grain: {sigma} DN, {size} px."),
             sigma=_number(noise.grain.sigma, 1), size=_number(noise.grain.size, 1)
         )
-    return tr("At most {sigma} DN.").format(sigma=_number(noise.largest_sigma, 1)) if noise.largest_sigma else ""
+    return filled(tr("At most {sigma} DN."), sigma=_number(noise.largest_sigma, 1)) if noise.largest_sigma else ""
 
 
 def _curve_clause(noise: BandNoise) -> str:
@@ -165,4 +165,4 @@ def _curve_clause(noise: BandNoise) -> str:
 
 
 def _number(value: float | None, decimals: int) -> str:
-    return "-" if value is None else QLocale().toString(value, "f", decimals)
+    return "-" if value is None else shown_number(value, decimals)

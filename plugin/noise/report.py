@@ -9,9 +9,10 @@ from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, each_raster
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import filled, formatted, sentence, shown_number, tr
 from .charts import noise_figure
 from .measure.band_noise import noisiest_band
+from .measure.grain import Grain
 from .measure.group_noise import ClipNoise
 from .measure.noise_requests import GroupedImage
 from .noise_summary import (
@@ -59,20 +60,20 @@ def _groups(groups: Sequence[NoiseGroup], levels: int, field: str) -> tuple[list
     """A row for each class of windows and group of images: what Pyka 2009 compares."""
     headings = [field] if field else []
     headings += [tr("group"), tr("windows"), *(tr(words) for words in VERDICT_WORDS.values())]
-    headings += [tr("mean detail {level}").format(level=level) for level in range(1, levels + 1)]
+    headings += [filled(tr("mean detail {level}"), level=level) for level in range(1, levels + 1)]
     headings.append(tr("mean sigma (DN)"))
     rows: list[list[object]] = []
     for group in groups:
         counts, curves = verdict_counts(group.results), group.curves
         sigmas = [judged.sigma for one in group.results if (judged := judged_noise(one)) and judged.sigma is not None]
-        means = [f"{sum(shares) / len(curves):.4f}" for shares in zip(*curves)] if curves else [""] * levels
+        means = [formatted(sum(shares) / len(curves), ".4f") for shares in zip(*curves)] if curves else [""] * levels
         rows.append([
             *([class_title(group.window_class)] if field else []),
             group.name,
             group.windows,
             *(counts[verdict] for verdict in VERDICT_WORDS),
             *means,
-            f"{sum(sigmas) / len(sigmas):.2f}" if sigmas else "",
+            shown_number(sum(sigmas) / len(sigmas)) if sigmas else "",
         ])
     return headings, rows
 
@@ -90,13 +91,17 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
         rows.append([
             member.image.ref.name,
             member.group_name if len({other.group for other in by_image}) > 1 else "",
-            "" if size is None else f"{size:.3g} m",
+            "" if size is None else formatted(size, ".3g") + "\u00a0m",
             *(counts[verdict] for verdict in VERDICT_WORDS),
-            f"{min(sigmas):.2f}" if sigmas else "",
-            f"{sum(sigmas) / len(sigmas):.2f}" if sigmas else "",
-            f"{max(sigmas):.2f}" if sigmas else "",
+            shown_number(min(sigmas)) if sigmas else "",
+            shown_number(sum(sigmas) / len(sigmas)) if sigmas else "",
+            shown_number(max(sigmas)) if sigmas else "",
         ])
     return rows
+
+
+def _grain(grain: Grain) -> str:
+    return f"{shown_number(grain.sigma, 1)}; {shown_number(grain.size, 1)}\u00a0px"
 
 
 def _windows(
@@ -117,10 +122,11 @@ def _windows(
             figures = [""] * (levels + 4)
             reason = result.reason or (judged.note if judged else None)
         else:
-            known = ("-" if kurtosis is None else f"{kurtosis:.1f}" for kurtosis in judged.kurtosis)
-            largest = "" if judged.largest_sigma is None else f"{judged.largest_sigma:.1f}"
-            grain = "" if judged.grain is None else f"{judged.grain.sigma:.1f}, {judged.grain.size:.1f}\u00a0px"
-            figures = [f"{judged.sigma:.2f}", largest, grain, *(f"{share:.4f}" for share in judged.curve.detail)]
+            known = ("-" if kurtosis is None else shown_number(kurtosis, 1) for kurtosis in judged.kurtosis)
+            largest = "" if judged.largest_sigma is None else shown_number(judged.largest_sigma, 1)
+            grain = "" if judged.grain is None else _grain(judged.grain)
+            shares = (formatted(share, ".4f") for share in judged.curve.detail)
+            figures = [shown_number(judged.sigma), largest, grain, *shares]
             figures.append("\u00a0\u00a0".join(known))
             reason = judged.note
         place = f"{window.column},\u00a0{window.row}"
@@ -128,7 +134,7 @@ def _windows(
         rows.append([*head, tr(VERDICT_WORDS[verdict_of(result)]), band, *figures, place, note_number])
     headings = [tr("window"), field, tr("raster"), tr("group"), tr("noise"), tr("band"), tr("sigma (DN)")]
     headings += [tr("largest possible"), tr("grain (DN)")]
-    headings += [tr("detail {level}").format(level=level) for level in range(1, levels + 1)]
+    headings += [filled(tr("detail {level}"), level=level) for level in range(1, levels + 1)]
     headings += [tr("kurtosis by level"), tr("column, row"), tr("note")]
     of_class, group, band_column, grain_column, note = 1, 3, 5, 8, len(headings) - 1
     left_out = set() if field else {of_class}

@@ -11,7 +11,7 @@ from scipy import ndimage
 from ..toolkit.pages.how_measured import HowMeasured, measured_raster, whole_path
 from ..toolkit.pages.picture_files import encoded
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import filled, sentence, shown_number, tr
+from ..toolkit.translation import filled, formatted, sentence, shown_number, tr
 from .measure import limits, messages
 from .measure.camera_calibration import CameraCalibration
 from .measure.mark_templates import MarkShape
@@ -96,8 +96,8 @@ def _transformation(fitted: FittedTransformation) -> dict[str, object]:
         "marks": fitted.marks,
         "redundancy": fitted.redundancy,
         "elements": [
-            (f"m{row + 1}{column + 1}", f"{fitted.to_mm.matrix[row, column]:.9g}",
-             f"{fitted.to_pixels.matrix[row, column]:.9g}")
+            (f"m{row + 1}{column + 1}", formatted(fitted.to_mm.matrix[row, column], ".9g"),
+             formatted(fitted.to_pixels.matrix[row, column], ".9g"))
             for row in range(rows) for column in range(3)
         ],
     }
@@ -143,11 +143,11 @@ def _settings(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, st
 def _picture(mark: MarkResult, made: PhotoOrientation) -> tuple[bytes, int, str]:
     """A PNG file, its columns, and its caption."""
     place = mark.place or made.expected[mark.name]
-    words = f"{mark.name}: {place[0]:.2f}, {place[1]:.2f}"
+    words = f"{mark.name}: {shown_number(place[0])}; {shown_number(place[1])}"
     if mark.place is None:
         words += ", " + tr("failed; it should be here")
     elif mark.correlation is not None:
-        words += ", " + tr("correlation {value:.2f}").format(value=mark.correlation)
+        words += ", " + filled(tr("correlation {value:.2f}"), value=mark.correlation)
     pixels = marked(mark.status, place, made.views[mark.name])
     return encoded(pixels, "PNG"), pixels.shape[1], words
 
@@ -172,4 +172,4 @@ def marked(status: MarkStatus, place: Place, view: MarkWindow) -> np.ndarray:
 
 
 def _number(value: float | None, digits: int) -> str | None:
-    return None if value is None else f"{round(value, digits) + 0.0:.{digits}f}"  # no -0.0
+    return None if value is None else formatted(round(value, digits) + 0.0, f".{digits}f")  # no -0.0

@@ -25,7 +25,7 @@ from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.translation import tr
+from ..toolkit.translation import filled, tr
 from .measure import messages
 from .measure.rules import DEFAULT_RULES, ready_rule_files
 
@@ -206,7 +206,7 @@ def _tell(decision: RadiometricDecision, run: Run) -> None:
     """The decision, with its reasons, as the last lines of the log."""
     from . import words
 
-    run.inform(tr("Decision: {word}.").format(word=words.decision_word(decision)))
+    run.inform(filled(tr("Decision: {word}."), word=words.decision_word(decision)))
     for reason in words.decision_reasons(decision):
         run.inform(reason)
 

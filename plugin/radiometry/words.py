@@ -3,9 +3,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ..toolkit.translation import decimals_beside, filled, sentence, shown_number, tr
+from ..toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from .measure import rules as checks
 from .measure.assessment import Assessment, CheckedFigure
 from .measure.decision import ImageDecision, RadiometricDecision, RadiometricOutcome
@@ -45,7 +45,7 @@ def title(result: Assessment) -> str:
     name = result.image.ref.name
     if result.window_id is None:
         return name
-    return tr("{name}, window {window}").format(name=name, window=result.window_id)
+    return filled(tr("{name}, window {window}"), name=name, window=result.window_id)
 
 
 def figure_words(rule: Rule, value: float) -> str:
@@ -61,15 +61,14 @@ def limit_words(rule: Rule) -> str:
     """What a rule allows."""
     least, most = (None if limit is None else _short(rule.check, limit) for limit in (rule.least, rule.most))
     if least and most:
-        return tr("{least} to {most}").format(least=least, most=most)
+        return filled(tr("{least} to {most}"), least=least, most=most)
     if most:
-        return tr("at most {most}").format(most=most)
-    return tr("at least {least}").format(least=least) if least else tr("none")
+        return filled(tr("at most {most}"), most=most)
+    return filled(tr("at least {least}"), least=least) if least else tr("none")
 
 
 def _short(check: str, limit: float) -> str:
-    text = f"{limit:g}" if check == checks.SIGNAL_TO_NOISE else f"{100 * limit:g}\u00a0%"
-    return text.replace(".", QLocale().decimalPoint())
+    return formatted(limit, "g") if check == checks.SIGNAL_TO_NOISE else formatted(100 * limit, "g") + "\u00a0%"
 
 
 def check_words(checked: CheckedFigure) -> str:
@@ -136,15 +135,15 @@ def found_words(result: Assessment) -> list[str]:
 def outcome_reasons(image: ImageDecision) -> list[str]:
     """Why an image is accepted, rejected or undecided, sentence by sentence."""
     said = [
-        tr("{check} is {value}; the limit is {limit}.").format(
+        filled(tr("{check} is {value}; the limit is {limit}."),
             check=check_words(one), value=figure_words(one.rule, one.value or 0.0), limit=limit_words(one.rule)
         )
         for one in image.failed
     ]
     if image.missed:
-        said.append(tr("Not measurable and required: {checks}.").format(checks=checks_words(image.missed)))
+        said.append(filled(tr("Not measurable and required: {checks}."), checks=checks_words(image.missed)))
     if image.unmeasured:
-        said.append(tr("Not measurable and not required: {checks}.").format(checks=checks_words(image.unmeasured)))
+        said.append(filled(tr("Not measurable and not required: {checks}."), checks=checks_words(image.unmeasured)))
     if image.outcome is RadiometricOutcome.UNDECIDED and not image.missed:
         said.append(tr("The rules set no limit that it could be held against."))
     return said
@@ -160,18 +159,18 @@ def decision_reasons(decision: RadiometricDecision) -> list[str]:
     rejected, undecided = map(decision.those, (RadiometricOutcome.REJECTED, RadiometricOutcome.UNDECIDED))
     if rejected:
         failed = checks_words(_first_of_each(one for image in rejected for one in image.failed))
-        said.append(tr("Beyond their limits: {images}; by {checks}.").format(images=_names(rejected), checks=failed))
+        said.append(filled(tr("Beyond their limits: {images}; by {checks}."), images=_names(rejected), checks=failed))
     if undecided:
         missed = checks_words(_first_of_each(one for image in undecided for one in image.missed))
-        said.append(tr("Not measurable and required: {checks}; in {images}.").format(
+        said.append(filled(tr("Not measurable and required: {checks}; in {images}."),
             images=_names(undecided), checks=missed) if missed
             else tr("The rules set no limit that it could be held against."))  # fmt: skip
     if decision.left_out:
-        said.append(tr("Not looked at: {count}.").format(count=len(decision.left_out)))
+        said.append(filled(tr("Not looked at: {count}."), count=len(decision.left_out)))
     without = [image for image in decision.images if image.unmeasured]
     if without:
         unmeasured = checks_words(_first_of_each(one for image in without for one in image.unmeasured))
-        said.append(tr("Not measurable and not required: {checks}; in {images}.").format(
+        said.append(filled(tr("Not measurable and not required: {checks}; in {images}."),
             images=_names(without), checks=unmeasured))  # fmt: skip
     if not said:
         said.append(tr("All figures keep their limits."))
@@ -185,4 +184,4 @@ def _first_of_each(figures: Iterable[CheckedFigure]) -> list[CheckedFigure]:
 def _names(images: Sequence[ImageDecision]) -> str:
     named = ", ".join(title(image.result) for image in images[:_MOST_NAMED])
     more = len(images) - _MOST_NAMED
-    return named if more <= 0 else tr("{names} and {count} more").format(names=named, count=more)
+    return named if more <= 0 else filled(tr("{names} and {count} more"), names=named, count=more)

@@ -154,7 +154,7 @@ def _draw_panel(
     group, grd, colour = first.measured.line.group, first.grd_cm, VERDICT_COLOURS[verdict]
     if with_direction:
         where = direction_title(first.measured.line.direction)
-        panel.set_title(tr("group {group} {direction}").format(group=group, direction=where), fontsize=6.5, loc="left")
+        panel.set_title(filled(tr("group {group} {direction}"), group=group, direction=where), fontsize=6.5, loc="left")
         told = filled(tr("{grd:.2f} cm: {verdict}"), grd=grd, verdict=verdict_word(verdict))
         panel.set_title(told, fontsize=6.5, loc="right", color=colour)
     else:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ..toolkit.translation import percent, shown_number, tr
+from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.causes import MIN_BALANCED_GAIN, Cause
 
 if TYPE_CHECKING:
@@ -212,4 +212,4 @@ def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:
     text = (shown.measured if number else shown.clause)[0 if is_loss else -1]
     if not text:
         return ""
-    return tr(text).format(value=shown.shown(number)) if number else tr(text)
+    return filled(tr(text), value=shown.shown(number)) if number else tr(text)

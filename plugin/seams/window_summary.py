@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from ..toolkit.translation import percent, shown_number, tr
+from ..toolkit.translation import filled, percent, shown_number, tr
 from .cause_words import cause_clause, causes_words, judged_change
 from .judged_value import judged_kept
 from .measure.window_records import SEAM
@@ -41,7 +41,7 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> st
         found = _verdict_and_cause(row, why)
     else:
         found = " ".join([row.reason or verdict_sentence(row.verdict), *_what_happened(row, why)])
-    return tr("{finding} Changed since: inspect it again.").format(finding=found) if row.stale else found
+    return filled(tr("{finding} Changed since: inspect it again."), finding=found) if row.stale else found
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
@@ -59,24 +59,24 @@ def cause_numbers(found: Explanation) -> list[str]:
     if change.tone is not None:
         tone, words = change.tone, tr("gain {gain}, bias {bias}, gamma {gamma}")
         gain, bias, gamma = shown_number(tone.gain), shown_number(tone.bias, 1), shown_number(tone.gamma)
-        lines.append(words.format(gain=gain, bias=bias, gamma=gamma))
+        lines.append(filled(words, gain=gain, bias=bias, gamma=gamma))
     if change.contrast[0] is not None:
-        lines.append(tr("contrast at level 1: {percent} %").format(percent=percent(change.contrast[0])))
+        lines.append(filled(tr("contrast at level 1: {percent} %"), percent=percent(change.contrast[0])))
     if found.sharpness is not None:
-        lines.append(tr("sharpness at level 1: {percent} %").format(percent=percent(found.sharpness)))
-    lines.append(tr("clipped: {percent} %").format(percent=percent(change.clipped)))
+        lines.append(filled(tr("sharpness at level 1: {percent} %"), percent=percent(found.sharpness)))
+    lines.append(filled(tr("clipped: {percent} %"), percent=percent(change.clipped)))
     if change.colour_shift is not None:
         factor = shown_number(change.colour_shift)
-        lines.append(tr("gains of the colours differ by a factor of {factor}").format(factor=factor))
+        lines.append(filled(tr("gains of the colours differ by a factor of {factor}"), factor=factor))
     if change.shift is not None:
-        lines.append(tr("shift: {length} px").format(length=shown_number(change.shift.length)))
+        lines.append(filled(tr("shift: {length} px"), length=shown_number(change.shift.length)))
     if found.apart is not None:
-        lines.append(tr("the sources lie {length} px apart").format(length=shown_number(found.apart)))
+        lines.append(filled(tr("the sources lie {length} px apart"), length=shown_number(found.apart)))
     if found.expected and found.expected[0] is not None:
         left = percent(found.expected[0])
-        lines.append(tr("half of each source would leave {percent} % at level 1").format(percent=left))
+        lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=left))
     mixed = percent(max(found.mixed_share, found.unclear_share))
-    return [*lines, tr("mixed or unclear: {percent} % of the pixels").format(percent=mixed)]
+    return [*lines, filled(tr("mixed or unclear: {percent} % of the pixels"), percent=mixed)]
 
 
 def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
@@ -98,7 +98,7 @@ def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
         left = tr("Detail at level 1 is {percent} % of the source's")
     else:
         left = tr("Detail at level 1 is {percent} % of the sources'")
-    left = left.format(**values)
+    left = filled(left, **values)
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
@@ -112,7 +112,7 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
             said.append(row.reason or tr("There is no seam in the window to be judged."))
         if row.sharpness is not None:
             text = tr("The window has {percent} % of the sharpness of its sources.")
-            said.append(text.format(percent=percent(row.sharpness)))
+            said.append(filled(text, percent=percent(row.sharpness)))
     elif high < 1:
         values = {"lost": percent(1 - kept), "least": percent(1 - high), "most": percent(1 - low)}
         if row.band_width:
@@ -122,7 +122,7 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
             values["width"] = shown_number(row.band_width, 1)
         else:
             text = tr("Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)")
-        said.append(text.format(**values) + _whole(row.sharpness))
+        said.append(filled(text, **values) + _whole(row.sharpness))
     else:
         values = {"kept": percent(kept), "low": percent(low), "high": percent(high)}
         text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
@@ -131,16 +131,16 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
                       "({low} to {high} %)")
         if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
             whole = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
-            said += [whole.format(percent=percent(row.sharpness)), text.format(**values) + "."]
+            said += [filled(whole, percent=percent(row.sharpness)), filled(text, **values) + "."]
         else:
-            said.append(text.format(**values) + _whole(row.sharpness))
+            said.append(filled(text, **values) + _whole(row.sharpness))
     if row.reason and row.reason not in said:
         said.append(row.reason)
     missing = 0.0 if row.explained is None else 1 - row.explained
     is_told = f"{100 * missing:.0f} %" in row.reason  # VERDICT_OF_THE_REST says how many, too, in whatever language
     if missing > _UNEXPLAINED and not is_told:
         text = tr("{percent} % of the pixels are from none of the given sources and took no part.")
-        said.append(text.format(percent=percent(missing)))
+        said.append(filled(text, percent=percent(missing)))
     return said
 
 
@@ -160,22 +160,22 @@ def by_the_paper(row: WindowRecord) -> list[str]:
     if content and (row.sources or 0) > 1 and not has_other_tones:
         if milder > 0 and content > 1 + _APART:
             text = tr("another source has more detail here: cut hard, the window would have {percent} %")
-            reasons.append(text.format(percent=percent(content)))
+            reasons.append(filled(text, percent=percent(content)))
         if milder < 0 and content < 1 - _APART:
             text = tr("the sources differ here: cut hard, the window would have no more than {percent} %")
-            reasons.append(text.format(percent=percent(content)))
+            reasons.append(filled(text, percent=percent(content)))
     if has_other_tones and milder:
         reasons.append(tr("it takes detail as a share of all variance, and the tones were changed"))
     if abs(change) > _APART and (change > 0) == (milder > 0) and milder:
         text = tr("it takes the window as a whole, which has {percent} % of the sharpness of its sources")
-        reasons.append(text.format(percent=percent(1 + change)))
+        reasons.append(filled(text, percent=percent(1 + change)))
     elif milder > 0 and kept is not None and composite and row.band_width and _is_thin(composite, kept):
         text = tr("the strip is thin in the window, all of which has {percent} % of a hard cut's")
-        reasons.append(text.format(percent=percent(composite)))
+        reasons.append(filled(text, percent=percent(composite)))
     if not reasons and (row.paper_verdict in LOSSES) == (row.verdict in LOSSES):
         return []  # the same, or two limits and no more
     text = tr("By the paper's rule it is {verdict}, with {percent} % of the detail of the least detailed source")
-    said = text.format(verdict=verdict_word(row.paper_verdict), percent=percent(ratio))
+    said = filled(text, verdict=verdict_word(row.paper_verdict), percent=percent(ratio))
     return ["; ".join([said, *reasons]) + "."]
 
 
@@ -191,7 +191,7 @@ def _whole(sharpness: float | None) -> str:
     if abs(sharpness - 1) < _AS_SHARP:
         return tr("; the rest is as sharp as its sources.")
     text = tr("; the whole window has {percent} % of the sharpness of its sources.")
-    return text.format(percent=percent(sharpness))
+    return filled(text, percent=percent(sharpness))
 
 
 def _what_happened(row: WindowRecord, found: Explanation | None) -> list[str]:
@@ -201,7 +201,7 @@ def _what_happened(row: WindowRecord, found: Explanation | None) -> list[str]:
         return []
     main = cause_clause(told[0], found, is_loss=False)
     text, others = f"{main[:1].upper()}{main[1:]}", causes_words("; ".join(told[1:]))
-    return [tr("{cause}; besides: {others}.").format(cause=text, others=others) if others else f"{text}."]
+    return [filled(tr("{cause}; besides: {others}."), cause=text, others=others) if others else f"{text}."]
 
 
 def is_same(one: float | None, other: float | None) -> bool:

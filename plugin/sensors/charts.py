@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from ..toolkit.charts.figure_files import new_figure
-from ..toolkit.translation import tr
+from ..toolkit.translation import formatted, tr
 from .measure.adjustment import Adjustment
 from .measure.comparison import Comparison
 from .measure.control_coverage import ControlCoverage, ImageBox
@@ -53,7 +53,8 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
     if step > 0:
         corner = ([box[0]], [box[1]], [0], [0])
         key = axes.quiver(*corner, angles="xy", scale_units="xy", scale=1, color=_QUIET, width=0.0032, headwidth=3.5)
-        axes.quiverkey(key, 0.85, 0.04, step * factor, f"{step:g} px", labelpos="E", coordinates="figure", color=_QUIET)
+        words = formatted(step, "g") + " px"
+        axes.quiverkey(key, 0.85, 0.04, step * factor, words, labelpos="E", coordinates="figure", color=_QUIET)
     margin = 0.02 * max(width, height)
     low, high = np.concatenate(reach).min(axis=0) - margin, np.concatenate(reach).max(axis=0) + margin
     axes.set_xlim(low[0], high[0])
@@ -86,7 +87,7 @@ def comparison_chart(result: Comparison) -> Figure:
             label.set_color(_CHECK)
             label.set_fontweight("bold")
     axes.set_xscale("log")
-    axes.xaxis.set_major_formatter("{x:g}")
+    axes.xaxis.set_major_formatter(lambda value, _place: formatted(value, "g"))
     axes.invert_yaxis()
     axes.set_xlabel(tr("Mean error on points not used in the fit (m)"))
     axes.grid(axis="x", color="#eaeef2", which="both")

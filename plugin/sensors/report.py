@@ -11,7 +11,7 @@ from ..imagery.message import WARNING, Message
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, system_name
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import sentence, tr
+from ..toolkit.translation import filled, formatted, sentence, tr
 from .charts import comparison_chart, residual_chart
 from .measure.adjustment import Accuracy, Adjustment
 from .measure.comparison import LEAVE_ONE_OUT, Comparison
@@ -81,7 +81,7 @@ def _can_be_drawn(result: Comparison) -> bool:
 
 def _unknowns(variant: Variant) -> str:
     words = tr("{count}, held by priors") if variant.with_priors else "{count}"
-    return words.format(count=variant.with_priors or variant.unknowns)
+    return filled(words, count=variant.with_priors or variant.unknowns)
 
 
 def _unbroken(name: str) -> str:
@@ -102,5 +102,5 @@ def _worst(done: Adjustment) -> list[int]:
 def _number(value: float, unit: str = "") -> str:
     if not math.isfinite(value):
         return tr("unknown")
-    words = f"{value:.3f}" if abs(value) >= 0.001 or value == 0 else f"{value:.1e}"
+    words = formatted(value, ".3f" if abs(value) >= 0.001 or value == 0 else ".1e")
     return f"{words} {unit}".strip()

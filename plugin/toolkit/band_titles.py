@@ -1,7 +1,7 @@
 """Names of bands for the user, and their order."""
 from __future__ import annotations
 
-from .translation import tr
+from .translation import filled, tr
 
 BAND_ORDER = ("luminance", "red", "green", "blue", "nir")
 
@@ -15,4 +15,4 @@ def band_title(name: str) -> str:
         "blue": tr("blue"),
         "nir": tr("near infrared"),
     }
-    return titles.get(name) or tr("band {number}").format(number=name[len("band_") :])
+    return titles.get(name) or filled(tr("band {number}"), number=name[len("band_") :])

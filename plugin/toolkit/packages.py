@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable
 from importlib.util import find_spec
 
-from .translation import tr
+from .translation import filled, tr
 
 _MEASUREMENT = {"numpy": "numpy", "pywt": "PyWavelets", "scipy": "scipy"}
 _CHARTS = {"matplotlib": "matplotlib"}
@@ -31,7 +31,7 @@ def missing_packages_sentence(charts: bool = False, pages: bool = False) -> str:
     missing = missing_packages(charts, pages)
     if not missing:
         return ""
-    needs = tr("Seam Inspector needs the Python package(s) {packages}.").format(packages=", ".join(missing))
+    needs = filled(tr("Seam Inspector needs the Python package(s) {packages}."), packages=", ".join(missing))
     return f"{needs} {_remedy(missing)}"
 
 
@@ -40,7 +40,7 @@ def broken_package_sentence(error: ImportError) -> str:
     package = {**_MEASUREMENT, **_CHARTS, **_PAGES}.get((error.name or "").split(".")[0])
     if package is None:
         return ""
-    broken = tr("The Python package {package} can't be loaded ({error}).").format(package=package, error=error)
+    broken = filled(tr("The Python package {package} can't be loaded ({error})."), package=package, error=error)
     return f"{broken} {_remedy([package])}"
 
 
@@ -56,4 +56,4 @@ def _remedy(packages: Iterable[str]) -> str:
             "Run '{command}' with the Python that QGIS uses, or install what requirements.txt in the plugin's folder "
             "names, then restart QGIS."
         )
-    return how.format(command=pip)
+    return filled(how, command=pip)

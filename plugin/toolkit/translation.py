@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
-from numbers import Real
+import re
+from collections.abc import Iterable, Sequence
+from numbers import Integral, Real
 from string import Formatter
 
 from qgis.core import QgsApplication
@@ -14,6 +15,7 @@ from .resources import translations_path
 
 _MOST_DECIMALS = 6
 _LEAST_PERCENT = 0.001
+_LONG = re.compile(r"-?\d{5,}")  # digits that are grouped, where spaces do it: 10 000
 
 
 def tr(text: str) -> str:
@@ -30,6 +32,11 @@ def language() -> str:
 def shown_number(value: float, decimals: int = 2) -> str:
     """A number as the user writes it."""
     return QLocale().toString(float(value), "f", decimals)
+
+
+def formatted(value: float, spec: str) -> str:
+    """A number in a format of Python's, as the user writes it."""
+    return local_digits(format(value, spec))
 
 
 def percent(ratio: float) -> str:
@@ -52,7 +59,7 @@ def decimals_beside(value: float, limits: Iterable[float], least: int = 0) -> in
     return next((count for count in range(least, _MOST_DECIMALS) if sides(round(value, count)) == true), _MOST_DECIMALS)
 
 
-def filled(text: str, **values: object) -> str:
+def filled(text: str, /, **values: object) -> str:
     """A text, translated already, with its values; its numbers with decimals as the user writes them."""
     return _LOCAL.vformat(text, (), values)
 
@@ -63,9 +70,33 @@ def sentence(message: Message) -> str:
 
 
 class _LocalNumbers(Formatter):
+    """``{share:.1%}`` as the user's locale has it; ``{count:window|windows}`` is the word's form for the count."""
+
     def format_field(self, value: object, format_spec: str) -> str:
+        if "|" in format_spec:
+            return counted(value, format_spec.split("|"))
         text = str(super().format_field(value, format_spec))
-        return text.replace(".", QLocale().decimalPoint()) if format_spec and isinstance(value, Real) else text
+        return local_digits(text) if format_spec and isinstance(value, Real) else text
+
+
+def local_digits(number: str) -> str:
+    """A number that Python wrote, as the user writes it; a per cent sign stands off it, but in English."""
+    locale = QLocale()
+    if number.endswith("%") and locale.language() not in (QLocale.Language.English, QLocale.Language.C):
+        number = f"{number[:-1]}\u00a0%"
+    whole, point, rest = number.partition(".")
+    if locale.groupSeparator().isspace() and (digits := _LONG.match(whole)):
+        whole = f"{int(digits[0]):,}".replace(",", "\u00a0") + whole[digits.end():]
+    return whole + (locale.decimalPoint() if point else "") + rest
+
+
+def counted(count: object, forms: Sequence[str]) -> str:
+    """The form of a word that goes with a count: for one, for many; in Polish for 1, for 2, for 5, in this order."""
+    number = abs(int(count)) if isinstance(count, Integral) else 0
+    if number == 1:
+        return forms[0]
+    few = number % 10 in (2, 3, 4) and number % 100 not in (12, 13, 14)
+    return forms[1] if few else forms[-1]
 
 
 _LOCAL = _LocalNumbers()

@@ -41,12 +41,21 @@ def translation(entry: ElementTree.Element) -> str:
 
 
 def placeholders(text: str) -> list[tuple[str, str, str | None]]:
-    """Name, format and conversion of every ``{name}``, in an order that does not depend on the sentence's."""
+    """Name, format and conversion of every ``{name}``, in an order that does not depend on the sentence's.
+
+    The forms of a word, ``{count:window|windows}``, are words, which a language has or has not.
+    """
     return sorted(
         (name, form or "", conversion)
         for _, name, form, conversion in string.Formatter().parse(text)
-        if name is not None
+        if name is not None and "|" not in (form or "")
     )
+
+
+def forms(text: str) -> list[tuple[str, int]]:
+    """The counts that words are inflected by, and in how many forms."""
+    parsed = string.Formatter().parse(text)
+    return [(name, form.count("|") + 1) for _, name, form, _ in parsed if name and form and "|" in form]
 
 
 def texts(package: Path) -> Iterator[str]:
@@ -78,6 +87,18 @@ def test_values_go_into_a_translation_as_into_its_source(entries: list[ElementTr
         if placeholders(source(entry)) != placeholders(translation(entry))
     ]
     assert differing == []
+
+
+def test_polish_words_have_three_forms_by_a_count_of_the_source(entries: list[ElementTree.Element]) -> None:
+    inflected = {source(entry): forms(translation(entry)) for entry in entries if forms(translation(entry))}
+    assert inflected
+    wrong = {
+        text: found
+        for text, found in inflected.items()
+        for count, words in found
+        if words != 3 or count not in {name for name, _, _ in placeholders(text)}
+    }
+    assert wrong == {}
 
 
 def message_modules(repository: Path) -> list[Path]:

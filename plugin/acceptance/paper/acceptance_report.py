@@ -9,7 +9,7 @@ from ...imagery.statistics.agreement import Agreement
 from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.how_measured import HowMeasured, each_raster, system_name
 from ...toolkit.pages.templates import save_page
-from ...toolkit.translation import shown_number, tr
+from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import Decision, MetreFigures, Observers, PieceState, PlanOutcome
 from ..measure.defects import Defect
@@ -152,7 +152,7 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[RuleRow]:
     else:
         kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
         yield RuleRow(
-            check_word(KEPT), whole_share(min(kept, default=None)), tr("at least {least} in each piece").format(
+            check_word(KEPT), whole_share(min(kept, default=None)), filled(tr("at least {least} in each piece"),
                 least=whole_share(decision.rules.least_kept)
             ), which, False, 1 + sources.index(decision.rules.kept_source),
         )  # fmt: skip
@@ -165,7 +165,7 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[RuleRow]:
 
 def _sheet_row(one: MetreFigures, by_observer: bool) -> list[str]:
     if not one.piece_count:
-        name = tr("{sheet} (no seams)").format(sheet=one.name)
+        name = filled(tr("{sheet} (no seams)"), sheet=one.name)
         return [name, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
     return [
         one.name or tr("all"), metres(one.total_m), share(one.measured_share, 1), metres(one.failed_m),
@@ -194,7 +194,7 @@ def _defect_text(one: Defect) -> DefectText:
         "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
         tr(one.cause) if one.cause else "",
         [(_file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        (f"{one.place[0]:.1f}", f"{one.place[1]:.1f}"), "; ".join(one.remarks),
+        (formatted(one.place[0], ".1f"), formatted(one.place[1], ".1f")), "; ".join(one.remarks),
     )  # fmt: skip
 
 
@@ -210,7 +210,7 @@ def _pictures(
     for one in defects:
         if (picture := pictures.get(one.number)) is not None:
             text = _defect_text(one)
-            parts = [f"{one.number}", text.sheets, text.length, tr("{kept} kept").format(kept=text.kept)]
+            parts = [f"{one.number}", text.sheets, text.length, filled(tr("{kept} kept"), kept=text.kept)]
             caption = ", ".join(part for part in parts if part)
             yield picture, f"{caption}. {_shown(picture)}"
 
@@ -219,11 +219,11 @@ def _shown(picture: DefectPicture) -> str:
     """What its panels show."""
     across = metres(picture.side_m)
     if picture.detail_m is None:
-        return tr("{across} across.").format(across=across)
-    first = tr("Left: {across} across").format(across=across) if picture.is_whole else (
-        tr("Left: a part of it, {across} across").format(across=across)
+        return filled(tr("{across} across."), across=across)
+    first = filled(tr("Left: {across} across"), across=across) if picture.is_whole else (
+        filled(tr("Left: a part of it, {across} across"), across=across)
     )
-    return tr("{first}; right: where least is kept, {detail} across in full size.").format(
+    return filled(tr("{first}; right: where least is kept, {detail} across in full size."),
         first=first, detail=metres(picture.detail_m)
     )
 
@@ -231,17 +231,17 @@ def _shown(picture: DefectPicture) -> str:
 def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
     plan, risk = found.plan, found.characteristic
     facts = [
-        (tr("plan"), tr("ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}").format(
+        (tr("plan"), filled(tr("ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}"),
             level=plan.inspection_level, severity=severity_word(plan.severity), aql=plan.aql)),
         (tr("code letter"), plan.code_letter),
-        (tr("lot"), tr("{count} pieces of seam").format(count=plan.lot_size)),
-        (tr("sample"), tr("{count} pieces of seam, of which {measured} were measured").format(
+        (tr("lot"), filled(tr("{count} pieces of seam"), count=plan.lot_size)),
+        (tr("sample"), filled(tr("{count} pieces of seam, of which {measured} were measured"),
             count=plan.sample_size, measured=found.inspected)),
-        (tr("accepted up to"), tr("{count} failed pieces in the sample").format(count=plan.acceptance_number)),
-        (tr("found"), tr("{count} failed pieces in the sample").format(count=found.nonconforming)),
-        (tr("producer's risk"), tr("{risk}: a delivery as good as the AQL is rejected").format(
+        (tr("accepted up to"), filled(tr("{count} failed pieces in the sample"), count=plan.acceptance_number)),
+        (tr("found"), filled(tr("{count} failed pieces in the sample"), count=found.nonconforming)),
+        (tr("producer's risk"), filled(tr("{risk}: a delivery as good as the AQL is rejected"),
             risk=share(risk.producers_risk, 1))),
-        (tr("consumer's risk"), tr("{risk}: a delivery with {quality} of failed pieces is accepted").format(
+        (tr("consumer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is accepted"),
             risk=share(risk.consumers_risk, 1), quality=share(risk.limiting_quality, 1))),
     ]  # fmt: skip
     if found.seed is not None:

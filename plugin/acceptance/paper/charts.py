@@ -13,7 +13,7 @@ from ...imagery.grids import Extent
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
-from ...toolkit.translation import shown_number, tr
+from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.decision import Decision, PieceState, PlanOutcome
 from ..measure.defects import Defect
 from ..measure.sampling.characteristic import acceptance_probability
@@ -107,10 +107,10 @@ def oc_figure(found: PlanOutcome) -> Figure:
     aql, quality = float(plan.aql), 100 * characteristic.limiting_quality
     for x, y, colour, words in (
         (aql, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
-         tr("AQL {aql} %: rejected in {risk} % (producer's risk)").format(
+         filled(tr("AQL {aql} %: rejected in {risk} % (producer's risk)"),
              aql=_plain(aql), risk=_plain(100 * characteristic.producers_risk))),
         (quality, 100 * characteristic.consumers_risk, PAPER.limit,
-         tr("limiting quality {quality} %: accepted in {risk} % (consumer's risk)").format(
+         filled(tr("limiting quality {quality} %: accepted in {risk} % (consumer's risk)"),
              quality=_plain(quality), risk=_plain(100 * characteristic.consumers_risk))),
     ):
         axes.plot([x, x, 0], [0, y, y], color=colour, linewidth=0.9, linestyle="--")
@@ -171,7 +171,7 @@ def _draw_scale_bar(axes: Axes, scale: float, foot: float) -> None:
     metres = max(digit * decade for digit in (1, 2, 5) if digit * decade <= most)
     left, bottom = -36 * _WIDTH + 6, foot + 6
     axes.plot([left, left + metres * scale], [bottom, bottom], color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
-    words = f"{metres / 1000:g} km" if metres >= 1000 else f"{metres:g} m"
+    words = formatted(metres / 1000, "g") + " km" if metres >= 1000 else formatted(metres, "g") + " m"
     axes.text(left, bottom + 4, words, fontsize=7, color=PAPER.text)
     right = 36 * _WIDTH - 10
     axes.annotate(tr("N"), (right, bottom + 22), (right, bottom - 4), ha="center", fontsize=8, color=PAPER.text,

@@ -23,7 +23,7 @@ from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, tr
 from . import messages
 from .limits import MOST_PICTURES, TOLD_UNEXPLAINED
 
@@ -90,10 +90,10 @@ def add_outputs(algorithm: SeamInspectorAlgorithm) -> None:
             "orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV."
         ),
     )
-    algorithm.addDescribed(*common.report(tr(
+    algorithm.addDescribed(*common.report(filled(tr(
         "The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, "
         "the plan's risk. Opens in a browser and prints on A4."
-    ).format(most=MOST_PICTURES), by_default=True))
+    ), most=MOST_PICTURES), by_default=True))
     algorithm.addDescribed(
         QgsProcessingParameterFileDestination(
             QUALITY, tr("Quality record (ISO 19157)"), "XML (*.xml)", optional=True, createByDefault=False

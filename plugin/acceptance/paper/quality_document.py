@@ -19,7 +19,7 @@ from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
 from ...toolkit.pages.how_measured import HowMeasured, system_code, whole_path
 from ...toolkit.pages.templates import environment
-from ...toolkit.translation import language, sentence, tr
+from ...toolkit.translation import filled, language, sentence, tr
 from ..measure.decision import Decision
 from .inspection_record import InspectionRecord
 from .quality_elements import quality_elements
@@ -47,7 +47,7 @@ def quality_document(record: InspectionRecord) -> str:
         language=_LANGUAGES.get(language(), "eng"),
         moment=record.made_at.isoformat(),
         sheets=sheets,
-        title=tr("Acceptance of an orthophoto mosaic: {names}").format(names=names),
+        title=filled(tr("Acceptance of an orthophoto mosaic: {names}"), names=names),
         sentences=[sentence(one) for one in decision.sentences],
         system=system_code(decision.delivery.wkt),
         extent=_in_degrees(decision),
@@ -80,9 +80,9 @@ def _steps(record: InspectionRecord) -> Iterator[str]:
     """What was done, with its settings."""
     if record.scan:
         settings = ", ".join(f"{name} {value}" for name, value in record.scan.items())
-        yield tr("The seams were measured (scanmosaic): {settings}.").format(settings=settings)
+        yield filled(tr("The seams were measured (scanmosaic): {settings}."), settings=settings)
     rules = record.decision.rules
-    yield tr("The delivery was decided on (acceptmosaic) by the rules '{rules}'.").format(rules=rules.name)
+    yield filled(tr("The delivery was decided on (acceptmosaic) by the rules '{rules}'."), rules=rules.name)
     yield failing_sentence(record.decision)
 
 

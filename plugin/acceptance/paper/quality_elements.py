@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, PlanOutcome, RuleOutcome
 from .inspection_record import InspectionRecord
@@ -145,18 +145,18 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
 
 def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
     plan, characteristic = found.plan, found.characteristic
-    scheme = tr(
+    scheme = filled(tr(
         "ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; "
         "accepted up to {most} failed pieces."
-    ).format(
+    ),
         level=plan.inspection_level, severity=severity_word(plan.severity), aql=plan.aql, letter=plan.code_letter,
         most=plan.acceptance_number,
     )
     if found.seed is not None:
-        scheme += " " + tr("Drawn at random with the seed {seed}.").format(seed=found.seed)
+        scheme += " " + filled(tr("Drawn at random with the seed {seed}."), seed=found.seed)
     words = (
         scheme,
-        tr("{count} pieces of seam of {sheets} sheets").format(count=plan.lot_size, sheets=len(decision.sheets)),
+        filled(tr("{count} pieces of seam of {sheets} sheets"), count=plan.lot_size, sheets=len(decision.sheets)),
         f"{plan.sample_size} / {plan.lot_size}",
     )
     reference = "ISO 2859-1:1999, Sampling procedures for inspection by attributes, Part 1"
@@ -206,10 +206,10 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
             kappa = found.kappa
             yield QualityElement(
                 CONFIDENCE, code, name,
-                tr(
+                filled(tr(
                     "Cohen's kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as "
                     "often as by chance."
-                ).format(count=found.count),
+                ), count=found.count),
                 Evaluation(SAMPLE, tr("Windows judged by eye at 2x magnification."), "", (
                     tr("Windows as they were placed on the seams."), tr("Windows on the seams of the delivery."),
                     str(found.count),

@@ -3,10 +3,10 @@ from __future__ import annotations
 
 import re
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QLocale
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.message import Message
-from ...toolkit.translation import decimals_beside, sentence, shown_number, tr
+from ...toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, RuleOutcome
 
@@ -62,7 +62,7 @@ def failing_sentence(decision: Decision) -> str:
     if decision.by_observer:
         return tr("A piece of seam fails where the operator saw a loss in its window, whatever it kept.")
     least = whole_share(decision.rules.least_kept)
-    return tr("A piece of seam fails where it keeps less than {least} of the detail.").format(least=least)
+    return filled(tr("A piece of seam fails where it keeps less than {least} of the detail."), least=least)
 
 
 def outcome_value(outcome: RuleOutcome) -> str:
@@ -73,7 +73,7 @@ def outcome_value(outcome: RuleOutcome) -> str:
 def outcome_limit(outcome: RuleOutcome) -> str:
     """The limit in words."""
     limit = _limit(outcome.check, outcome.limit)
-    return tr("at least {least}").format(least=limit) if outcome.is_least else tr("at most {most}").format(most=limit)
+    return filled(tr("at least {least}"), least=limit) if outcome.is_least else filled(tr("at most {most}"), most=limit)
 
 
 def outcome_word(passed: bool | None) -> str:
@@ -91,4 +91,4 @@ def _figure(check: str, value: float, limit: float) -> str:
 
 def _limit(check: str, limit: float) -> str:
     scale, unit = (100, "\u00a0%") if check in _SHARES else (1, "" if check == rules.SAMPLING else "\u00a0m")
-    return f"{scale * limit:.6g}".replace(".", QLocale().decimalPoint()) + unit
+    return formatted(scale * limit, ".6g") + unit

@@ -20,7 +20,7 @@ from ...toolkit.desk.chart_panel import MatplotlibPanel
 from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
 from ...toolkit.desk.tooltips import rich_tip
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 from ..jobs import noise_job
 from ..measure.band_noise import noisiest_band
 from ..measure.group_noise import ClipNoise
@@ -101,7 +101,7 @@ class NoisePanel(MatplotlibPanel):
             for ref in refs:
                 self._rasters.addItem(ref.name)
                 self._rasters.setItemData(self._rasters.count() - 1, ref.path, Qt.ItemDataRole.ToolTipRole)
-            self._rasters.setItemText(0, tr("{name} (mosaic)").format(name=refs[0].name))
+            self._rasters.setItemText(0, filled(tr("{name} (mosaic)"), name=refs[0].name))
         self._rasters.setEnabled(True)
         self._rasters.setCurrentIndex(refs.index(self._source) if self._source in refs else 0)
 
@@ -146,7 +146,7 @@ class NoisePanel(MatplotlibPanel):
             self._rasters.setEnabled(False)
             self._say(self._why_nothing(bool(selected)))
             return
-        self._window.setText(tr("Window {number}").format(number=request.window_id))
+        self._window.setText(filled(tr("Window {number}"), number=request.window_id))
         self._fill_rasters(request)
         if request.window is None:
             self._background.cancel_others(set())
@@ -194,7 +194,7 @@ class NoisePanel(MatplotlibPanel):
         curves = [curve for one in found if isinstance(one, ClipNoise) and (curve := band_curve(one, band)) is not None]
         words = tr("{value}: {band} of {count} of {all} windows")
         count, most = len(curves), len(self._alike.keys)
-        return words.format(value=self._alike.value, band=band_title(band), count=count, all=most), tuple(curves)
+        return filled(words, value=self._alike.value, band=band_title(band), count=count, all=most), tuple(curves)
 
     def _why_nothing(self, is_selected: bool) -> str:
         if not is_selected:

@@ -18,7 +18,7 @@ from ...imagery.errors import PhotoError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
@@ -163,14 +163,14 @@ class CompareMarks(SeamInspectorAlgorithm):
             known = zip(STATISTICS[1:], (one.mean, one.standard_deviation, one.maximum, one.minimum))
             results.update({f"{name}_{unit.upper()}": value for name, value in known if not math.isnan(value)})
             run.inform(
-                tr("{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.").format(
+                filled(tr("{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}."),
                     count=one.count, mean=one.mean, maximum=one.maximum, minimum=one.minimum, unit=unit
                 )
             )
         words = tr("The mean distance is within the limit of {limit:g} px.") if within else tr(
             "The mean distance is beyond the limit of {limit:g} px."
         )
-        run.inform(words.format(limit=limit))
+        run.inform(filled(words, limit=limit))
         return results
 
     @staticmethod

@@ -14,7 +14,7 @@ from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from . import photo_parameters
 
@@ -124,7 +124,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
                 run.tell(imagery_messages.ABOUT(what=mark.name, why=mark.reason).as_warning())
         if made.fitted is not None:
             run.inform(
-                tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.").format(
+                filled(tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um."),
                     marks=made.fitted.marks, rms=made.fitted.rms,
                     model=sentence(messages.WORDS[made.fitted.to_mm.model.value]),
                 )

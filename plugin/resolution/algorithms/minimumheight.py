@@ -18,7 +18,7 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.attribute_values import text
-from ...toolkit.translation import tr
+from ...toolkit.translation import shown_number, tr
 from ..measure import messages
 
 DEFAULT_REQUIRED_GRD_CM = 30.0  # Open Skies: optical cameras
@@ -110,7 +110,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
         run.write(passes, (height_tables.pass_feature(one, keys, required) for one in observations))
         for result in results:
             name = ", ".join(result.key) or tr("all passes")
-            run.inform(f"{name}: {result.mean_m:.1f} m")
+            run.inform(f"{name}: {shown_number(result.mean_m, 1)} m")
             if result.notice is not None:
                 run.tell(imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
         return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}

@@ -15,7 +15,7 @@ from ...imagery import limits as imagery_limits
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, tr
 from ..measure import limits
 
 if TYPE_CHECKING:
@@ -99,7 +99,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
             run.write(sink, [feature(fields, column_values(PLACED_COLUMNS, placed), geometry)])
             run.progress(done / len(placement.windows))
         told = tr("{windows} windows placed along {seams} seams.")
-        run.inform(told.format(windows=len(placement.windows), seams=len(seams)))
+        run.inform(filled(told, windows=len(placement.windows), seams=len(seams)))
         run.style(destination, "placed_windows")
         return {OUTPUT: destination}
 

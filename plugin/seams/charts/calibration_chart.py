@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from ...toolkit.charts.chart_style import PAPER, ChartStyle
 from ...toolkit.charts.figure_files import new_figure
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 from ..measure.threshold_calibration import STANDARD_LIMITS, ThresholdCalibration, Verdicts
 
 _CURVES_SIDE, _WORDS_WIDTH, _MEASURE_HEIGHT = 4.2, 3.0, 1.45  # inches; together as wide as A4 between its margins
@@ -59,12 +59,12 @@ def _draw_roc(axes: Axes, words: Axes, found: Sequence[ThresholdCalibration], st
 def _area_words(found: ThresholdCalibration) -> str:
     """A measure with its area and the verdicts wanted."""
     assert found.area is not None
-    area = tr("AUC {area:.3f} (95 %: {low:.3f} to {high:.3f})").format(
+    area = filled(tr("AUC {area:.3f} (95 %: {low:.3f} to {high:.3f})"),
         area=found.area.value, low=found.area.low, high=found.area.high
     )
     if found.best is None:
         return f"{found.verdicts.measure}\n{area}"
-    best = tr("threshold {value:g}: {hits} of {seen}, in vain {vain} of {unseen}").format(
+    best = filled(tr("threshold {value:g}: {hits} of {seen}, in vain {vain} of {unseen}"),
         value=found.best.threshold,
         hits=found.best.flagged_visible,
         seen=len(found.verdicts.visible),
@@ -79,8 +79,8 @@ def _draw_verdicts(axes: Axes, found: ThresholdCalibration, style: ChartStyle) -
     verdicts = found.verdicts
     _frame(axes, style)
     titles = (
-        tr("visible ({count})").format(count=len(verdicts.visible)),
-        tr("invisible ({count})").format(count=len(verdicts.invisible)),
+        filled(tr("visible ({count})"), count=len(verdicts.visible)),
+        filled(tr("invisible ({count})"), count=len(verdicts.invisible)),
     )
     for row, (values, colour) in enumerate(zip((verdicts.visible, verdicts.invisible), (style.limit, "#0072b2"))):
         x, y = np.array(values), 1 - row + _spread(len(values))
@@ -104,7 +104,7 @@ def _draw_verdicts(axes: Axes, found: ThresholdCalibration, style: ChartStyle) -
 
 
 def _line(axes: Axes, value: float, label: str, colour: str, line: str) -> None:
-    axes.axvline(value, color=colour, linewidth=1.2, linestyle=line, label=label.format(value=value))
+    axes.axvline(value, color=colour, linewidth=1.2, linestyle=line, label=filled(label, value=value))
 
 
 def _spread(count: int) -> np.ndarray:

@@ -5,6 +5,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ...toolkit.translation import formatted
+
 
 @dataclass(frozen=True)
 class ChartCurve:
@@ -57,5 +59,5 @@ def significance_limit(curves: Sequence[ChartCurve], max_ratio: float) -> float 
 def share_text(share: float) -> str:
     """A share with three digits that count: 0.412, 0.0160, 0.00052."""
     if not share > 0:
-        return f"{share:g}"
-    return f"{share:.{min(max(2 - math.floor(math.log10(share)), 2), 7)}f}"
+        return formatted(share, "g")
+    return formatted(share, f".{min(max(2 - math.floor(math.log10(share)), 2), 7)}f")

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ...toolkit.band_titles import BAND_ORDER
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 from .chart_curves import ChartCurve, least_of_sources, share_text
 
@@ -76,11 +76,11 @@ def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tup
     curve = curves[index]
     value = curve.values[component]
     is_background = component == len(curve.detail)
-    place = tr("background") if is_background else tr("level {number}").format(number=component + 1)
+    place = tr("background") if is_background else filled(tr("level {number}"), number=component + 1)
     words = f", {place}: {share_text(value)}"
     if curve.spread:
         low, high = (share_text(share) for share in curve.spread[component])
-        return curve.label, words + tr(" (range {low} to {high})").format(low=low, high=high)
+        return curve.label, words + filled(tr(" (range {low} to {high})"), low=low, high=high)
     mosaic = next((other.values[component] for other in curves if other.is_mosaic), math.nan)
     least = least_of_sources(curves, component)
     if curve.is_mosaic and least is not None and value == value:
@@ -90,7 +90,7 @@ def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tup
             template = tr(" ({percent:.0f} % of the lowest source)")
         else:
             template = tr(" ({percent:.0f} % of the least sharp source)")
-        return curve.label, words + template.format(percent=100 * value / least)
+        return curve.label, words + filled(template, percent=100 * value / least)
     if not curve.is_mosaic and value > 0 and mosaic == mosaic:
-        return curve.label, words + tr(" (mosaic: {percent:.0f} % of it)").format(percent=100 * mosaic / value)
+        return curve.label, words + filled(tr(" (mosaic: {percent:.0f} % of it)"), percent=100 * mosaic / value)
     return curve.label, words

@@ -26,7 +26,7 @@ from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.layer_styles import load_style
 from ...toolkit.map_places import transformed_box
 from ...toolkit.resources import icon_path
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from ..scan_job import ScanDone
 from .dock_body import DockBody
@@ -267,7 +267,7 @@ class InspectionDock(ToolDock):
         self.progress.setVisible(asked > 0)
         self.progress.setRange(0, max(asked, 1))
         self.progress.setValue(done)
-        self.progress.setFormat(tr("{done} of {asked} windows").format(done=done, asked=asked))
+        self.progress.setFormat(filled(tr("{done} of {asked} windows"), done=done, asked=asked))
         self._offer_stop(asked > 0)
 
     def _offer_stop(self, is_session_busy: bool) -> None:

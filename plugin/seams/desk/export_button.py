@@ -8,6 +8,8 @@ from qgis.core import Qgis, QgsApplication
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
 
+from ...toolkit.translation import filled
+
 
 class ExportButton(QToolButton):
     """Opens a menu of formats; those who make it say what is written."""
@@ -48,7 +50,7 @@ class ExportButton(QToolButton):
         try:
             write(path)
         except OSError as error:
-            said, level = not_saved.format(path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
+            said, level = filled(not_saved, path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
         else:
-            said, level = saved.format(path=path), Qgis.MessageLevel.Success
+            said, level = filled(saved, path=path), Qgis.MessageLevel.Success
         self.told.emit(said, int(level))

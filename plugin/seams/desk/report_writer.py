@@ -14,7 +14,7 @@ from ...imagery.errors import SeamInspectorError
 from ...imagery.message import Message
 from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.message_bar import bar_level
-from ...toolkit.translation import sentence, tr
+from ...toolkit.translation import filled, sentence, tr
 
 if TYPE_CHECKING:
     from .session import Session
@@ -78,12 +78,13 @@ class ReportWriter(QObject):
 
     def _take(self, path: Path, windows: int, measured: int, notices: Any) -> None:
         link = f'<a href="{escape(QUrl.fromLocalFile(str(path)).toString())}">{escape(path.name)}</a>'
-        words = [tr("Report of {count} windows: {link}.").format(count=windows, link=link)]
+        words = [filled(tr("Report of {count} windows: {link}."), count=windows, link=link)]
         if measured < windows:
-            words.append(
-                tr("{count} of them have no curves in it, as these are not kept with the project; inspect them again "
-                   "to have them.").format(count=windows - measured)
+            more = tr(
+                "{count} of them have no curves in it, as these are not kept with the project; inspect them again "
+                "to have them."
             )
+            words.append(filled(more, count=windows - measured))
         words += [escape(sentence(notice), quote=False) for notice in notices]
         level = Qgis.MessageLevel.Warning if len(words) > 1 else Qgis.MessageLevel.Success
         self.told.emit(" ".join(words), int(level))

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ...toolkit.charts.chart_style import PAPER, source_look
 from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.charts.variance_axes import draw_frame, level_labels
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, tr
 from ..charts.chart_curves import ChartCurve
 from ..charts.curve_chart import draw_lines, share_range
 from ..measure.window_records import COMPOSITE, CurveRecord
@@ -87,7 +87,7 @@ def curve_legend(curves: Sequence[CurveRecord]) -> list[tuple[str, str]]:
         elif curve.role == COMPOSITE:
             entries.append((PAPER.text, tr("hard-cut composite (dashed)")))
         else:
-            entries.append((PAPER.text, tr("{name} (mosaic, bold)").format(name=curve.raster)))
+            entries.append((PAPER.text, filled(tr("{name} (mosaic, bold)"), name=curve.raster)))
     return [*entries, (PAPER.limit, tr("significant by the paper's rule below"))]
 
 

@@ -8,7 +8,7 @@ from itertools import repeat
 
 from ...imagery.band_names import judged_band
 from ...imagery.message import Message
-from ...toolkit.translation import filled, percent, sentence, tr
+from ...toolkit.translation import filled, formatted, percent, sentence, tr
 from ..cause_words import cause_sentence, cause_word
 from ..measure import messages
 from ..measure.inspection import Block
@@ -106,7 +106,7 @@ class WindowSections:
         same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)] if has_curve else []
         return WindowSection(
             anchor(record.window_id),
-            tr("Window {number}: {verdict}").format(number=record.window_id, verdict=verdict_word(record.verdict)),
+            filled(tr("Window {number}: {verdict}"), number=record.window_id, verdict=verdict_word(record.verdict)),
             list(self._facts(record)),
             *_ratios(record),
             problem,
@@ -128,8 +128,8 @@ class WindowSections:
         facts = []
         if record.cause and record.cause != "none":
             words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")
-            facts += [words.format(cause=cause_word(record.cause)), cause_sentence(record.cause)]
-        facts += [tr("Observer: {word}.").format(word=observer_word(record.observer) or tr("not judged"))]
+            facts += [filled(words, cause=cause_word(record.cause)), cause_sentence(record.cause)]
+        facts += [filled(tr("Observer: {word}."), word=observer_word(record.observer) or tr("not judged"))]
         paper = paper_words(record)
         if paper and not by_the_paper(record):
             facts.append(f"{paper[:1].upper()}{paper[1:]}.")
@@ -137,10 +137,10 @@ class WindowSections:
         if contrast is None:
             contrast = contrast_of(self._pairs.get(record.window_id, ()))
         if contrast is not None:
-            facts.append(tr("Absolute contrast at level 1: {percent} %.").format(percent=percent(contrast)))
+            facts.append(filled(tr("Absolute contrast at level 1: {percent} %."), percent=percent(contrast)))
         if record.unclear_share is not None:
             words = tr("Pixels where no source wins clearly: {percent} %.")
-            facts.append(words.format(percent=percent(record.unclear_share)))
+            facts.append(filled(words, percent=percent(record.unclear_share)))
         yield " ".join(filter(None, facts))
 
 
@@ -172,9 +172,9 @@ def _place_words(clips: WindowParts) -> str:
     xmin, ymin, xmax, ymax = clips.extent
     side = clips.pictures[0].columns
     digits = max(0, 1 - math.floor(math.log10((xmax - xmin) / side)))  # to a tenth of a pixel
-    words = tr("Clips of {side} px a side around x {x}, y {y}, at 2x on the screen.").format(
-        side=side, x=f"{(xmin + xmax) / 2:.{digits}f}", y=f"{(ymin + ymax) / 2:.{digits}f}"
+    words = filled(tr("Clips of {side} px a side around x {x}, y {y}, at 2x on the screen."),
+        side=side, x=formatted((xmin + xmax) / 2, f".{digits}f"), y=formatted((ymin + ymax) / 2, f".{digits}f")
     )
     if clips.left_out:
-        words += " " + tr("Sources that are not shown: {count}.").format(count=clips.left_out)
+        words += " " + filled(tr("Sources that are not shown: {count}."), count=clips.left_out)
     return words

@@ -23,7 +23,7 @@ from ...imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.pages.how_measured import HowMeasured, each_raster, measured_raster
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
-from ...toolkit.translation import shown_number, tr
+from ...toolkit.translation import filled, shown_number, tr
 from ..cause_words import cause_word
 from ..clip_pictures import bytes_picture
 from ..judged_value import judged_value, judged_words
@@ -174,7 +174,7 @@ def _by_mosaic(request: ReportRequest) -> dict[str, list[WindowRecord]]:
 
 def _mosaics_title(request: ReportRequest) -> str:
     names = [name for name in _by_mosaic(request) if name]
-    return tr("Seam inspection: {names}").format(names=", ".join(names)) if names else tr("Seam inspection")
+    return filled(tr("Seam inspection: {names}"), names=", ".join(names)) if names else tr("Seam inspection")
 
 
 def _summary(request: ReportRequest) -> dict[str, object]:
@@ -240,7 +240,7 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
 
 def _shape(record: WindowRecord, detailed: bool) -> SketchShape:
     assert record.extent is not None
-    tip = tr("window {number}: {verdict}").format(number=record.window_id, verdict=verdict_word(record.verdict))
+    tip = filled(tr("window {number}: {verdict}"), number=record.window_id, verdict=verdict_word(record.verdict))
     tip = ", ".join([tip, *judged_words(record)])
     link = anchor(record.window_id) if detailed else ""
     return SketchShape(record.extent, verdict_colour(record.verdict), str(record.window_id), tip, link)

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...imagery.grids import Extent
+from ...toolkit.translation import formatted
 
 _WIDTH, _HEIGHT, _STRIP = 170.0, 120.0, 11.0  # mm: the map at most, and what stands below it
 _NARROWEST = 60.0  # mm: room for the scale bar
@@ -129,4 +130,5 @@ def _scale_bar(frame: _Frame) -> tuple[float, str]:
     most = 0.3 * frame.width * frame.metres_per_mm
     decade = 10.0 ** math.floor(math.log10(most))
     metres = max(digit * decade for digit in (1, 2, 5) if digit * decade <= most)
-    return metres / frame.metres_per_mm, f"{metres / 1000:g} km" if metres >= 1000 else f"{metres:g} m"
+    words = formatted(metres / 1000, "g") + " km" if metres >= 1000 else formatted(metres, "g") + " m"
+    return metres / frame.metres_per_mm, words

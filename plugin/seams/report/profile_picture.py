@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...toolkit.charts.chart_style import PAPER
-from ...toolkit.translation import percent, tr
+from ...toolkit.translation import filled, percent, tr
 from ..charts.profile_scale import ProfileScale, ShownProfile
 from ..measure.profile.detail_cells import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
@@ -91,10 +91,10 @@ def _picture(shown: ShownProfile) -> ProfilePicture:
         axes,
         [(scale.y_of(share), f"{percent(share) if share else 0} %", share == 1) for share in scale.share_ticks(_STEP)],
         _with_room([(scale.x_of(metres), words) for metres, words in scale.distance_ticks()], right),
-        (scale.y_of(shown.min_kept), tr("limit {percent} %").format(percent=percent(shown.min_kept))),
+        (scale.y_of(shown.min_kept), filled(tr("limit {percent} %"), percent=percent(shown.min_kept))),
         intervals,
         [(_steps(shown, scale, level), _colour(level), 2.2 if level == shown.main_level else 1.3) for level in levels],
-        [(_colour(level), tr("level {number}").format(number=level)) for level in reversed(levels)],
+        [(_colour(level), filled(tr("level {number}"), number=level)) for level in reversed(levels)],
     )
 
 

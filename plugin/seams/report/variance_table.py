@@ -67,7 +67,7 @@ def paper_words(record: WindowRecord) -> str:
         return ""
     word = verdict_word(record.paper_verdict)
     if record.ratio is None:
-        return tr("by the paper's rule: {verdict}").format(verdict=word)
+        return filled(tr("by the paper's rule: {verdict}"), verdict=word)
     return filled(tr("by the paper's rule: {verdict}, ratio 1: {ratio:.2f}"), verdict=word, ratio=record.ratio)
 
 
@@ -81,9 +81,9 @@ def _found(record: WindowRecord) -> Iterator[str]:
     causes = record.causes or record.cause
     if causes and (causes != "none" or record.verdict in LOSSES):
         words = tr("cause: {cause}") if record.verdict in LOSSES else tr("found: {cause}")
-        known.append(words.format(cause=causes_words(causes)))
+        known.append(filled(words, cause=causes_words(causes)))
     if record.observer:
-        known.append(tr("observer: {word}").format(word=observer_word(record.observer)))
+        known.append(filled(tr("observer: {word}"), word=observer_word(record.observer)))
     if known:
         yield "; ".join(known)
 

@@ -20,7 +20,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...imagery.errors import SensorModelError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.models import registry
 from ..model_titles import MODEL_TITLES
@@ -111,7 +111,7 @@ class FitSensorModel(SensorAlgorithm):
         for group, label in (("CHECK", tr("check points")), ("CONTROL", tr("control points"))):
             for error in _ERRORS:
                 kind = tr("Root mean square") if error.startswith("RMSE") else tr("Largest error")
-                words = tr("{kind} in {axis}, {group} (m)").format(kind=kind, axis=error[-1], group=label)
+                words = filled(tr("{kind} in {axis}, {group} (m)"), kind=kind, axis=error[-1], group=label)
                 self.addNumbers({f"{group}_{error}": words})
         self.addViewNumbers()
         self.addNumbers({
@@ -249,13 +249,13 @@ def _bias(done: Adjustment, box: ImageBox) -> _Bias | None:
 def _described(kind: registry.ModelKind) -> str:
     """What a model is and how many points it needs."""
     fewest = ", ".join(f"{one.fewest} ({one.name})" if one.name else str(one.fewest) for one in kind.variants)
-    return tr("{model}: {title}; needs at least {fewest} control points.").format(
+    return filled(tr("{model}: {title}; needs at least {fewest} control points."),
         model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest
     )
 
 
 def _errors_told(group: str, errors: Accuracy) -> str:
     name = tr("Check points") if group == "CHECK" else tr("Control points")
-    return tr(
+    return filled(tr(
         "{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m"
-    ).format(name=name, count=errors.count, x=errors.rmse_x, y=errors.rmse_y, max_x=errors.max_x, max_y=errors.max_y)
+    ), name=name, count=errors.count, x=errors.rmse_x, y=errors.rmse_y, max_x=errors.max_x, max_y=errors.max_y)

@@ -16,7 +16,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from ...imagery.errors import SensorModelError, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ...toolkit.translation import filled, tr
 from ..measure import limits, messages
 from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm
@@ -167,9 +167,9 @@ class Orthorectify(SensorAlgorithm):
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
         run.inform(
-            tr(
+            filled(tr(
                 "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."
-            ).format(columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px)
+            ), columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px)
         )
         results = {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
         view = view_direction(model, wkt, domain)

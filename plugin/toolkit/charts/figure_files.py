@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import SettingsError
 from .. import messages
+from .local_ticks import set_local_ticks
 
 FORMATS = ("png", "svg", "pdf")
 _DPI = 200
@@ -40,6 +41,7 @@ def check_figure_path(path: Path) -> None:
 def save_figure(figure: Figure, path: Path) -> None:
     """Write PNG, SVG or PDF, by the path's ending. Raises SettingsError for another ending or where none can be."""
     check_figure_path(path)
+    set_local_ticks(figure)
     with whole_file(path) as unfinished, rc_context(_SVG):
         figure.savefig(unfinished, dpi=_DPI)
 
@@ -47,6 +49,7 @@ def save_figure(figure: Figure, path: Path) -> None:
 def svg_text(figure: Figure) -> str:
     """The figure as SVG, for a report."""
     buffer = io.StringIO()
+    set_local_ticks(figure)
     with rc_context(_SVG):
         figure.savefig(buffer, format="svg")
     return buffer.getvalue()

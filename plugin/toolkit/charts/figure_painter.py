@@ -10,6 +10,7 @@ from ..interface_first import interface_first
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # isort: skip
 from matplotlib.figure import Figure  # isort: skip
 from matplotlib.font_manager import FontProperties, fontManager  # isort: skip
+from .local_ticks import set_local_ticks  # isort: skip
 
 
 TICK_PX = 10  # a tick and the gap to its label: 7 points, matplotlib's own
@@ -46,7 +47,9 @@ class FigurePicture(NamedTuple):
 def draw_figure(figure: Callable[[Any], Figure], request: Any) -> FigurePicture:
     """What ``figure`` makes of a request, as pixels. Has no part in Qt."""
     with interface_first():
-        canvas = FigureCanvasAgg(figure(request))
+        made = figure(request)
+        set_local_ticks(made)
+        canvas = FigureCanvasAgg(made)
         canvas.draw()
         pixels = np.asarray(canvas.buffer_rgba())
         return FigurePicture(request, pixels.tobytes(), pixels.shape[1], pixels.shape[0])

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import Locator, MaxNLocator, NullLocator
 
-from ..translation import tr
+from ..translation import formatted, tr
 from .chart_style import ChartStyle
 
 
@@ -53,4 +53,4 @@ class _ShareLocator(Locator):
 
 
 def _plain(value: float, _position: int) -> str:
-    return f"{value:g}"
+    return formatted(value, "g")

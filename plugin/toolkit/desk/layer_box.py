@@ -11,14 +11,14 @@ from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QDropEvent
 from qgis.PyQt.QtWidgets import QWidget
 
-from ..translation import tr
+from ..translation import filled, tr
 
 _UUID = re.compile(r"_[0-9a-f]{8}(_[0-9a-f]{4}){3}_[0-9a-f]{12}$")  # what QGIS hangs on a name to make it an id
 
 
 def missing_text(layer_id: str) -> str:
     """How a layer that is not in the project is shown: by the name it had when it was loaded."""
-    return tr("missing: {name}").format(name=_UUID.sub("", layer_id))
+    return filled(tr("missing: {name}"), name=_UUID.sub("", layer_id))
 
 
 def vectors_without(field: str) -> list[QgsVectorLayer]:
@@ -53,7 +53,7 @@ class LayerBox(QgsMapLayerComboBox):
         if layer is not None:
             self.setLayer(layer)
             if self.currentLayer() is not layer:
-                self._show_missing(tr("can't be used: {name}").format(name=layer.name()))
+                self._show_missing(filled(tr("can't be used: {name}"), name=layer.name()))
         elif not layer_id:
             self.setCurrentIndex(0)
 

@@ -17,7 +17,7 @@ from markupsafe import Markup, escape
 from ...imagery.atomic_files import whole_file
 from ...imagery.message import Message
 from ..resources import reports_path
-from ..translation import language, sentence, tr
+from ..translation import filled, formatted, language, sentence, tr
 from .how_measured import HowMeasured, MeasuredRaster
 
 _LONGEST_WORD = 24  # letters that a column of a table makes room for
@@ -51,11 +51,11 @@ def environment() -> Environment:
         loader=FileSystemLoader(reports_path()), autoescape=True, undefined=StrictUndefined,
         trim_blocks=True, lstrip_blocks=True,
     )
-    made.globals.update(tr=tr, language=language)
+    made.globals.update(tr=tr, filled=filled, language=language)
     made.filters.update(
         data_address=_data_address, facts_row=_facts_row, css_text=_css_text, filled_columns=_filled_columns,
         number_columns=_number_columns, has_long_word=_has_long_word, cell_width=_cell_width,
-        with_breaks=_with_breaks,
+        with_breaks=_with_breaks, number=formatted,
     )
     return made
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ....toolkit.band_titles import band_title
-from ....toolkit.translation import sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 
 if TYPE_CHECKING:
     from ...measure.live.live_window import LiveWindow
@@ -26,10 +26,10 @@ def title(session: Session, results: Sequence[WindowCurves]) -> str:
     selected = session.selected()
     if len(results) > 1 and len(results) < len(selected):
         template = tr("{count} of the {selected} selected windows: mean and range")
-        return template.format(count=len(results), selected=len(selected))
+        return filled(template, count=len(results), selected=len(selected))
     if len(results) > 1:
-        return tr("{count} windows: mean and range").format(count=len(results))
-    text = tr("Window {number}").format(number=results[0].window_id)
+        return filled(tr("{count} windows: mean and range"), count=len(results))
+    text = filled(tr("Window {number}"), number=results[0].window_id)
     row = session.row(selected[0]) if len(selected) == 1 else None
     if row is not None and row.stale:
         text += tr(", out of date: inspect it again")
@@ -40,7 +40,7 @@ def live_title(live: LiveWindow) -> str:
     """Which window is drawn while it is being moved."""
     template = tr("Live, {band}: {columns} x {rows} px under the mouse")
     band = band_title(next(iter(live.clips.clips[0].curves)))
-    return template.format(band=band, columns=live.window.width, rows=live.window.height)
+    return filled(template, band=band, columns=live.window.width, rows=live.window.height)
 
 
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:

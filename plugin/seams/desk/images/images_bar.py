@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWi
 from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.picture_stretch import Stretch
 from ....toolkit.resources import icon_path
-from ....toolkit.translation import tr
+from ....toolkit.translation import formatted, tr
 from .picture_flow import GAP
 from .viewport import BEST_ZOOM, Viewport
 
@@ -64,7 +64,7 @@ class ImagesBar(QWidget):
 
     def show_zoom(self, is_showing: bool = True) -> None:
         """Unchecking by a click is no choice, so the buttons are set anew each time."""
-        self._zoom.setText(f"{self._viewport.scale:.2g}x" if is_showing else "")
+        self._zoom.setText(formatted(self._viewport.scale, ".2g") + "\u00d7" if is_showing else "")
         self._zoom_to_all.setChecked(self._viewport.zoom is None)
         self.zoom_to_best.setChecked(self._viewport.zoom == BEST_ZOOM)
 

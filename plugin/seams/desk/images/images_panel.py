@@ -8,7 +8,7 @@ from qgis.PyQt.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QLabel, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
 
 from ....toolkit.desk.space_key import SpaceKey
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
 from ...measure.window_records import COMPOSITE
 from ..session import Session
@@ -239,7 +239,7 @@ class ImagesPanel(QWidget):
             text = "{window} · " + self._why_not
         else:
             text = "{window}"
-        self.bar.status.setText(text.format(window=tr("Window {number}").format(number=row.window_id)))
+        self.bar.status.setText(filled(text, window=filled(tr("Window {number}"), number=row.window_id)))
 
     def _show_zoom(self) -> None:
         self.bar.show_zoom(self._is_showing())

@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QBoxLayout, QButtonGroup, QScrollArea, QToolButt
 
 from ....toolkit.desk.tooltips import rich_tip
 from ....toolkit.resources import icon_path
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
 from ...measure.window_records import COMPOSITE
 from .picture_images import PictureImages
@@ -88,7 +88,7 @@ class PictureStrip(QScrollArea):
         button.setIcon(icon)
         room = self._side() - 2 * button.fontMetrics().horizontalAdvance(" ")  # which Qt puts around it
         button.setText(button.fontMetrics().elidedText(label, Qt.TextElideMode.ElideMiddle, room))
-        button.setToolTip(rich_tip(tr("Compare the large picture with {name}").format(name=name)))
+        button.setToolTip(rich_tip(filled(tr("Compare the large picture with {name}"), name=name)))
         button.setAccessibleName(name)
         button.clicked.connect(lambda _checked, key=key: self.chosen.emit(key))
         return button

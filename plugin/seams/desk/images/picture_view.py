@@ -17,7 +17,7 @@ from qgis.PyQt.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from ....imagery.grids import PixelWindow
 from ....toolkit.desk.theme import readable_palette
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
 from .loss_image import LossImage
 from .picture_images import PictureImages
@@ -102,7 +102,7 @@ class PictureView(QWidget):
         """What Space shows here; empty while it does, or where there is nothing else."""
         if self._other is None or self._is_flipped_now():
             return ""
-        return tr("Space: {name}").format(name=short_name(self._other.picture))
+        return filled(tr("Space: {name}"), name=short_name(self._other.picture))
 
     def _is_flipped_now(self) -> bool:
         return self._is_flipped and self._other is not None
@@ -116,7 +116,7 @@ class PictureView(QWidget):
             return ""
         if shown.is_composite:
             return tr("hard cut of the sources")
-        return tr("{name} (resampled)").format(name=shown.raster) if shown.resampled else shown.raster
+        return filled(tr("{name} (resampled)"), name=shown.raster) if shown.resampled else shown.raster
 
     # Sizes
 
@@ -294,7 +294,7 @@ class PictureView(QWidget):
             if event.pos().y() < self._title_height() and self.shown is not None:
                 text = tr("Drag to move, turn the wheel to zoom.")
                 if self._other is not None:
-                    hold = tr("Hold Space to see {name} here.").format(name=short_name(self._other.picture))
+                    hold = filled(tr("Hold Space to see {name} here."), name=short_name(self._other.picture))
                     text = f"{text} {hold}"
                 QToolTip.showText(event.globalPos(), f"{self._title()}\n{text}", self)
             else:

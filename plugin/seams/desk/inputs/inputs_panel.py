@@ -184,7 +184,7 @@ class InputsPanel(QWidget):
         """``ortho_2024``, `` · 8 sources · seamlines``, and why nothing can be inspected with these."""
         inputs, project = self._session.inputs, QgsProject.instance()
         if not inputs.mosaic:
-            return tr("Inputs: {missing}").format(missing=self._missing()), "", ""
+            return filled(tr("Inputs: {missing}"), missing=self._missing()), "", ""
         count = sum(project.mapLayer(source) is not None for source in inputs.sources)
         problem = self._session.problem() if self._session.mosaic_layer() is not None else None
         parts = [""]
@@ -193,11 +193,11 @@ class InputsPanel(QWidget):
         is_unusable = len(parts) == 1 and problem is not None and problem != messages.NO_SOURCES_GIVEN()
         if is_unusable:  # it is not the sources that are missing
             parts.append(tr("can't be used"))
-        counted = tr("1 source") if count == 1 else tr("{count} sources").format(count=count)
+        counted = tr("1 source") if count == 1 else filled(tr("{count} sources"), count=count)
         if count or not is_unusable:
             parts.append(self._missing() or counted)
         if count < len(inputs.sources):
-            parts.append(tr("{count} missing").format(count=len(inputs.sources) - count))
+            parts.append(filled(tr("{count} missing"), count=len(inputs.sources) - count))
         if project.mapLayer(inputs.source_index) is not None:
             parts.append(tr("source index"))
         if project.mapLayer(inputs.seamlines) is not None:

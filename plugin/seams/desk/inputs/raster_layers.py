@@ -14,7 +14,7 @@ from qgis.core import (
 from ....imagery.errors import SeamInspectorError
 from ....imagery.grids import Extent
 from ....toolkit.layers import box_extent, transformed_extent
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ....toolkit.version_differences import ALPHA, PALETTE, band_roles
 from ...measure.inputs.raster_facts import COLOURS, RasterFacts
 from ...tables.scan_layers import is_picture
@@ -77,4 +77,4 @@ def _pixel_type(layer: QgsRasterLayer) -> str:
     provider = layer.dataProvider()
     kind, bits = provider.dataType(1), 8 * provider.dataTypeSize(1)
     is_float = kind in (Qgis.DataType.Float32, Qgis.DataType.Float64)
-    return tr("floating point") if is_float else tr("{bits} bit").format(bits=bits)
+    return tr("floating point") if is_float else filled(tr("{bits} bit"), bits=bits)

@@ -23,7 +23,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....toolkit.desk.layer_box import missing_text
 from ....toolkit.desk.theme import blended, readable_on, readable_palette
-from ....toolkit.translation import sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.raster_facts import Suitability
 from .raster_layers import file_rasters
 
@@ -175,8 +175,8 @@ def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Ent
     for source in sources:
         if source not in there and source != mosaic_id:
             layer = QgsProject.instance().mapLayer(source)
-            name = tr("missing: {name}").format(name=layer.name()) if layer is not None else missing_text(source)
-            tip = tr("Not in the project any more, or its file can't be opened: {name}").format(name=source)
+            name = filled(tr("missing: {name}"), name=layer.name()) if layer is not None else missing_text(source)
+            tip = filled(tr("Not in the project any more, or its file can't be opened: {name}"), name=source)
             entries.append(_Entry(source, name, tip, is_missing=True))
     fit: list[_Entry] = []
     unfit: list[_Entry] = []

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtWidgets import QMessageBox, QWidget
 
 from ....imagery.statistics.agreement import Agreement, agreement
-from ....toolkit.translation import percent, shown_number, tr
+from ....toolkit.translation import filled, percent, shown_number, tr
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
@@ -27,10 +27,10 @@ def agreement_sentences(found: Agreement) -> list[str]:
         return [tr("No window was judged by both operators yet; who is not sure did not judge.")]
     share = percent(found.agreed / found.count)
     said = [
-        tr("Both judged {count} windows and said the same of {agreed} ({percent} %).").format(
+        filled(tr("Both judged {count} windows and said the same of {agreed} ({percent} %)."),
             count=found.count, agreed=found.agreed, percent=share
         ),
-        tr("Only the first saw a loss: {first}. Only the second: {second}.").format(
+        filled(tr("Only the first saw a loss: {first}. Only the second: {second}."),
             first=found.first_alone, second=found.second_alone
         ),
     ]
@@ -39,7 +39,7 @@ def agreement_sentences(found: Agreement) -> list[str]:
     kappa = tr("Cohen's kappa: {value} ({low} to {high} by 95 %), {word}.")
     values = (shown_number(value) for value in (found.kappa.value, found.kappa.low, found.kappa.high))
     value, low, high = values
-    return [*said, kappa.format(value=value, low=low, high=high, word=_strength(found.kappa.value))]
+    return [*said, filled(kappa, value=value, low=low, high=high, word=_strength(found.kappa.value))]
 
 
 def _strength(kappa: float) -> str:

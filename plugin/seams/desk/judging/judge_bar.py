@@ -14,7 +14,7 @@ from ....imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
 from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.desk.tooltips import rich_tip
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...window_summary import window_sentence
 from ..windows.verdict_chips import verdict_chip, window_tip, windows_sentence
 from .judging import Judging
@@ -129,7 +129,7 @@ class JudgeBar(QWidget):
         if self._judging.just_sure is None:
             return ""
         number, sure = self._judging.just_sure
-        return tr("Window {number}: {percent} % sure").format(number=number, percent=sure)
+        return filled(tr("Window {number}: {percent} % sure"), number=number, percent=sure)
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -149,7 +149,7 @@ class JudgeBar(QWidget):
         tip, shows_chip = "", False
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
-            sentence = tr("Window {numbers}. What was found is hidden.").format(numbers=numbers)
+            sentence = filled(tr("Window {numbers}. What was found is hidden."), numbers=numbers)
         elif len(selected) == 1:
             row, shows_chip = selected[0], True
             if self._session.is_pending(row.fid):
@@ -170,8 +170,8 @@ class JudgeBar(QWidget):
         judging, position = self._judging, tr("{place} of {count}")
         place = str(judging.place + 1) if len(selected) == 1 and judging.place >= 0 else "-"
         count = judging.count
-        self._position.setText(position.format(place=place, count=count) if count else "")
-        widest = position.format(place=count, count=count)
+        self._position.setText(filled(position, place=place, count=count) if count else "")
+        widest = filled(position, place=count, count=count)
         self._position.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))  # the arrows stay where they are
 
     # Widgets

@@ -9,7 +9,7 @@ from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.statistics.observers import OPERATORS, Operator
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...verdict_words import observer_word
 from .judging_settings import JudgingSettings, load_judging, save_judging
 from .window_orders import WindowOrder, order_named
@@ -183,7 +183,7 @@ class Judging(QObject):
     def note(self, **values: object) -> bool:
         """Write ``confidence`` or ``remark`` of the selected windows."""
         fids = self._session.selected()
-        if len(fids) > 1 and not self._confirm(tr("Write this into {count} windows?").format(count=len(fids))):
+        if len(fids) > 1 and not self._confirm(filled(tr("Write this into {count} windows?"), count=len(fids))):
             return True
         if fids:
             self._session.note(fids, {getattr(self.operator, name): value for name, value in values.items()})
@@ -191,9 +191,9 @@ class Judging(QObject):
 
     def _may_judge_all(self, word: str, count: int) -> bool:
         if word:
-            question = tr("Judge {count} windows as {word}?").format(count=count, word=observer_word(word))
+            question = filled(tr("Judge {count} windows as {word}?"), count=count, word=observer_word(word))
         else:
-            question = tr("Take back what was said of {count} windows?").format(count=count)
+            question = filled(tr("Take back what was said of {count} windows?"), count=count)
         return self._confirm(question)
 
     def _last_judged(self) -> WindowRecord | None:

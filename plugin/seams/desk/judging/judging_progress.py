@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ....imagery.statistics.observers import DECIDED
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
@@ -33,7 +33,7 @@ class JudgingProgress:
     def words(self) -> str:
         """``38 of 109 judged, 21 to go``."""
         text = tr("{judged} of {count} judged, {left} to go")
-        return text.format(judged=self.judged, count=self.count, left=self.left) if self.count else ""
+        return filled(text, judged=self.judged, count=self.count, left=self.left) if self.count else ""
 
     def tip(self) -> str:
         """What the other windows are."""
@@ -41,7 +41,7 @@ class JudgingProgress:
         said = tr(
             "Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}."
         )
-        return said.format(judged=self.judged, unsure=self.unsure, left=self.left, rest=rest)
+        return filled(said, judged=self.judged, unsure=self.unsure, left=self.left, rest=rest)
 
 
 def judging_progress(judging: Judging, windows: Iterable[WindowRecord]) -> JudgingProgress:

@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QToolButton, QWidget
 
 from ....toolkit.desk.tooltips import rich_tip
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from .judging import Judging
 
 
@@ -58,7 +58,7 @@ class OperatorButton(QToolButton):
         self.blind.setChecked(settings.is_blind)
         self.agreement.setEnabled(not settings.is_blind)
         words = tr("2nd") if number == 2 else tr("1st")
-        self.setText(tr("{operator}, blind").format(operator=words) if settings.is_blind else words)
+        self.setText(filled(tr("{operator}, blind"), operator=words) if settings.is_blind else words)
         tip = tr("Who judges: the first or the second operator; blind or not; how well both agree.")
         self.setToolTip(rich_tip(tip))
 

@@ -171,7 +171,7 @@ class WindowTool(DrawingTool):
         """Draw what a click, or the end of the drag, would make at the cursor."""
         there, windows = self._window_there(), self._session.window_layer()
         if there is not None and there.extent is not None and windows is not None:
-            text = tr("window {number}: click selects it, drag draws another").format(number=there.window_id)
+            text = filled(tr("window {number}: click selects it, drag draws another"), number=there.window_id)
             self._overlay.show(QgsRectangle(*there.extent), text, windows.crs())
             self._session.leave()
             return

@@ -15,11 +15,11 @@ def described(grid: Grid, window: PixelWindow, coverage: Coverage) -> str:
     size = tr("{width:.1f} x {height:.1f} m, {columns} x {rows} px")
     parts = [filled(size, width=width, height=height, columns=window.width, rows=window.height)]
     few = {0: tr("no source has pixels there"), 1: tr("1 source")}
-    counted = few.get(coverage.sources) or tr("{count} sources").format(count=coverage.sources)
+    counted = few.get(coverage.sources) or filled(tr("{count} sources"), count=coverage.sources)
     if not coverage.unread:
         parts.append(counted)
     elif coverage.sources:
-        parts.append(tr("{counted} or more").format(counted=counted))
+        parts.append(filled(tr("{counted} or more"), counted=counted))
     if coverage.missing is not None and not is_mosaic_enough(1 - coverage.missing):
         share = tr("{share:.0f} % of the mosaic is empty there") if coverage.missing >= 0.01 else tr(
             "{share:.1f} % of the mosaic is empty there")

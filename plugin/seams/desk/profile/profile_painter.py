@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtCore import QLineF, QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
-from ....toolkit.translation import percent, shown_number, tr
+from ....toolkit.translation import filled, percent, shown_number, tr
 from ...charts.profile_scale import ProfileScale, ShownProfile
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def bin_words(shown: ShownProfile, one: ProfileBin) -> list[str]:
     else:
         long = tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)")
         short = tr("{near} to {far} m: {kept} %")
-    return [long.format(**values), short.format(**values)]
+    return [filled(long, **values), filled(short, **values)]
 
 
 def summary_words(shown: ShownProfile) -> list[str]:
@@ -49,7 +49,7 @@ def summary_words(shown: ShownProfile) -> list[str]:
     words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
     if profile.band_width_px:
         words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
-    return [text.format(**values) for text in words]
+    return [filled(text, **values) for text in words]
 
 
 class ProfilePainter:
@@ -117,7 +117,7 @@ class ProfilePainter:
         limit = self.y_of(self._shown.min_kept)
         painter.setPen(QPen(QColor(self._style.limit), 1.3 * self._style.scale, Qt.PenStyle.DashLine))
         painter.drawLine(QLineF(axes.left(), limit, axes.right(), limit))
-        words = tr("limit {percent} %").format(percent=percent(self._shown.min_kept))
+        words = filled(tr("limit {percent} %"), percent=percent(self._shown.min_kept))
         painter.drawText(QPointF(axes.right() - metrics.horizontalAdvance(words), limit + 0.95 * line), words)
         painter.setPen(text)
         painter.drawLine(QLineF(axes.bottomLeft(), axes.bottomRight()))

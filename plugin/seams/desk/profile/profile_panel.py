@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 from ....toolkit.desk.chart_look import chart_style
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.clipped_label import ClippedLabel
-from ....toolkit.translation import sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 from .profile_chart import ProfileChart
 from .profile_export import ProfileExport
 from .profile_painter import bin_words, level_colour, summary_words
@@ -118,7 +118,7 @@ class ProfilePanel(ChartPanel):
             button.setAutoRaise(True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             tip = tr("Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.")
-            button.setToolTip(tip.format(level=level))
+            button.setToolTip(filled(tip, level=level))
             button.toggled.connect(self._choose_levels)
             self._levels.append(button)
             self._tools.insertWidget(level, button)  # after the title

@@ -15,7 +15,7 @@ from ....imagery.message import INFO, Message
 from ....toolkit.background_task import End, Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.message_bar import bar_level, write_log
-from ....toolkit.translation import sentence, shown_number, tr
+from ....toolkit.translation import filled, sentence, shown_number, tr
 from ...measure.scan import messages
 from ...scan_job import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job
 from ...scan_words import time_left
@@ -90,7 +90,7 @@ class MosaicScans(QObject):
             return
         files = self._files(order)
         name = self._session.mosaic_layer()
-        title = tr("Scan of {mosaic}").format(mosaic=name.name() if name is not None else order.mosaic.ref.name)
+        title = filled(tr("Scan of {mosaic}"), mosaic=name.name() if name is not None else order.mosaic.ref.name)
         self._group.begin(title, self._session.inputs.mosaic, files)
         self.news, self.notes = ScanNews(0.0, None), 0
         self._background.start(tr("Scan the mosaic"), scan_job(order, files), self._take, _KEY, steps=1)
@@ -119,8 +119,8 @@ class MosaicScans(QObject):
         if self.news is None:
             return ""
         if not self.news.measured:
-            return tr("Scan: putting the blocks together, {percent} %").format(percent=int(100 * self.news.share))
-        text = tr("Scan: {percent} %").format(percent=int(100 * self.news.share))
+            return filled(tr("Scan: putting the blocks together, {percent} %"), percent=int(100 * self.news.share))
+        text = filled(tr("Scan: {percent} %"), percent=int(100 * self.news.share))
         left = self.news.seconds_left
         return text if left is None else f"{text}, {time_left(left)}"
 
@@ -182,7 +182,7 @@ def scan_sentence(done: ScanDone, notes: int = 0) -> str:
         words = tr("Scanned {metres} m of seams: no significant loss")
         if done.failed_metres:
             words = tr("Scanned {metres} m of seams: significant loss on {failed} m")
-        words = words.format(
+        words = filled(words,
             metres=shown_number(done.seam_metres, 0), failed=shown_number(done.failed_metres, 0)
         ) + "."
-    return f"{words} " + tr("Notes in the log: {count}.").format(count=notes) if notes else words
+    return f"{words} " + filled(tr("Notes in the log: {count}."), count=notes) if notes else words

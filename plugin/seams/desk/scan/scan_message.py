@@ -8,7 +8,7 @@ from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtCore import QObject
 
 from ....toolkit.desk.bar_question import BarQuestion
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...scan_job import ScanDone
 from .mosaic_scans import scan_sentence
 
@@ -25,7 +25,7 @@ class ScanMessage(BarQuestion):
         level = Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success
         words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
         self.ask(
-            scan_sentence(done, notes), level, words.format(count=done.worst_count),
+            scan_sentence(done, notes), level, filled(words, count=done.worst_count),
             tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."),
             self._judge if done.worst_count else None,
         )  # fmt: skip

@@ -16,7 +16,7 @@ from qgis.PyQt.QtWidgets import QShortcut
 from ....imagery.gdal_calls import drop_from_memory
 from ....toolkit.background_task import Job
 from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from .composite_layer import composite_job
 from .map_picture import MapPicture, end_drawing
 from .swipe_handle import SwipeHandle
@@ -84,7 +84,7 @@ class Swipe(QObject):
         self._background.cancel_others({self._turn})
         self._forget_file()
         self._background.start(
-            tr("Open {name}").format(name=choice.title), self._job(choice), partial(self._take, self._turn), self._turn
+            filled(tr("Open {name}"), name=choice.title), self._job(choice), partial(self._take, self._turn), self._turn
         )
         self._draw()
         self.changed.emit()
@@ -230,10 +230,10 @@ class Swipe(QObject):
         title = self.choice.title
         if self._layer is not None:
             if not looks_alike(self._layer, mosaic):
-                title = tr("{name} (its own stretch)").format(name=title)
+                title = filled(tr("{name} (its own stretch)"), name=title)
             beneath = [] if self.choice.ref is not None else [mosaic]  # a composite is of one window
             self._other.draw(settings, exchanged(shown, mosaic, self._sources, [self._layer, *beneath]))
         else:
-            title = tr("{name}: reading ...").format(name=title)
+            title = filled(tr("{name}: reading ..."), name=title)
         item.names = tr("mosaic"), title
         self._repaint()

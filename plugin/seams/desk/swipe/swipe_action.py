@@ -16,7 +16,7 @@ from ....toolkit.layers import box_extent
 from ....toolkit.map_places import transformed_box
 from ....toolkit.message_bar import bar_level
 from ....toolkit.resources import icon_path
-from ....toolkit.translation import sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from ...measure.inspection import Block, WindowRequest
 from .swipe import Swipe
@@ -140,7 +140,7 @@ class SwipeAction(QObject):
             entry = self.menu.addAction(choice.title)
             entry.setCheckable(True)
             entry.setChecked(choice == self.swipe.choice)
-            entry.setToolTip(tr("Compare the mosaic with {name}").format(name=choice.title))
+            entry.setToolTip(filled(tr("Compare the mosaic with {name}"), name=choice.title))
             entry.triggered.connect(lambda _checked, choice=choice: self.start(choice))
             group.addAction(entry)
         if not choices:

@@ -9,7 +9,7 @@ from functools import partial
 from qgis.core import QgsSettings
 from qgis.PyQt.QtWidgets import QMenu, QWidget
 
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from .windows_columns import TableColumn
 
 _KEY = "SeamInspector/window_columns"
@@ -69,4 +69,4 @@ def columns_menu(
 
 
 def _menu_title(column: TableColumn) -> str:
-    return tr("ratio {level}").format(level=column.level) if column.level > 1 else column.title()
+    return filled(tr("ratio {level}"), level=column.level) if column.level > 1 else column.title()

@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QFontMetrics
 from qgis.PyQt.QtWidgets import QStyle, QStyleOptionHeader, QTableView
 
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...cause_words import cause_word
 from ...measure.causes import Cause
 from ...verdict_words import VERDICTS, observer_word, verdict_word
@@ -65,7 +65,7 @@ class ColumnMeter:
             return Widths(8 * em, 10 * em, 12 * em)
         if column.name == "verdict":
             words = [verdict_word(verdict) for verdict in VERDICTS]
-            changed = [tr("{verdict}, changed").format(verdict=word) for word in words[:3]]
+            changed = [filled(tr("{verdict}, changed"), verdict=word) for word in words[:3]]
             natural, airy = chip + width(*words), chip + width(*changed)
             least = natural = airy if self._has_stale else natural
         elif column.name == "cause":

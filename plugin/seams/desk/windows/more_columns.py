@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, Qt
 
-from ....toolkit.translation import percent, shown_number, tr
+from ....toolkit.translation import filled, percent, shown_number, tr
 from ...cause_words import cause_word
 from ...verdict_words import observer_word
 from .windows_columns import ALIGNED_LEFT, TableColumn
@@ -39,7 +39,7 @@ def _percent(value: float) -> str:
 
 
 def _metres(value: float) -> str:
-    return tr("{metres} m").format(metres=shown_number(value, 2 if value < 10 else 0))
+    return filled(tr("{metres} m"), metres=shown_number(value, 2 if value < 10 else 0))
 
 
 def _causes(words: str) -> str:

@@ -17,7 +17,7 @@ from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtGui import QKeyEvent, QKeySequence
 from qgis.PyQt.QtWidgets import QAction, QMainWindow, QWidget
 
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 
 if TYPE_CHECKING:
     from qgis.PyQt.QtGui import QUndoStack  # Qt 5 has it in QtWidgets, and QGIS brings it to neither place
@@ -176,5 +176,5 @@ class _Key:
 
 def _tip(text: str, keys: Iterable[str], step: str) -> str:
     shown = [QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys]
-    tip = text.format(keys=", ".join(shown))
+    tip = filled(text, keys=", ".join(shown))
     return f"{tip}\n\n" + (step or tr("There is no such change."))

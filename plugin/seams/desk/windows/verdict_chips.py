@@ -10,7 +10,7 @@ from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.tooltips import rich_tip
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from ...verdict_words import VERDICTS, verdict_colour, verdict_word
 from ...window_summary import cause_numbers, explanation_of, window_sentence
 
@@ -33,8 +33,8 @@ def windows_sentence(rows: Sequence[WindowRecord]) -> str:
     parts = [f"{counts[verdict]} {verdict_word(verdict)}" for verdict in words if counts[verdict]]
     changed = sum(row.stale for row in rows)
     if changed:
-        parts.append(tr("{count} changed since").format(count=changed))
-    return tr("{count} windows selected: {verdicts}.").format(count=len(rows), verdicts=", ".join(parts))
+        parts.append(filled(tr("{count} changed since"), count=changed))
+    return filled(tr("{count} windows selected: {verdicts}."), count=len(rows), verdicts=", ".join(parts))
 
 
 def window_tip(row: WindowRecord, result: WindowResult | None = None) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, Qt
 
 from ....toolkit.desk.tooltips import rich_tip
-from ....toolkit.translation import percent, shown_number, tr
+from ....toolkit.translation import filled, percent, shown_number, tr
 from ...cause_words import cause_sentence, cause_word
 from ...judged_value import judged_kept
 from ...verdict_words import VERDICTS, observer_word, verdict_word
@@ -56,7 +56,7 @@ class TableColumn(NamedTuple):
 
     def title_tip(self) -> str:
         """The tooltip of the heading."""
-        return rich_tip(tr(self.explanation).format(level=self.level))
+        return rich_tip(filled(tr(self.explanation), level=self.level))
 
     def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
@@ -66,7 +66,7 @@ class TableColumn(NamedTuple):
         if not self.level or self.key(row) is None or row.stale:
             return window_tip(row, result)
         value = shown_number(self.key(row), 4)
-        return rich_tip(tr("Ratio at level {level}: {ratio}").format(level=self.level, ratio=value))
+        return rich_tip(filled(tr("Ratio at level {level}: {ratio}"), level=self.level, ratio=value))
 
 
 def columns_of(levels: int) -> tuple[TableColumn, ...]:
@@ -76,7 +76,7 @@ def columns_of(levels: int) -> tuple[TableColumn, ...]:
 
 def _verdict_text(row: WindowRecord) -> str:
     word = verdict_word(row.verdict)
-    return tr("{verdict}, changed").format(verdict=word) if row.stale else word
+    return filled(tr("{verdict}, changed"), verdict=word) if row.stale else word
 
 
 @cache

@@ -22,7 +22,7 @@ from ....imagery.statistics.observers import Operator
 from ....toolkit.desk.confirmation import is_confirmed
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.message_bar import bar_level
-from ....toolkit.translation import sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from ..judging.window_orders import TABLE, WindowOrder
 from .filter_boxes import KindBox, OrderBox
@@ -240,7 +240,7 @@ class WindowsPanel(QWidget):
         shown, count = self._shown.rowCount(), self._windows.rowCount()
         has_room = self.width() > _WIDE_LETTERS * self.fontMetrics().averageCharWidth()  # the judge bar says it, too
         self._count.setVisible(self._shown.is_on and count > 0 and has_room)
-        self._count.setText(tr("{shown} of {count}").format(shown=shown, count=count))
+        self._count.setText(filled(tr("{shown} of {count}"), shown=shown, count=count))
         hint = tr("Draw a window on the map, or place windows along the seamlines.")
         if count:
             hint = tr("No window matches the filter.")
@@ -286,7 +286,7 @@ class WindowsPanel(QWidget):
         fids = self.table.selected_fids()
         rows = [row for row in map(self._session.row, fids) if row is not None]
         judged = sum(bool(row.observer or row.observer_2) for row in rows)
-        question = tr("Remove {count} windows, {judged} of them judged?").format(count=len(fids), judged=judged)
+        question = filled(tr("Remove {count} windows, {judged} of them judged?"), count=len(fids), judged=judged)
         if fids and (judged < 2 or self._confirm(self, question)):
             self._session.remove(fids)
 
