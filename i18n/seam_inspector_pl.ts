@@ -10941,7 +10941,7 @@
     <message>
         <location filename="../plugin/toolkit/messages.py" line="20"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
-        <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od -{most} do {most}.</translation>
+        <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>

@@ -250,7 +250,7 @@ def test_the_report_shows_where_a_failed_mark_should_be(blotted: PhotoScene, tmp
     page = report.read_text(encoding="utf-8")
     assert page.count("<img") == 4
     column, row = blotted.frame.places["2"]
-    (said,) = set(re.findall(r"2: ([\d.]+), ([\d.]+), failed; it should be here", page))
+    (said,) = set(re.findall(r"2: ([\d.]+); ([\d.]+), failed; it should be here", page))
     assert math.dist([float(value) for value in said], (column, row)) < 1
     for words in ("pixel size", "rotation", "principal point", str(blotted.calibration), "0.212 mm"):
         assert words in page
