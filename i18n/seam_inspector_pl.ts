@@ -4,7 +4,7 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="45"/>
+        <location filename="../build/template_texts.py" line="279"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
@@ -44,7 +44,7 @@
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="82"/>
+        <location filename="../build/template_texts.py" line="283"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -54,22 +54,22 @@
         <translation>Prostokąty w zmierzonych granicach, z oceną i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="117"/>
+        <location filename="../build/template_texts.py" line="280"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="117"/>
+        <location filename="../build/template_texts.py" line="286"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
+        <location filename="../build/template_texts.py" line="281"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="121"/>
+        <location filename="../build/template_texts.py" line="287"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
@@ -84,7 +84,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="177"/>
+        <location filename="../build/template_texts.py" line="297"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -94,17 +94,17 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="69"/>
+        <location filename="../build/template_texts.py" line="300"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="64"/>
+        <location filename="../build/template_texts.py" line="291"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="88"/>
+        <location filename="../build/template_texts.py" line="308"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -114,7 +114,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="83"/>
+        <location filename="../build/template_texts.py" line="306"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
@@ -124,12 +124,12 @@
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
+        <location filename="../build/template_texts.py" line="298"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="47"/>
+        <location filename="../build/template_texts.py" line="290"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -144,7 +144,7 @@
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="31"/>
+        <location filename="../build/template_texts.py" line="284"/>
         <source>Place windows along seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
@@ -154,32 +154,32 @@
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="42"/>
+        <location filename="../build/template_texts.py" line="302"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="42"/>
+        <location filename="../build/template_texts.py" line="292"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="94"/>
+        <location filename="../build/template_texts.py" line="304"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="94"/>
+        <location filename="../build/template_texts.py" line="293"/>
         <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="54"/>
+        <location filename="../build/template_texts.py" line="310"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="54"/>
+        <location filename="../build/template_texts.py" line="296"/>
         <source>Distance between the centres of neighbouring windows, measured along the seam.</source>
         <translation>Odległość między środkami sąsiednich okien, mierzona wzdłuż linii mozaikowania.</translation>
     </message>
@@ -2569,17 +2569,17 @@
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="50"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="51"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="63"/>
         <source>The images to be checked, each for itself.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="63"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="64"/>
         <source>Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
@@ -2589,32 +2589,32 @@
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="96"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="103"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="104"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="103"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="104"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
@@ -5474,12 +5474,12 @@
         <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
+        <location filename="../build/template_texts.py" line="282"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
+        <location filename="../build/template_texts.py" line="288"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
@@ -8679,7 +8679,7 @@
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="52"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="53"/>
         <source>Holds images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
@@ -8689,62 +8689,62 @@
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="67"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="68"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="74"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="82"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
         <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="89"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="108"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="108"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="116"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="117"/>
         <source>The decision and all figures with the histograms on one HTML page.</source>
         <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="117"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="118"/>
         <source>Decision: accepted, rejected or undecided</source>
         <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="118"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
         <source>Reasons of the decision</source>
         <translation>Uzasadnienie decyzji</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="209"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="211"/>
         <source>Decision: {word}.</source>
         <translation>Decyzja: {word}.</translation>
     </message>
@@ -8899,17 +8899,17 @@
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="107"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="108"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="112"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="113"/>
         <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
         <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="121"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
         <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
@@ -10952,6 +10952,176 @@
         <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="258"/>
+        <source>ISO 2859-1, level II, AQL 1.0</source>
+        <translation>ISO 2859-1, poziom II, AQL 1,0</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="259"/>
+        <source>Seam Inspector: where a piece of seam is called significant</source>
+        <translation>Seam Inspector: granica, od której strata na odcinku linii mozaikowania jest istotna</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="260"/>
+        <source>ISO 2859-1:1999, single sampling, normal inspection</source>
+        <translation>ISO 2859-1:1999, plan jednostopniowy, kontrola normalna</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="261"/>
+        <source>Seam Inspector: nothing is accepted on a guess</source>
+        <translation>Seam Inspector: nic nie jest przyjmowane na domysł</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="262"/>
+        <source>ISO 2859-1, level II, AQL 4.0</source>
+        <translation>ISO 2859-1, poziom II, AQL 4,0</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="263"/>
+        <source>2 % of the seams may fail if it is not contiguous</source>
+        <translation>niezgodne może być 2 % linii mozaikowania, byle nie w jednym ciągu</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="264"/>
+        <source>Beeldmateriaal Nederland: 2 % may deviate</source>
+        <translation>Beeldmateriaal Nederland: odstępstwo może mieć 2 %</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="265"/>
+        <source>Beeldmateriaal Nederland: if it is not contiguous; 50 m is half a standard window (Pyka 2010)</source>
+        <translation>Beeldmateriaal Nederland: byle nie w jednym ciągu; 50 m to połowa okna standardowego (Pyka 2010)</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="266"/>
+        <source>Strict: 1 % may fail, 25 m without a break</source>
+        <translation>surowe: niezgodny może być 1 %, 25 m bez przerwy</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="267"/>
+        <source>Seam Inspector: stricter than what is called significant</source>
+        <translation>Seam Inspector: surowiej niż granica istotnej straty</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="268"/>
+        <source>Seam Inspector: half of what Beeldmateriaal Nederland lets deviate</source>
+        <translation>Seam Inspector: połowa odstępstwa dopuszczanego przez Beeldmateriaal Nederland</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="269"/>
+        <source>Seam Inspector: one standard piece of seam</source>
+        <translation>Seam Inspector: jeden standardowy odcinek linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="270"/>
+        <source>JRC orthoimage specification for LPIS</source>
+        <translation>specyfikacja JRC dla ortoobrazów LPIS</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="271"/>
+        <source>JRC, Orthoimage technical specifications for the purpose of LPIS: overall clipping</source>
+        <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: obcięcie</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="272"/>
+        <source>JRC, Orthoimage technical specifications for the purpose of LPIS: histogram peak</source>
+        <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: maksimum histogramu</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="273"/>
+        <source>JRC, Orthoimage technical specifications for the purpose of LPIS: contrast</source>
+        <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: kontrast</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="274"/>
+        <source>JRC, Orthoimage technical specifications for the purpose of LPIS: noise</source>
+        <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: szum</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="275"/>
+        <source>JRC, Orthoimage technical specifications for the purpose of LPIS: colour balance</source>
+        <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: balans barw</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="276"/>
+        <source>Arrêté du 16 septembre 2003, section 8.4 (France)</source>
+        <translation>Arrêté du 16 septembre 2003, rozdział 8.4 (Francja)</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="277"/>
+        <source>Pyka 2010: tonal unity at the seams is bought with contrast</source>
+        <translation>Pyka 2010: jednolitość tonalna przy liniach mozaikowania kosztuje kontrast</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="278"/>
+        <source>JRC orthoimage specification for LPIS, each band held to the limits</source>
+        <translation>specyfikacja JRC dla ortoobrazów LPIS, granice dla każdego kanału</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="285"/>
+        <source>Places windows of about 100 m along the seamlines of a mosaic and measures in each how much local contrast the mosaic kept against its sources.</source>
+        <translation>Rozmieszcza okna o boku około 100 m wzdłuż linii mozaikowania ortofotomapy i mierzy w każdym, ile lokalnego kontrastu zachowała ona względem ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="289"/>
+        <source>The rectangles as measured, with their verdict, what it was taken by, and causes.</source>
+        <translation>Prostokąty w zmierzonych granicach, z oceną, jej podstawą i przyczynami.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="294"/>
+        <source>A tile index of orthoimages as gdaltindex writes it, alone or beside the sources.</source>
+        <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, sam albo obok ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="295"/>
+        <source>The orthoimages that the mosaic was made from.</source>
+        <translation>Ortoobrazy, z których powstała ortofotomapa.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="299"/>
+        <source>Steps of the decomposition.</source>
+        <translation>Liczba kroków dekompozycji.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="301"/>
+        <source>The orthophoto mosaic under inspection.</source>
+        <translation>Kontrolowana ortofotomapa.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="303"/>
+        <source>Lines, or polygons of which each is filled from one orthoimage.</source>
+        <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="305"/>
+        <source>What a window spans at least.</source>
+        <translation>Najmniejsza dopuszczalna długość boku okna.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="307"/>
+        <source>Or their tile index, as gdaltindex writes it.</source>
+        <translation>Albo ich indeks kafli w postaci zapisywanej przez gdaltindex.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="309"/>
+        <source>The orthoimages the mosaic was made from.</source>
+        <translation>Ortoobrazy, z których powstała ortofotomapa.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="311"/>
+        <source>Distance between neighbouring windows along the seam.</source>
+        <translation>Odległość między sąsiednimi oknami wzdłuż linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../build/template_texts.py" line="312"/>
+        <source>Inspect mosaic</source>
+        <translation>Skontroluj ortofotomapę</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/algorithms/ready_rules.py" line="12"/>
+        <source>Seam Inspector&apos;s own</source>
+        <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
 </context>
 </TS>

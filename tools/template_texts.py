@@ -1,18 +1,22 @@
-"""Print the texts of reports' templates and of layers' styles as Python, for the tool that collects them.
+"""Print the texts of reports' templates, layers' styles, rules and models as Python, for the tool that collects them.
 
-Templates mark them by ``tr("...")``, styles by ``/*tr*/'...'``; the labels of a style are texts too.
+Templates mark them by ``tr("...")``, styles by ``/*tr*/'...'``; the labels of a style are texts too, and of rules
+and models what people read of them.
 """
 from __future__ import annotations
 
+import json
 import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from xml.etree.ElementTree import fromstring
+from xml.etree.ElementTree import Element, fromstring
 
 from jinja2 import Environment, nodes
 
 _LABELLED = ("category", "range", "rule", "item", "paletteEntry")
+_MODEL_TEXTS = ("description", "component_description", "model_group", "help")
+_MODEL_FACTS = ("ALG_CREATOR", "ALG_VERSION")
 _MARKED = re.compile(r"/\*tr\*/'([^']+)'")
 
 
@@ -30,6 +34,21 @@ def texts(folder: Path) -> Iterator[str]:
         style = path.read_text(encoding="utf-8")
         yield from (label for one in fromstring(style).iter() if one.tag in _LABELLED and (label := one.get("label")))
         yield from _MARKED.findall(style)
+    for path in sorted(folder.rglob("rules/**/*.json")):
+        content = json.loads(path.read_text(encoding="utf-8"))
+        yield from (content["name"], *(rule["source"] for rule in content["rules"]))
+    for path in sorted(folder.rglob("*.model3")):
+        yield from _of_model(fromstring(path.read_text(encoding="utf-8")), is_help=False)
+        yield path.stem.replace("_", " ").capitalize()
+
+
+def _of_model(option: Element, is_help: bool) -> Iterator[str]:
+    """Titles and help of a model and of its parts; who made it is a name."""
+    for one in option:
+        name, value = one.get("name", ""), one.get("value", "")
+        if value and (is_help or name in _MODEL_TEXTS) and name not in _MODEL_FACTS and one.get("type") == "QString":
+            yield value
+        yield from _of_model(one, is_help or name == "help")
 
 
 if __name__ == "__main__":

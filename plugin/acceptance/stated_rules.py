@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ..imagery.errors import SettingsError
+from ..toolkit.algorithms.ready_rules import in_users_language
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import limits, messages
@@ -43,7 +44,7 @@ def stated_rules(run: Run) -> AcceptanceRules:
         raise SettingsError(messages.TWO_RULES(ready=ready, name=Path(own).name))
     if not own and not ready:
         return _of_parameters(given)
-    rules = load_acceptance_rules(Path(own) if own else ready_files()[ready])
+    rules = in_users_language(load_acceptance_rules(Path(own) if own else ready_files()[ready]))
     said = _as_parameters(rules)
     for name, value in given.items():
         if value not in (DEFAULTS[name], said.get(name)):

@@ -24,6 +24,7 @@ from ..imagery.errors import RasterError, SettingsError
 from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
+from ..toolkit.algorithms.ready_rules import in_users_language
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import messages
@@ -179,7 +180,8 @@ class CheckRadiometry(RasterListAlgorithm):
         from .measure.rules import load_rules
 
         own = run.text(RULES) if run.parameters.get(RULES) else ""
-        rules = load_rules(Path(own) if own else ready_rule_files()[run.word(READY_RULES) or DEFAULT_RULES])
+        path = Path(own) if own else ready_rule_files()[run.word(READY_RULES) or DEFAULT_RULES]
+        rules = in_users_language(load_rules(path))
         given = self._value_range(run)
         return rules if given is None else replace(rules, value_range=given)
 

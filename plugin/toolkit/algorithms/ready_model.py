@@ -14,9 +14,11 @@ from qgis.core import (
 from ...imagery.errors import SettingsError
 from ...imagery.gdal_calls import gdal_silenced
 from ..resources import help_url
-from ..translation import sentence
+from ..translation import sentence, tr
 from .overwriting import refuse_overwriting
 from .unopened_rasters import without_rasters
+
+_TITLES, _HELP = ("description", "component_description", "model_group"), "help"
 
 
 class ReadyModel(QgsProcessingModelAlgorithm):
@@ -28,6 +30,13 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         copy.setProvider(self.provider())
         copy.setSourceFilePath(self.sourceFilePath())
         return copy
+
+    def displayName(self) -> str:
+        return tr(model_title(self.name()))
+
+    def fromFile(self, path: str) -> bool:
+        """In the user's language: names, help and the group."""
+        return super().fromFile(path) and self.loadVariant(_translated(self.toVariant()))
 
     def helpUrl(self) -> str:
         return help_url(self.name())
@@ -55,3 +64,19 @@ class ReadyModel(QgsProcessingModelAlgorithm):
     ) -> dict[str, Any]:
         with gdal_silenced():
             return dict(super().processAlgorithm(parameters, context, feedback))
+
+
+def model_title(name: str) -> str:
+    """What a model is called in the toolbox: ``inspect_mosaic`` is ``Inspect mosaic``."""
+    return name.replace("_", " ").capitalize()
+
+
+def _translated(content: Any, is_help: bool = False) -> Any:
+    """A model's content with what people read of it translated."""
+    if isinstance(content, dict):
+        return {
+            key: _translated(value, is_help or key == _HELP) if isinstance(value, dict) or is_help or key == _HELP
+            else tr(value) if key in _TITLES and value else value
+            for key, value in content.items()
+        }  # fmt: skip
+    return tr(content) if is_help and isinstance(content, str) and content else content

@@ -1,0 +1,56 @@
+"""Rules and models that come with the plugin are in the user's language; what users name themselves stays as it is."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from qgis.core import QgsApplication, QgsProcessingProvider
+from seam_inspector.plugin.acceptance.measure.rules_file import load_acceptance_rules, ready_files
+from seam_inspector.plugin.provider import SeamInspectorProvider
+from seam_inspector.plugin.radiometry.measure.rules import load_rules, ready_rule_files
+from seam_inspector.plugin.toolkit.algorithms.ready_rules import in_users_language
+from seam_inspector.plugin.toolkit.translation import Translation
+
+
+@pytest.fixture
+def polish(monkeypatch: pytest.MonkeyPatch, qgis_app: QgsApplication) -> object:
+    monkeypatch.setattr(QgsApplication, "locale", staticmethod(lambda: "pl"))
+    made = Translation()
+    yield made
+    made.remove()
+
+
+def test_ready_rules_and_their_sources_are_polish(polish: object) -> None:
+    known = [load_acceptance_rules(path) for path in ready_files().values()]
+    for rules in known:
+        worded = in_users_language(rules)
+        assert worded.name != rules.name
+        assert worded.kept_source != rules.kept_source
+        assert [one.limit for one in worded.rules] == [one.limit for one in rules.rules]
+        assert all(new.source != old.source for new, old in zip(worded.rules, rules.rules))
+    for path in ready_rule_files().values():
+        assert in_users_language(load_rules(path)).name.startswith("specyfikacja JRC")
+
+
+def test_a_contracts_own_words_stay(polish: object) -> None:
+    rules = load_rules(next(iter(ready_rule_files().values())))
+    own = replace(rules, name="Umowa 12/2026 {x}")
+    assert in_users_language(own).name == own.name
+
+
+def test_the_ready_model_speaks_polish(polish: object, provider: QgsProcessingProvider) -> None:
+    made = SeamInspectorProvider()
+    made.refreshAlgorithms()
+    model = made.algorithm("inspect_mosaic")
+    assert model.displayName() == "Skontroluj ortofotomapę"
+    assert model.group() == "Kontrola linii mozaikowania"
+    assert "linii mozaikowania" in model.shortHelpString()
+    copy = model.create()
+    names = {one.name(): one.description() for one in copy.parameterDefinitions()}
+    assert names["mosaic"] == "Ortofotomapa"
+    assert names["inspect:windows"] == "Skontrolowane okna"
+
+
+def test_the_ready_model_in_english(provider: QgsProcessingProvider) -> None:
+    model = provider.algorithm("inspect_mosaic")
+    assert (model.displayName(), model.group()) == ("Inspect mosaic", "Seam inspection")
