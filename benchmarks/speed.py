@@ -2,8 +2,8 @@
 
     python -m benchmarks.speed [--runs 3] [--write README.md]
 
-Prints the table as Markdown; ``--write`` puts it between the two marks of a page. Run it on a machine that does
-nothing else: the load is told beside the machine.
+Prints the table as Markdown; ``--write`` puts it between the two marks of a page. Times are those of the processor, so
+that other processes change little; the load is told beside the machine all the same.
 """
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def main() -> int:
 
 
 def measured() -> dict[str, float]:
-    """The ratios of one run, by the names that the benchmarks give them; what they print goes to the error output."""
+    """The ratios of one run in processor time, by the benchmarks' names; tables go to the error output."""
     gdal.UseExceptions()
     standard, sys.stdout = sys.stdout, sys.stderr
     try:
@@ -71,7 +71,7 @@ def measured() -> dict[str, float]:
             goals += windows.run_explanation(ground, True)
     finally:
         sys.stdout = standard
-    return {goal.text: goal.measured for goal in goals}
+    return {goal.text: goal.processor for goal in goals}
 
 
 def table(runs: Iterable[dict[str, float]], load: float) -> str:
@@ -81,7 +81,7 @@ def table(runs: Iterable[dict[str, float]], load: float) -> str:
     for begin, words in ROWS:
         figures = Spread.of(next(value for name, value in run.items() if name.startswith(begin)) for run in runs)
         rows.append(f"| {words} | {figures.median:.1f} | {figures.least:.1f} to {figures.most:.1f} |")
-    return "\n".join([*rows, "", f"*{len(runs)} runs on {machine(load)}, {date.today():%d %B %Y}.*"])
+    return "\n".join([*rows, "", f"*Processor time, {len(runs)} runs on {machine(load)}, {date.today():%d %B %Y}.*"])
 
 
 def machine(load: float) -> str:

@@ -69,6 +69,8 @@ class Goal:
     wanted: float
     measured: float
     at_least: bool = True
+    processor: float = float("nan")
+    """The same in processor time, which other processes hardly change; NaN where it was not measured."""
 
     @property
     def met(self) -> bool:

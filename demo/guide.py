@@ -17,7 +17,7 @@ from .desktop import REPOSITORY, play, why_not
 from .screenshot import shrink
 
 SCENARIO = REPOSITORY / "tests" / "desktop" / "scenarios" / "first_inspection.py"
-SCREEN = "1400x900"
+SCREEN = "1300x920"
 
 
 def main() -> int:

@@ -32,6 +32,7 @@ html_favicon = "../resources/icons/seam_inspector.svg"
 html_logo = "../resources/icons/seam_inspector.svg"
 html_static_path = ["static"]
 html_css_files = ["guide.css"]
+html_js_files = ["guide.js"]
 html_show_sphinx = False
 html_copy_source = False
 html_show_copyright = False

@@ -18,7 +18,7 @@ def test_the_first_inspection_goes_as_the_page_says(
     command = [sys.executable, "-m", "demo.project", str(small_block)]
     subprocess.run(command, cwd=repository, env=environment, check=True, timeout=120)
     parameters = {"project": str(small_block / "block.qgz"), "screenshots": str(screenshots)}
-    run = play(SCENARIOS / "first_inspection.py", tmp_path, parameters, screen="1400x900")
+    run = play(SCENARIOS / "first_inspection.py", tmp_path, parameters, screen="1300x920")
     check(run)
     assert run.report["windows"] == len(run.report["verdicts"]) > 0
     assert run.report["sentence"]

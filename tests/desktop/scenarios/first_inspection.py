@@ -15,7 +15,7 @@ from qgis.utils import iface
 
 from demo.desk import Desk
 
-DOCK_PX = 520
+DOCK_PX = 500
 
 
 def play(desk: Desk) -> None:
@@ -136,5 +136,5 @@ def click_button(desk: Desk, action: object) -> None:
 def arrange(desk: Desk) -> None:
     """Few layers, a desk of a good width."""
     layers = desk.window.findChild(QWidget, "Layers")
-    desk.window.resizeDocks([layers, desk.dock], [180, DOCK_PX], Qt.Orientation.Horizontal)
+    desk.window.resizeDocks([layers, desk.dock], [140, DOCK_PX], Qt.Orientation.Horizontal)
     desk.pause(0.5)
