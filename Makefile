@@ -12,7 +12,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz translate package icon clean
+.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -103,6 +103,9 @@ translate: link ## Collect new texts into the translations, then compile them
 	pylupdate5 -noobsolete -tr-function Message $$(find plugin build/template_texts.py -name '*.py') \
 		-ts i18n/seam_inspector_pl.ts
 	$(MAKE) link
+
+soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows; FEWER=20 for a try
+	$(PYTHON) -m tests.desktop.soak $(if $(FEWER),--fewer $(FEWER))
 
 package: link ## Make the plugin's zip and the workers' wheel of the last commit, in build/, and check the zip
 	@zip=$$($(PYTHON) -m tools.make_package) && wheel=$$($(PYTHON) -m tools.make_wheel) && \

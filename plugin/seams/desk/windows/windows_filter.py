@@ -26,7 +26,7 @@ class WindowsFilter(QSortFilterProxyModel):
         self._model = model
         self._words: list[str] = []
         self._test: Callable[[WindowRecord], bool] | None = None  # of an expression
-        self._passes: dict[WindowRecord, bool] = {}
+        self._passes: dict[int, tuple[WindowRecord, bool]] = {}  # by feature id
         self._accepts: Callable[[WindowRecord], bool] | None = None
         self._own: frozenset[str] | None = None  # the fields that are not hidden; None: all
         self._told: dict[tuple[str, str, str], list[str]] = {}
@@ -103,12 +103,14 @@ class WindowsFilter(QSortFilterProxyModel):
     def _passes_test(self, row: WindowRecord) -> bool:
         """Kept, as Qt asks for every row again whenever one changes."""
         assert self._test is not None
-        if row not in self._passes:
+        known = self._passes.get(row.fid)
+        if known is None or known[0] is not row:
             try:
-                self._passes[row] = self._test(row)
+                known = row, self._test(row)
             except SettingsError:  # it can't be said of this window
-                self._passes[row] = False
-        return self._passes[row]
+                known = row, False
+            self._passes[row.fid] = known
+        return known[1]
 
     def _allowed_words(self, text: str) -> list[str]:
         """Raises SettingsError for one that can be found only in what is hidden."""
